@@ -1,0 +1,18 @@
+#pragma once
+#include <vector>
+
+#include "strata/csg/options.h"
+#include "strata/mesh/defect.h"
+#include "strata/mesh/mesh.h"
+
+namespace strata {
+
+/// Complete diagnosis: indices, coordinates, closed, oriented, no face meets another but along shared edges and
+/// vertices, winding numbers 0 and 1. Empty exactly when the mesh bounds a solid (notes aside).
+/// Exact. O((n + k) log n) for k meeting pairs.
+[[nodiscard]] std::vector<Defect> check(MeshView mesh, const Options& options = {});
+
+/// True when no two faces meet but along shared edges and vertices, by exact predicates on the doubles given.
+[[nodiscard]] bool is_embedded(MeshView mesh, const Options& options = {});
+
+}  // namespace strata

@@ -1,0 +1,26 @@
+#pragma once
+#include <atomic>
+#include <functional>
+
+namespace strata {
+
+/// Regularized set operations on n >= 1 operands.
+/// unite: in any; intersect: in all; subtract: in the first and in no other; exclude: in an odd number (xor).
+enum class Operation { unite, intersect, subtract, exclude };
+
+/// What the caller declares about the operands.
+enum class InputClass {
+  solid,        ///< closed, winding numbers 0 and 1: the edge chain is checked, self-intersection is not searched
+  overlapping,  ///< closed, may cross itself: resolved completely; inside is winding number > 0
+  repair,       ///< a soup: weld equal vertices, drop duplicate and degenerate faces, orient; then as overlapping
+};
+
+struct Options {
+  InputClass input = InputClass::solid;
+  unsigned threads = 0;                       ///< 0: all cores. The result does not depend on it.
+  bool exact_vertices = false;                ///< fill BooleanResult::exact (rationals; costs time per new vertex)
+  std::function<void(double)> progress = {};  ///< called with a fraction 0..1, from any thread, never concurrently
+  const std::atomic<bool>* cancel = nullptr;  ///< set to true to stop: throws Cancelled within milliseconds
+};
+
+}  // namespace strata

@@ -1,0 +1,60 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "strata/csg/combine.h"
+#include "strata/csg/options.h"
+#include "strata/exact/rational.h"
+#include "strata/mesh/canonical.h"
+#include "strata/mesh/exact_mesh.h"
+
+namespace strata {
+
+/// Axis-parallel box; lower > upper for an empty solid.
+struct BoundingBox {
+  Vertex lower;
+  Vertex upper;
+};
+
+/// A bounded, closed, regular solid: an immutable value, cheap to copy, safe to read from many threads.
+/// Results of operations keep their exact vertices and are exact operands in turn.
+class Solid {
+ public:
+  Solid();                                                ///< the empty solid
+  explicit Solid(Mesh mesh, InputClass input = InputClass::solid);  ///< throws InputError
+  explicit Solid(ExactMesh mesh);                         ///< closed, oriented outwards, not crossing itself; throws InputError
+
+  [[nodiscard]] const Mesh& mesh() const;                 ///< coordinates rounded to nearest doubles
+  [[nodiscard]] const ExactMesh& exact_mesh() const;
+  [[nodiscard]] const std::vector<Source>& sources() const;  ///< per triangle; operand 0 and itself for an input
+  [[nodiscard]] const std::vector<Defect>& notes() const;    ///< what was resolved when it was made
+  [[nodiscard]] Rational volume() const;                  ///< exact
+  [[nodiscard]] double area() const;
+  [[nodiscard]] BoundingBox bounding_box() const;         ///< of the rounded mesh
+  [[nodiscard]] bool is_empty() const;
+  [[nodiscard]] CanonicalForm canonical() const;
+
+  friend bool operator==(const Solid& a, const Solid& b); ///< equal as point sets, exactly
+
+  struct Data;
+
+ private:
+  friend Solid combine_solids(Operation, std::span<const Solid>, const Options&);
+  std::shared_ptr<const Data> data_;
+};
+
+[[nodiscard]] Solid combine_solids(Operation operation, std::span<const Solid> operands, const Options& options = {});
+
+[[nodiscard]] Solid unite(std::span<const Solid> operands);
+[[nodiscard]] Solid intersect(std::span<const Solid> operands);
+[[nodiscard]] Solid subtract(std::span<const Solid> operands);  ///< the first minus all others
+[[nodiscard]] Solid exclude(std::span<const Solid> operands);   ///< in an odd number
+
+[[nodiscard]] Solid operator|(const Solid& a, const Solid& b);
+[[nodiscard]] Solid operator&(const Solid& a, const Solid& b);
+[[nodiscard]] Solid operator-(const Solid& a, const Solid& b);
+[[nodiscard]] Solid operator^(const Solid& a, const Solid& b);
+
+}  // namespace strata
