@@ -8,6 +8,13 @@
 
 namespace strata {
 
+/// Sign of an exact integer of any width.
+template <int Limbs>
+[[nodiscard]] constexpr Sign sign_of_integer(const WideInt<Limbs>& x) {
+  return x.sign();
+}
+[[nodiscard]] inline Sign sign_of_integer(const Integer& x) { return static_cast<Sign>(x.sign()); }
+
 /// A finite double as sign * magnitude * 2^exponent with an odd magnitude (0 for zero).
 struct DoubleParts {
   std::uint64_t magnitude = 0;

@@ -1,0 +1,79 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "strata/kernel/exact_vertex.h"
+
+namespace strata {
+
+/// The input of one evaluation: points and faces of all operands under one global numbering.
+/// Everything that is ever constructed is named by these numbers (see PointName); nothing is copied.
+/// Holds views: the arrays must outlive it. Reading is thread-safe.
+class Carriers {
+ public:
+  using Coordinates = std::array<double, 3>;
+  using Indices = std::array<std::uint32_t, 3>;
+
+  /// Appends the points and faces of one operand. `exact` lists the points that are rationals, by increasing index;
+  /// `points` then holds their nearest doubles. Indices in `faces` are local to the operand.
+  void add(std::span<const Coordinates> points, std::span<const Indices> faces, std::span<const ExactVertex> exact = {});
+
+  [[nodiscard]] std::uint32_t operand_count() const { return static_cast<std::uint32_t>(blocks_.size()); }
+  [[nodiscard]] std::uint32_t vertex_count() const { return vertex_end_; }
+  [[nodiscard]] std::uint32_t face_count() const { return face_end_; }
+
+  [[nodiscard]] std::uint32_t first_vertex(std::uint32_t operand) const { return blocks_[operand].first_vertex; }
+  [[nodiscard]] std::uint32_t first_face(std::uint32_t operand) const { return blocks_[operand].first_face; }
+  [[nodiscard]] std::uint32_t face_count(std::uint32_t operand) const {
+    return static_cast<std::uint32_t>(blocks_[operand].faces.size());
+  }
+  [[nodiscard]] std::span<const Coordinates> points(std::uint32_t operand) const { return blocks_[operand].points; }
+  [[nodiscard]] std::span<const Indices> faces(std::uint32_t operand) const { return blocks_[operand].faces; }
+
+  [[nodiscard]] std::uint32_t operand_of_vertex(std::uint32_t vertex) const { return find<true>(vertex); }
+  [[nodiscard]] std::uint32_t operand_of_face(std::uint32_t face) const { return find<false>(face); }
+
+  /// Coordinates of a vertex: exact, or the nearest doubles if `exact(vertex)` is not null.
+  [[nodiscard]] const Coordinates& vertex(std::uint32_t vertex) const {
+    const Block& b = blocks_[find<true>(vertex)];
+    return b.points[vertex - b.first_vertex];
+  }
+  /// Global vertex numbers of a face, counter-clockwise from outside.
+  [[nodiscard]] Indices face(std::uint32_t face) const {
+    const Block& b = blocks_[find<false>(face)];
+    const Indices& t = b.faces[face - b.first_face];
+    return {t[0] + b.first_vertex, t[1] + b.first_vertex, t[2] + b.first_vertex};
+  }
+  /// The rational place of a vertex, or null when its doubles are exact. O(log) in operands that have any.
+  [[nodiscard]] const RationalPoint* exact(std::uint32_t vertex) const;
+  [[nodiscard]] bool has_rationals() const { return has_rationals_; }
+
+ private:
+  struct Block {
+    std::span<const Coordinates> points;
+    std::span<const Indices> faces;
+    std::span<const ExactVertex> exact;
+    std::uint32_t first_vertex = 0;
+    std::uint32_t first_face = 0;
+  };
+
+  template <bool Vertex>
+  [[nodiscard]] std::uint32_t find(std::uint32_t id) const {
+    std::uint32_t low = 0, high = static_cast<std::uint32_t>(blocks_.size());
+    while (high - low > 1) {
+      const std::uint32_t middle = (low + high) / 2;
+      const std::uint32_t first = Vertex ? blocks_[middle].first_vertex : blocks_[middle].first_face;
+      (id < first ? high : low) = middle;
+    }
+    return low;
+  }
+
+  std::vector<Block> blocks_;
+  std::uint32_t vertex_end_ = 0;
+  std::uint32_t face_end_ = 0;
+  bool has_rationals_ = false;
+};
+
+}  // namespace strata

@@ -1,0 +1,37 @@
+#pragma once
+#include <array>
+
+#include "strata/exact/bounded.h"
+
+namespace strata {
+
+/// Predicates in running errors, on coordinate differences: the first tier. theory.md, "Filters".
+
+using BoundedPoint = std::array<Bounded, 3>;
+
+[[nodiscard]] inline BoundedPoint operator-(const BoundedPoint& p, const BoundedPoint& q) {
+  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+}
+
+[[nodiscard]] inline BoundedPoint cross(const BoundedPoint& u, const BoundedPoint& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+[[nodiscard]] inline Bounded dot(const BoundedPoint& u, const BoundedPoint& v) {
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+/// ((q - p) x (r - p)) . (s - p)
+[[nodiscard]] inline Bounded bounded_orient3d(const BoundedPoint& p, const BoundedPoint& q, const BoundedPoint& r,
+                                              const BoundedPoint& s) {
+  return dot(cross(q - p, r - p), s - p);
+}
+
+/// Twice the area of p, q, r seen along two axes.
+[[nodiscard]] inline Bounded bounded_turn(const BoundedPoint& p, const BoundedPoint& q, const BoundedPoint& r, int u,
+                                          int v) {
+  const auto i = static_cast<std::size_t>(u), j = static_cast<std::size_t>(v);
+  return (q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i]);
+}
+
+}  // namespace strata

@@ -1,0 +1,172 @@
+#include "strata/kernel/predicates.h"
+
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+
+#include "strata/kernel/counters.h"
+#include "strata/kernel/exact_evaluation.h"
+#include "strata/kernel/filters.h"
+
+namespace strata {
+namespace {
+
+/// Asks a question of exact integers that are wide enough. `width(b)` says how many bits it takes on a lattice of b
+/// bits; one more holds the sign.
+template <class Width, class Question>
+Sign decide(const Carriers& carriers, std::initializer_list<const Point*> points, const Width& width,
+            const Question& question) {
+  const Ground ground(carriers, {points.begin(), points.size()});
+  const Lattice& lattice = ground.lattice();
+  const int bits = ground.rational() ? 1 << 30 : std::max(width(lattice.bits()) + 1, lattice.bits() + 65);
+  const auto ask = [&]<class Int>(Tier tier, const Int*) {
+    count(tier);
+    return sign_of_integer(Int(question(ExactEvaluation<Int>(carriers, lattice))));
+  };
+  if (bits <= 128) return ask(Tier::bits_128, static_cast<const WideInt<2>*>(nullptr));
+  if (bits <= 256) return ask(Tier::bits_256, static_cast<const WideInt<4>*>(nullptr));
+  if (bits <= 512) return ask(Tier::bits_512, static_cast<const WideInt<8>*>(nullptr));
+  if (bits <= 1024) return ask(Tier::bits_1024, static_cast<const WideInt<16>*>(nullptr));
+  return ask(Tier::unbounded, static_cast<const Integer*>(nullptr));
+}
+
+std::optional<Sign> filtered(const Bounded& value) {
+  const auto s = value.sign();
+  if (s) count(Tier::filter);
+  return s;
+}
+
+Point input_point(const Carriers& carriers, std::uint32_t v) { return make_point(carriers, PointName::input(v)); }
+
+/// Shewchuk's bound for the determinant of differences, and 2^-1000 of the last factors for products that underflow.
+/// theory.md, "Filters".
+std::optional<Sign> filtered_orient3d(const Carriers::Coordinates& a, const Carriers::Coordinates& b,
+                                      const Carriers::Coordinates& c, const Carriers::Coordinates& d) {
+  const double ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
+  const double vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
+  const double wx = d[0] - a[0], wy = d[1] - a[1], wz = d[2] - a[2];
+  const double yz = uy * vz, zy = uz * vy, zx = uz * vx, xz = ux * vz, xy = ux * vy, yx = uy * vx;
+  const double value = (yz - zy) * wx + (zx - xz) * wy + (xy - yx) * wz;
+  const double magnitude = (std::abs(yz) + std::abs(zy)) * std::abs(wx) + (std::abs(zx) + std::abs(xz)) * std::abs(wy) +
+                           (std::abs(xy) + std::abs(yx)) * std::abs(wz);
+  constexpr double factor = (7 + 56 * 0x1p-53) * 0x1p-53;
+  const double bound = factor * magnitude + 0x1p-1000 * (1 + std::abs(wx) + std::abs(wy) + std::abs(wz));
+  if (value > bound) return Sign::positive;
+  if (-value > bound) return Sign::negative;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Point& r, const Point& s) {
+  if (const auto sign = filtered(bounded_orient3d(p.at, q.at, r.at, s.at))) return *sign;
+  const auto width = [&](int b) {
+    return width_of_value(width_of_plane(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b)),
+                          width_of(s.name, b));
+  };
+  return decide(carriers, {&p, &q, &r, &s}, width, [&](const auto& exact) {
+    return value_at(plane_through(exact.point(p), exact.point(q), exact.point(r)), exact.point(s));
+  });
+}
+
+Sign orient3d(const Carriers& carriers, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  if (!carriers.has_rationals()) {
+    if (const auto sign = filtered_orient3d(carriers.vertex(a), carriers.vertex(b), carriers.vertex(c),
+                                            carriers.vertex(d))) {
+      count(Tier::filter);
+      return *sign;
+    }
+  }
+  if (a == d || b == d || c == d || a == b || b == c || a == c) {
+    count(Tier::names);
+    return Sign::zero;
+  }
+  return orient3d(carriers, input_point(carriers, a), input_point(carriers, b), input_point(carriers, c),
+                  input_point(carriers, d));
+}
+
+Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p) {
+  const auto v = carriers.face(face);
+  if (named_on_face(p.name, face, v)) {
+    count(Tier::names);
+    return Sign::zero;
+  }
+  return orient3d(carriers, input_point(carriers, v[0]), input_point(carriers, v[1]), input_point(carriers, v[2]), p);
+}
+
+Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q, const Point& r) {
+  const auto [u, v] = projection;
+  if (const auto sign = filtered(bounded_turn(p.at, q.at, r.at, u, v))) return *sign;
+  const auto width = [&](int b) {
+    return width_of_turn(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b));
+  };
+  return decide(carriers, {&p, &q, &r}, width, [&](const auto& exact) {
+    return turn(exact.point(p), exact.point(q), exact.point(r), u, v);
+  });
+}
+
+Sign compare(const Carriers& carriers, int axis, const Point& p, const Point& q) {
+  const auto i = static_cast<std::size_t>(axis);
+  if (const auto sign = filtered(p.at[i] - q.at[i])) return *sign;
+  if (p.name == q.name && p.name.kind != PointName::Kind::free) {
+    count(Tier::names);
+    return Sign::zero;
+  }
+  const auto width = [&](int b) {
+    const PointWidth wp = width_of(p.name, b), wq = width_of(q.name, b);
+    return std::max(wp.xyz + wq.w, wq.xyz + wp.w) + 1;
+  };
+  return decide(carriers, {&p, &q}, width, [&](const auto& exact) {
+    const auto hp = exact.point(p), hq = exact.point(q);
+    using Int = std::decay_t<decltype(hp.x)>;
+    return Int(weighed(hp[axis], hq) - weighed(hq[axis], hp));
+  });
+}
+
+bool equal(const Carriers& carriers, const Point& p, const Point& q) {
+  if (p.name == q.name && p.name.kind != PointName::Kind::free) return true;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (p.at[i].lower() > q.at[i].upper() || q.at[i].lower() > p.at[i].upper()) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (compare(carriers, axis, p, q) != Sign::zero) return false;
+  return true;
+}
+
+Sign normal_component(const Carriers& carriers, std::uint32_t face, int axis) {
+  const auto f = carriers.face(face);
+  return orient2d(carriers, {(axis + 1) % 3, (axis + 2) % 3}, input_point(carriers, f[0]), input_point(carriers, f[1]),
+                  input_point(carriers, f[2]));
+}
+
+Sign same_orientation(const Carriers& carriers, std::uint32_t f, std::uint32_t g) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Sign s = normal_component(carriers, f, axis);
+    if (s != Sign::zero) return s * normal_component(carriers, g, axis);
+  }
+  return Sign::zero;
+}
+
+Projection projection_of(const Carriers& carriers, std::uint32_t face) {
+  const auto f = carriers.face(face);
+  const BoundedPoint a = input_point(carriers, f[0]).at;
+  const BoundedPoint n = cross(input_point(carriers, f[1]).at - a, input_point(carriers, f[2]).at - a);
+  int first = 0;
+  for (int i = 1; i < 3; ++i)
+    if (std::abs(n[static_cast<std::size_t>(i)].value) > std::abs(n[static_cast<std::size_t>(first)].value)) first = i;
+  for (int i = 0; i < 3; ++i) {
+    const int axis = (first + i) % 3;
+    const Sign s = normal_component(carriers, face, axis);
+    if (s == Sign::zero) continue;
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    return s == Sign::positive ? Projection{u, v} : Projection{v, u};
+  }
+  return {};
+}
+
+bool is_degenerate(const Carriers& carriers, std::uint32_t face) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (normal_component(carriers, face, axis) != Sign::zero) return false;
+  return true;
+}
+
+}  // namespace strata

@@ -1,0 +1,55 @@
+#pragma once
+#include <cstdint>
+
+#include "strata/exact/sign.h"
+#include "strata/kernel/carriers.h"
+#include "strata/kernel/point.h"
+
+namespace strata {
+
+/// All decisions of the engine. Each is exact for every finite input, at any scale, in four tiers: running errors in
+/// doubles; zeros that follow from names; integers of fixed width on the lattice of the coordinates concerned;
+/// unbounded integers. Degrees, widths and bounds: theory.md. O(1); thread-safe.
+
+/// Two coordinate axes in which a plane is seen without being foreshortened to a line, in the order that shows a
+/// given face counter-clockwise.
+struct Projection {
+  int u = 0;
+  int v = 1;
+};
+
+/// Side of s relative to the oriented plane through p, q, r.
+/// positive: s sees p, q, r counter-clockwise, that is, s is on the outer side; zero: coplanar.
+/// Laws: swapping two arguments negates the sign.
+/// Source: Shewchuk 1997 (his sign is the opposite).
+[[nodiscard]] Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Point& r, const Point& s);
+
+/// The same for four input vertices: the engine's most frequent question.
+[[nodiscard]] Sign orient3d(const Carriers& carriers, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
+
+/// Side of p relative to the plane of a face: positive on its outer side.
+[[nodiscard]] Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p);
+
+/// Turn of p, q, r in the projection: positive when counter-clockwise; zero: collinear there.
+[[nodiscard]] Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q,
+                            const Point& r);
+
+/// Sign of p[axis] - q[axis].
+[[nodiscard]] Sign compare(const Carriers& carriers, int axis, const Point& p, const Point& q);
+
+/// Same place.
+[[nodiscard]] bool equal(const Carriers& carriers, const Point& p, const Point& q);
+
+/// Sign of one component of the outward normal (b-a)x(c-a) of a face.
+[[nodiscard]] Sign normal_component(const Carriers& carriers, std::uint32_t face, int axis);
+
+/// Sign of the dot product of two faces' outward normals. Requires coplanar faces of positive area.
+[[nodiscard]] Sign same_orientation(const Carriers& carriers, std::uint32_t f, std::uint32_t g);
+
+/// A projection for the plane of a face. Requires a face of positive area.
+[[nodiscard]] Projection projection_of(const Carriers& carriers, std::uint32_t face);
+
+/// True when the three vertices of a face are collinear.
+[[nodiscard]] bool is_degenerate(const Carriers& carriers, std::uint32_t face);
+
+}  // namespace strata
