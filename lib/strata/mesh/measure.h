@@ -7,6 +7,7 @@
 namespace strata {
 
 /// Facts about a closed mesh that survive re-triangulation.
+/// Vertices with equal coordinates are one vertex; triangles that repeat a vertex are left out.
 struct Topology {
   std::uint64_t components = 0;            ///< connected over shared vertices (equal coordinates are one vertex)
   std::int64_t euler = 0;                  ///< V - E + F over used vertices, undirected edges and triangles
@@ -22,6 +23,7 @@ struct Topology {
 /// Surface area, correct to a few units in the last place of a double.
 [[nodiscard]] double area(const ExactMesh& mesh);
 
+/// Indices must be in range. O(n log d) for vertices of degree d.
 [[nodiscard]] Topology topology(const ExactMesh& mesh);
 
 }  // namespace strata

@@ -1,0 +1,146 @@
+#include "strata/mesh/measure.h"
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <random>
+
+#include "shapes.h"
+
+using namespace strata;
+using namespace strata::shapes;
+
+namespace {
+
+Rational volume_by_rationals(const ExactMesh& mesh) {
+  Rational sum = 0;
+  for (const Triangle& t : mesh.mesh.triangles) {
+    const RationalPoint a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
+    sum += a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return sum / 6;
+}
+
+/// Every coordinate divided by three, exactly.
+ExactMesh in_thirds(const Mesh& mesh) {
+  ExactMesh result{mesh, {}};
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    RationalPoint p;
+    for (int i = 0; i < 3; ++i) {
+      p[i] = to_rational(mesh.vertices[v][i]) / 3;
+      result.mesh.vertices[v][i] = to_nearest_double(p[i]);
+    }
+    result.exact.push_back({v, p});
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the volume of a box is exact and signed", "[mesh]") {
+  CHECK(volume({box({-1, 0, 2}, {1, 3, 2.5}), {}}) == 3);
+  CHECK(volume({flipped(box({-1, 0, 2}, {1, 3, 2.5})), {}}) == -3);
+  CHECK(volume({corner_tetrahedron(), {}}) == Rational(1, 6));
+  CHECK(volume({}) == 0);
+}
+
+TEST_CASE("the volume is exact for magnitudes from the smallest to the largest double", "[mesh]") {
+  const double tiny = 4.9406564584124654e-324;
+  const double huge = 1.7976931348623157e308;
+  const Vertex corners[] = {{tiny, tiny, tiny}, {huge, huge, huge}, {1e-300, 1e300, 1}, {-1e-310, -huge, tiny}};
+  for (const Vertex& corner : corners) {
+    const ExactMesh mesh{box({-tiny, -1, 0}, corner), {}};
+    CHECK(volume(mesh) == volume_by_rationals(mesh));
+  }
+}
+
+TEST_CASE("the volume of triangles at random equals a sum of rationals", "[mesh]") {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> fraction(-1, 1);
+  std::uniform_int_distribution<int> exponent(-1000, 1000);
+  ExactMesh mesh;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    Vertex v;
+    for (double& x : v) x = std::ldexp(fraction(random), i < 200 ? exponent(random) : 0);
+    mesh.mesh.vertices.push_back(v);
+    if (i >= 2) mesh.mesh.triangles.push_back({i - 2, i - 1, i});
+  }
+  CHECK(volume(mesh) == volume_by_rationals(mesh));
+}
+
+TEST_CASE("exact vertices take part in the volume with their exact places", "[mesh]") {
+  CHECK(volume(in_thirds(box({0, 0, 0}, {1, 1, 1}))) == Rational(1, 27));
+  ExactMesh mixed{box({0, 0, 0}, {1, 1, 1}), {}};
+  mixed.mesh.vertices[7] = {1.0 / 3, 1, 1};
+  mixed.exact = {{7, {Rational(1, 3), 1, 1}}};
+  CHECK(volume(mixed) == volume_by_rationals(mixed));
+}
+
+TEST_CASE("the area is right to the last bits, for slivers and extreme magnitudes too", "[mesh]") {
+  CHECK(area({box({0, 0, 0}, {1, 2, 3}), {}}) == 22);
+  CHECK(area({scaled(box({0, 0, 0}, {1, 1, 1}), 1e150), {}}) == Approx(6e300).epsilon(1e-15));
+  CHECK(area({scaled(box({0, 0, 0}, {1, 1, 1}), 1e-150), {}}) == Approx(6e-300).epsilon(1e-15));
+  const double d = std::ldexp(1.0, -52);  // a sliver along (1, 1, 1) whose height is lost in doubles
+  const Mesh sliver{{{0, 0, 0}, {1, 1, 1}, {1 + d, 1, 1}}, {{0, 1, 2}}};
+  CHECK(area({sliver, {}}) == Approx(d * std::sqrt(2.0) / 2).epsilon(1e-15));
+  CHECK(area(in_thirds(box({0, 0, 0}, {1, 1, 1}))) == Approx(6.0 / 9).epsilon(1e-15));
+}
+
+TEST_CASE("a box is one component of Euler characteristic two, whether its vertices are shared or not", "[mesh]") {
+  for (const Mesh& mesh : {box({0, 0, 0}, {1, 1, 1}), shattered(box({0, 0, 0}, {1, 1, 1}))}) {
+    const Topology facts = topology({mesh, {}});
+    CHECK(facts.components == 1);
+    CHECK(facts.euler == 2);
+    CHECK(facts.non_manifold_edges == 0);
+    CHECK(facts.non_manifold_vertices == 0);
+    CHECK(facts.open_edges == 0);
+  }
+}
+
+TEST_CASE("minus zero and zero are one coordinate", "[mesh]") {
+  const Mesh mesh = joined(box({-1, -1, -1}, {0, 0, 0}), box({-0.0, -0.0, -0.0}, {1, 1, 1}));
+  CHECK(topology({mesh, {}}).components == 1);
+}
+
+TEST_CASE("boxes that share an edge or a vertex are not manifold there", "[mesh]") {
+  const Mesh cube = box({0, 0, 0}, {1, 1, 1});
+  const Topology edge = topology({joined(cube, moved(cube, {1, 1, 0})), {}});
+  CHECK(edge.components == 1);
+  CHECK(edge.non_manifold_edges == 1);
+  CHECK(edge.non_manifold_vertices == 2);
+  CHECK(edge.euler == 14 - 35 + 24);
+  const Topology vertex = topology({joined(cube, moved(cube, {1, 1, 1})), {}});
+  CHECK(vertex.non_manifold_edges == 0);
+  CHECK(vertex.non_manifold_vertices == 1);
+  CHECK(vertex.euler == 3);
+  const Topology apart = topology({joined(cube, moved(cube, {2, 0, 0})), {}});
+  CHECK(apart.components == 2);
+  CHECK(apart.euler == 4);
+}
+
+TEST_CASE("a missing triangle opens three edges", "[mesh]") {
+  Mesh mesh = box({0, 0, 0}, {1, 1, 1});
+  mesh.triangles.pop_back();
+  CHECK(topology({mesh, {}}).open_edges == 3);
+  CHECK(topology({mesh, {}}).euler == 1);
+  CHECK(topology({}).components == 0);
+}
+
+TEST_CASE("exact vertices that round to the same doubles stay apart", "[mesh]") {
+  ExactMesh mesh{{{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 2, 3}, {1, 3, 2}}}, {}};
+  CHECK(topology(mesh).open_edges == 0);
+  mesh.exact = {{1, {Rational(1, Integer(1) << 2000), 0, 0}}};
+  CHECK(topology(mesh).open_edges == 4);
+}
+
+TEST_CASE("measures of a million triangles take well under a second", "[mesh][slow]") {
+  const ExactMesh mesh{globe(800), {}};
+  const auto start = std::chrono::steady_clock::now();
+  const Rational v = volume(mesh);
+  const auto middle = std::chrono::steady_clock::now();
+  CHECK(topology(mesh).euler == 2);
+  const auto end = std::chrono::steady_clock::now();
+  WARN("volume " << std::chrono::duration<double>(middle - start).count() << " s, topology "
+                 << std::chrono::duration<double>(end - middle).count() << " s");
+  CHECK(to_nearest_double(v) == Approx(4.18879).epsilon(1e-4));
+  CHECK(area(mesh) == Approx(12.56637).epsilon(1e-4));
+}
