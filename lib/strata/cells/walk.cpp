@@ -1,0 +1,64 @@
+#include "strata/cells/walk.h"
+
+namespace strata {
+namespace {
+
+Point vertex(const Carriers& carriers, std::uint32_t v) { return make_point(carriers, PointName::input(v)); }
+
+/// Sign of orient3d(O', q, a, b); its gradient in O is minus the normal of (q, a, b).
+Sign side_of_line(const Carriers& carriers, const Point& origin, const Point& q, const Point& a, const Point& b) {
+  const Sign s = orient3d(carriers, origin, q, a, b);
+  if (s != Sign::zero) return s;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Sign n = orient2d(carriers, {(axis + 1) % 3, (axis + 2) % 3}, q, a, b);
+    if (n != Sign::zero) return -n;
+  }
+  return Sign::zero;
+}
+
+/// Turn of O', a, b seen along `axis`; a line parallel to the axis through O' never meets the line ab.
+Sign turn_about_axis(const Carriers& carriers, int axis, const Point& origin, const Point& a, const Point& b) {
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  const Sign s = orient2d(carriers, {i, j}, origin, a, b);
+  if (s != Sign::zero) return s;
+  const Sign along_i = -compare(carriers, j, b, a), along_j = compare(carriers, i, b, a);
+  const Sign first = i < j ? along_i : along_j, second = i < j ? along_j : along_i;
+  return first != Sign::zero ? first : second;
+}
+
+}  // namespace
+
+Sign side_of_origin(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& origin) {
+  const Sign s = side_of_face(carriers, face, Point::free(origin));
+  if (s != Sign::zero) return s;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Sign n = normal_component(carriers, face, axis);
+    if (n != Sign::zero) return n;
+  }
+  return Sign::zero;
+}
+
+int crossing(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& origin, const Point& q) {
+  const Sign target = side_of_face(carriers, face, q);
+  if (target == Sign::zero) return 0;
+  const Sign start = side_of_origin(carriers, face, origin);
+  if (start == target) return 0;
+  const auto f = carriers.face(face);
+  const Point o = Point::free(origin), a = vertex(carriers, f[0]), b = vertex(carriers, f[1]),
+              c = vertex(carriers, f[2]);
+  const Sign ab = side_of_line(carriers, o, q, a, b);
+  if (ab != side_of_line(carriers, o, q, b, c) || ab != side_of_line(carriers, o, q, c, a)) return 0;
+  return to_int(start);
+}
+
+int crossing_along_axis(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& from,
+                        const Carriers::Coordinates& to, int axis) {
+  const auto f = carriers.face(face);
+  const Point o = Point::free(from), a = vertex(carriers, f[0]), b = vertex(carriers, f[1]), c = vertex(carriers, f[2]);
+  const Sign ab = turn_about_axis(carriers, axis, o, a, b);
+  if (ab != turn_about_axis(carriers, axis, o, b, c) || ab != turn_about_axis(carriers, axis, o, c, a)) return 0;
+  const Sign start = side_of_origin(carriers, face, from);
+  return start == side_of_origin(carriers, face, to) ? 0 : to_int(start);
+}
+
+}  // namespace strata
