@@ -1,0 +1,193 @@
+#include "oracle/nef.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Nef_polyhedron_3.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_incremental_builder_3.h>
+#include <CGAL/assertions_behaviour.h>
+
+#include <deque>
+#include <exception>
+#include <type_traits>
+
+#include "oracle/sheets.h"
+
+namespace strata::oracle {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Nef = CGAL::Nef_polyhedron_3<Kernel>;
+
+// CGAL chooses its exact rationals by what is installed: GMP's own class or Boost's.
+using CgalRational = std::decay_t<decltype(CGAL::exact(Kernel::FT()))>;
+
+Kernel::FT to_cgal(const Rational& q) { return Kernel::FT(CgalRational(q.backend().data())); }
+
+template <typename Number>
+Rational to_strata(const Number& x) {
+  if constexpr (requires { x.get_mpq_t(); }) {
+    return Rational(x.get_mpq_t());
+  } else {
+    return Rational(x);
+  }
+}
+
+Rational from_cgal(const Kernel::FT& x) { return to_strata(CGAL::exact(x)); }
+
+/// Hands a sheet to CGAL's polyhedron, facet by facet.
+class SheetBuilder : public CGAL::Modifier_base<Polyhedron::HalfedgeDS> {
+ public:
+  explicit SheetBuilder(const Sheet& sheet) : sheet_(sheet) {}
+
+  void operator()(Polyhedron::HalfedgeDS& target) override {
+    CGAL::Polyhedron_incremental_builder_3<Polyhedron::HalfedgeDS> builder(target, false);
+    builder.begin_surface(sheet_.points.size(), sheet_.triangles.size());
+    for (const RationalPoint& p : sheet_.points) {
+      builder.add_vertex(Kernel::Point_3(to_cgal(p[0]), to_cgal(p[1]), to_cgal(p[2])));
+    }
+    for (const Triangle& t : sheet_.triangles) builder.add_facet(t.begin(), t.end());
+    builder.end_surface();
+  }
+
+ private:
+  const Sheet& sheet_;
+};
+
+Nef to_nef(const Sheet& sheet) {
+  Polyhedron polyhedron;
+  SheetBuilder builder(sheet);
+  polyhedron.delegate(builder);
+  if (!polyhedron.is_closed() || polyhedron.size_of_facets() != sheet.triangles.size()) {
+    throw OracleFailed("a sheet is no closed polyhedron");
+  }
+  return Nef(polyhedron);
+}
+
+/// Points inside an odd number of sheets. Neighbours in the list are joined first, so that operands stay small.
+Nef parity(const std::vector<Sheet>& sheets) {
+  std::deque<Nef> queue;
+  for (const Sheet& sheet : sheets) queue.push_back(to_nef(sheet));
+  if (queue.empty()) return Nef(Nef::EMPTY);
+  while (queue.size() > 1) {
+    queue.push_back((queue[0] ^ queue[1]).regularization());
+    queue.pop_front();
+    queue.pop_front();
+  }
+  return queue.front();
+}
+
+Nef apply(Operation operation, const Nef& a, const Nef& b) {
+  switch (operation) {
+    case Operation::unite:
+      return (a + b).regularization();
+    case Operation::intersect:
+      return (a * b).regularization();
+    case Operation::subtract:
+      return (a - b).regularization();
+    case Operation::exclude:
+      return (a ^ b).regularization();
+  }
+  throw OracleFailed("unknown operation");
+}
+
+std::vector<RationalPoint> loop_points(Nef::SHalfedge_const_handle start) {
+  std::vector<RationalPoint> loop;
+  Nef::SHalfedge_around_facet_const_circulator side(start);
+  const Nef::SHalfedge_around_facet_const_circulator end(side);
+  do {
+    const Kernel::Point_3& p = side->source()->center_vertex()->point();
+    loop.push_back({from_cgal(p.x()), from_cgal(p.y()), from_cgal(p.z())});
+  } while (++side != end);
+  return loop;
+}
+
+/// All facets with the solid behind them and nothing in front.
+std::vector<ExactFacet> boundary_facets(const Nef& nef) {
+  std::vector<ExactFacet> facets;
+  for (auto f = nef.halffacets_begin(); f != nef.halffacets_end(); ++f) {
+    if (f->incident_volume()->mark() || !f->twin()->incident_volume()->mark()) continue;
+    ExactFacet facet;
+    for (auto cycle = f->facet_cycles_begin(); cycle != f->facet_cycles_end(); ++cycle) {
+      if (cycle.is_shalfedge()) facet.push_back(loop_points(Nef::SHalfedge_const_handle(cycle)));
+    }
+    facets.push_back(std::move(facet));
+  }
+  return facets;
+}
+
+/// Runs `work` with every complaint of CGAL turned into OracleFailed.
+template <typename Work>
+auto guarded(Work work) {
+  const auto errors = CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
+  const auto error_handler = CGAL::set_error_handler([](auto...) {});
+  const auto warning_handler = CGAL::set_warning_handler([](auto...) {});
+  const auto restore = [&] {
+    CGAL::set_error_behaviour(errors);
+    CGAL::set_error_handler(error_handler);
+    CGAL::set_warning_handler(warning_handler);
+  };
+  try {
+    auto result = work();
+    restore();
+    return result;
+  } catch (const OracleFailed&) {
+    restore();
+    throw;
+  } catch (const std::exception& e) {
+    restore();
+    throw OracleFailed(e.what());
+  }
+}
+
+}  // namespace
+
+struct NefSolid::Data {
+  Nef nef;
+};
+
+NefSolid::NefSolid(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+NefSolid::NefSolid(const ExactMesh& mesh) {
+  data_ = guarded([&] {
+    const auto sheets = manifold_sheets(mesh);
+    return std::make_shared<const Data>(Data{parity(sheets ? *sheets : tetrahedra_over_faces(mesh))});
+  });
+}
+
+NefSolid NefSolid::from_tetrahedra(const ExactMesh& mesh) {
+  return NefSolid(guarded([&] { return std::make_shared<const Data>(Data{parity(tetrahedra_over_faces(mesh))}); }));
+}
+
+std::vector<ExactFacet> NefSolid::facets() const {
+  return guarded([&] { return boundary_facets(data_->nef); });
+}
+
+NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands) {
+  return NefSolid(guarded([&] {
+    Nef result = operands.empty() ? Nef(Nef::EMPTY) : operands[0].data_->nef;
+    for (std::size_t i = 1; i < operands.size(); ++i) result = apply(operation, result, operands[i].data_->nef);
+    return std::make_shared<const NefSolid::Data>(NefSolid::Data{result});
+  }));
+}
+
+CanonicalForm nef_boolean(Operation operation, std::span<const ExactMesh> operands) {
+  const std::vector<NefSolid> solids(operands.begin(), operands.end());
+  return canonical_form(nef_combine(operation, solids).facets());
+}
+
+Rational facet_volume(const std::vector<ExactFacet>& facets) {
+  Rational six = 0;
+  for (const ExactFacet& facet : facets) {
+    for (const auto& loop : facet) {
+      for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+        const auto& [a, b, c] = std::tie(loop[0], loop[i], loop[i + 1]);
+        six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+               a[2] * (b[0] * c[1] - b[1] * c[0]);
+      }
+    }
+  }
+  return six / 6;
+}
+
+}  // namespace strata::oracle

@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "strata/mesh/mesh.h"
+#include "support/random.h"
+
+/// Random solids that love to touch: small integers and halves, shared planes, edges and vertices.
+namespace strata::test {
+
+/// Operands of one test case, and what they are, for messages.
+struct Operands {
+  std::string kind;
+  std::vector<Mesh> meshes;
+};
+
+/// A small solid on the lattice [0, 4]^3 of integers, seldom halves: box, hull of lattice points, tetrahedra of a
+/// Kuhn subdivision, cells, ring, solid with a cavity, separate parts.
+[[nodiscard]] Mesh lattice_solid(Random& random);
+
+/// Two solids that touch more often than chance has it. The same seed gives the same pair on every machine.
+[[nodiscard]] Operands touching_pair(std::uint64_t seed);
+
+/// The same for 3 to 5 solids; in half of the cases all of them pass through one point.
+[[nodiscard]] Operands touching_operands(std::uint64_t seed);
+
+}  // namespace strata::test
