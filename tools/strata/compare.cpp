@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "files.h"
+#include "report.h"
+#include "stopwatch.h"
+#include "strata/csg/solid.h"
+#include "verbs.h"
+#include "watch.h"
+
+namespace {
+
+// A solid made from operand k; errors name that operand.
+strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, strata::InputClass input) {
+  try {
+    return strata::Solid(operands[k].mesh.mesh, input);
+  } catch (const strata::InputError& error) {
+    throw strata::InputError(error.defects(), k);
+  }
+}
+
+}  // namespace
+
+ExitCode run_compare(const Settings& settings) {
+  const Watch watch(settings.timeout);
+  Stopwatch stopwatch;
+  Json report = {{"operation", "compare"}, {"operands", Json::array()}};
+  const std::vector<LoadedMesh> operands = read_operands(settings);
+  report["seconds"]["read"] = stopwatch.lap();
+  const bool equal = make_solid(operands, 0, settings.input) == make_solid(operands, 1, settings.input);
+  report["seconds"]["evaluate"] = stopwatch.lap();
+  report["peak_bytes"] = peak_bytes();
+
+  report["equal"] = equal;
+  if (!settings.report.empty()) {
+    for (const LoadedMesh& operand : operands) {
+      report["operands"].push_back(operand_report(operand, operand_defects(operand, settings.input)));
+    }
+    write_report(settings.report, std::move(report));
+  }
+  if (!settings.quiet && settings.report != "-") fmt::print("{}\n", equal ? "equal" : "different");
+  return equal ? ExitCode::ok : ExitCode::negative;
+}

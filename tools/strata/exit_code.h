@@ -1,0 +1,12 @@
+#pragma once
+
+/// What the process tells its caller.
+enum class ExitCode : int {
+  ok = 0,
+  negative = 1,       ///< the answer is no: different, not a solid
+  usage = 2,          ///< the command line makes no sense
+  file = 3,           ///< a file cannot be read or written
+  invalid_input = 4,  ///< an operand is not what was declared
+  not_certified = 5,  ///< the result was made, but is not certified
+  stopped = 6,        ///< cancelled, out of time or out of memory
+};

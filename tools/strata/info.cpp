@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "files.h"
+#include "report.h"
+#include "stopwatch.h"
+#include "strata/mesh/prepare.h"
+#include "verbs.h"
+#include "watch.h"
+
+namespace {
+
+// {lower, upper} over the vertices with finite coordinates; null when there are none.
+Json bounding_box(const strata::Mesh& mesh) {
+  std::optional<strata::Vertex> lower;
+  std::optional<strata::Vertex> upper;
+  for (const strata::Vertex& vertex : mesh.vertices) {
+    if (!std::all_of(vertex.begin(), vertex.end(), [](double x) { return std::isfinite(x); })) continue;
+    if (!lower) lower = upper = vertex;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      (*lower)[axis] = std::min((*lower)[axis], vertex[axis]);
+      (*upper)[axis] = std::max((*upper)[axis], vertex[axis]);
+    }
+  }
+  return lower ? Json{{"lower", *lower}, {"upper", *upper}} : Json(nullptr);
+}
+
+void print_facts(const Json& facts) {
+  for (const auto& [key, value] : facts.items()) {
+    if (key == "defects") continue;
+    const std::string text = value.is_string() ? value.get<std::string>() : value.is_null() ? "-" : value.dump();
+    fmt::print("{:14} {}\n", key, text);
+  }
+}
+
+}  // namespace
+
+ExitCode run_info(const Settings& settings) {
+  Watch watch(settings.timeout);
+  Stopwatch stopwatch;
+  Json report = {{"operation", "info"}, {"operands", Json::array()}};
+  const LoadedMesh operand = std::move(read_operands(settings).front());
+  report["seconds"]["read"] = stopwatch.lap();
+  const std::vector<strata::Defect> defects = strata::diagnose(operand.mesh.mesh);
+  Json facts = operand_report(operand, defects);
+  facts["bounding_box"] = bounding_box(operand.mesh.mesh);
+  report["seconds"]["evaluate"] = stopwatch.lap();
+  report["peak_bytes"] = peak_bytes();
+
+  if (settings.report != "-") {
+    print_facts(facts);
+    for (const strata::Defect& defect : defects) fmt::print("{:14} {}\n", "defect", strata::describe(defect));
+  }
+  report["operands"] = Json::array({std::move(facts)});
+  if (!settings.report.empty()) write_report(settings.report, std::move(report));
+  return ExitCode::ok;
+}

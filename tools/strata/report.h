@@ -1,0 +1,38 @@
+#pragma once
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "files.h"
+#include "strata/csg/combine.h"
+#include "strata/csg/options.h"
+#include "strata/mesh/defect.h"
+#include "strata/mesh/exact_mesh.h"
+
+/// The report keeps the order in which its members are written.
+using Json = nlohmann::ordered_json;
+
+/// {kind, severity, where, faces, count, message, remedy}; where is null or [x, y, z].
+[[nodiscard]] Json to_json(const strata::Defect& defect);
+[[nodiscard]] Json to_json(std::span<const strata::Defect> defects);
+
+/// {vertices, triangles, volume, area, components, euler, closed}. Volume is null for a mesh that is not closed; all
+/// measures are for one with bad indices or coordinates that are not finite. Costs a sort of the edges.
+[[nodiscard]] Json measures(const strata::ExactMesh& mesh);
+
+/// {path, measures, defects}.
+[[nodiscard]] Json operand_report(const LoadedMesh& operand, std::span<const strata::Defect> defects);
+
+/// {measures, facets, volume_exact, empty, closed, rounded_valid}; `rounded_valid` is null where it was not checked.
+[[nodiscard]] Json result_report(const strata::ExactMesh& mesh, std::optional<bool> rounded_valid);
+
+/// What the engine resolved on the way in, as it would say for this operand alone; errors too.
+[[nodiscard]] std::vector<strata::Defect> operand_defects(const LoadedMesh& operand, strata::InputClass input);
+
+/// Largest memory the process has held so far.
+[[nodiscard]] std::uint64_t peak_bytes();
+
+/// Writes to a file (whole or not at all) or to stdout for "-". Adds the version. Throws strata::IoError.
+void write_report(const std::string& where, Json report);

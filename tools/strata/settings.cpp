@@ -1,0 +1,52 @@
+#include "settings.h"
+
+#include <algorithm>
+#include <map>
+
+void add_common_options(CLI::App& verb, Settings& settings, int least, int most) {
+  verb.add_option("MESH", settings.operands, "Mesh files; - is standard input")
+      ->required()
+      ->expected(least, most == 0 ? CLI::detail::expected_max_vector_size : most);
+  verb.add_option("--input-format", settings.input_format, "Format of the operands, instead of their extension")
+      ->type_name("FORMAT");
+  verb.add_option("--report", settings.report, "Write a report in JSON; - is standard output")->type_name("FILE");
+  verb.add_option("-j,--threads", settings.threads, "Threads; the result does not depend on it")->type_name("N");
+  verb.add_option("--timeout", settings.timeout, "Give up after this time, with exit code 6")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
+  verb.add_flag("--progress", settings.progress, "Show progress at once, also when not on a terminal");
+  verb.add_flag("-q,--quiet", settings.quiet, "Errors only");
+}
+
+void add_input_class(CLI::App& verb, Settings& settings) {
+  const std::map<std::string, strata::InputClass> classes = {
+      {"solid", strata::InputClass::solid},
+      {"overlapping", strata::InputClass::overlapping},
+      {"repair", strata::InputClass::repair},
+  };
+  verb.add_option_function<std::string>(
+          "--input", [&settings, classes](const std::string& word) { settings.input = classes.at(word); },
+          "What the operands are: solid (closed, not crossing itself), overlapping (closed, may cross itself) or "
+          "repair (a soup)")
+      ->type_name("CLASS")
+      ->check(CLI::IsMember(classes))
+      ->default_str("solid");
+}
+
+void add_output_options(CLI::App& verb, Settings& settings) {
+  verb.add_option("-o,--output", settings.output, "Where the result goes; - is standard output")
+      ->required()
+      ->type_name("OUT");
+  verb.add_option("--format", settings.output_format, "Format of the result, instead of the extension of OUT")
+      ->type_name("FORMAT");
+  verb.add_flag("--certify", settings.certify, "Check that no faces cross in the rounded result; exit code 5 if some do");
+}
+
+void check_streams(const Settings& settings) {
+  const auto from_stdin = std::count(settings.operands.begin(), settings.operands.end(), "-");
+  if (from_stdin > 1) throw UsageError("standard input can be one operand only");
+  if (from_stdin == 1 && settings.input_format.empty()) throw UsageError("standard input needs --input-format");
+  if (settings.output == "-" && settings.report == "-") {
+    throw UsageError("result and report cannot both go to standard output");
+  }
+}

@@ -1,0 +1,41 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "strata/csg/options.h"
+
+/// What the command line asked for. Each verb uses the part that it has options for.
+struct Settings {
+  std::vector<std::string> operands;  ///< paths; "-" is stdin
+  std::string input_format;           ///< of all operands; empty: by extension
+  strata::InputClass input = strata::InputClass::solid;
+  std::string output;         ///< path; "-" is stdout
+  std::string output_format;  ///< empty: by extension
+  std::string report;         ///< path of the JSON report; "-" is stdout; empty: none
+  bool certify = false;
+  unsigned threads = 0;  ///< 0: all cores
+  bool quiet = false;
+  bool progress = false;
+  double timeout = 0;  ///< seconds; 0: none
+};
+
+/// The options make no sense together.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Operands, formats and whatever all verbs have. `least` and `most` bound the number of operands; most 0: no bound.
+void add_common_options(CLI::App& verb, Settings& settings, int least, int most);
+
+/// --input solid|overlapping|repair.
+void add_input_class(CLI::App& verb, Settings& settings);
+
+/// -o and what goes with making a mesh.
+void add_output_options(CLI::App& verb, Settings& settings);
+
+/// Throws UsageError where stdin or stdout would be used twice.
+void check_streams(const Settings& settings);

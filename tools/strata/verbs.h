@@ -1,0 +1,16 @@
+#pragma once
+#include "exit_code.h"
+#include "settings.h"
+#include "strata/csg/options.h"
+
+/// union, intersection, difference, xor. `name` is the verb, as it stands in the report.
+[[nodiscard]] ExitCode run_boolean(strata::Operation operation, const char* name, const Settings& settings);
+
+/// Is the mesh the boundary of a solid? Lists all defects. Never writes a mesh.
+[[nodiscard]] ExitCode run_check(const Settings& settings);
+
+/// Counts, measures, bounding box. Says what it can about broken meshes too.
+[[nodiscard]] ExitCode run_info(const Settings& settings);
+
+/// Are two meshes equal as point sets?
+[[nodiscard]] ExitCode run_compare(const Settings& settings);

@@ -1,0 +1,38 @@
+#pragma once
+#include <atomic>
+#include <mutex>
+#include <string>
+#include <thread>
+
+/// What a stop (Ctrl-C, SIGTERM, the time limit) does at the moment.
+enum class OnStop {
+  leave,   ///< nothing is written yet: end the process at once
+  ask,     ///< set the cancel token; the engine throws Cancelled
+  finish,  ///< files are being written: too late to stop
+};
+
+/// Watches for signals and the time limit on a thread of its own. One per process.
+class Watch {
+ public:
+  /// Starts in `leave`. `seconds` counts from here; 0 is no limit.
+  explicit Watch(double seconds);
+  ~Watch();
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  /// Throws strata::Cancelled when a stop came before.
+  void on_stop(OnStop action);
+
+  [[nodiscard]] const std::atomic<bool>& token() const { return stopped_; }
+
+ private:
+  void run();
+  void stop(const std::string& reason);
+
+  double seconds_;
+  std::atomic<bool> stopped_ = false;
+  std::mutex mutex_;  // guards action_ and reason_
+  OnStop action_ = OnStop::leave;
+  std::string reason_;
+  std::thread thread_;
+};
