@@ -94,9 +94,13 @@ Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p) 
   return orient3d(carriers, input_point(carriers, v[0]), input_point(carriers, v[1]), input_point(carriers, v[2]), p);
 }
 
+std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, const Point& q, const Point& r) {
+  return filtered(bounded_turn(p.at, q.at, r.at, projection.u, projection.v));
+}
+
 Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q, const Point& r) {
+  if (const auto sign = filtered_orient2d(projection, p, q, r)) return *sign;
   const auto [u, v] = projection;
-  if (const auto sign = filtered(bounded_turn(p.at, q.at, r.at, u, v))) return *sign;
   const auto width = [&](int b) {
     return width_of_turn(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b));
   };

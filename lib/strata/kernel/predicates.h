@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "strata/exact/sign.h"
 #include "strata/kernel/carriers.h"
@@ -33,6 +34,10 @@ struct Projection {
 /// Turn of p, q, r in the projection: positive when counter-clockwise; zero: collinear there.
 [[nodiscard]] Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q,
                             const Point& r);
+
+/// The first tier of orient2d alone: nullopt when running errors do not decide.
+[[nodiscard]] std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, const Point& q,
+                                                    const Point& r);
 
 /// Sign of p[axis] - q[axis].
 [[nodiscard]] Sign compare(const Carriers& carriers, int axis, const Point& p, const Point& q);

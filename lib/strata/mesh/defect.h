@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strata/exact/failure.h"
 #include "strata/mesh/mesh.h"
 
 namespace strata {
@@ -51,12 +52,6 @@ class InputError : public std::runtime_error {
  private:
   std::vector<Defect> defects_;
   std::size_t operand_;
-};
-
-/// An invariant of the library does not hold: our fault. The message holds what is needed to replay the case.
-class LogicError : public std::logic_error {
- public:
-  using std::logic_error::logic_error;
 };
 
 /// The caller's cancel token was set, or a limit was reached.

@@ -1,0 +1,118 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "strata/kernel/predicates.h"
+#include "strata/overlap/constraint.h"
+
+namespace strata {
+
+/// A triangulation of one input face that holds named points and constraint segments, exactly.
+///
+/// Points are inserted by exact location, so points of different names that coincide are found and noted as equal.
+/// Segments are inserted by walking; where two cross, their common point is named and inserted; where they overlap, an
+/// edge carries both. What comes out meets only along shared vertices and edges. The shape of the triangles follows
+/// shortest diagonals, judged in doubles: any choice would be right.
+/// Source: Sloan 1993 (insertion of edges by flips); theory.md.
+class Triangulation {
+ public:
+  /// A triangle: vertices counter-clockwise in the face's projection; side i runs from v[i] to v[i + 1].
+  struct Triangle {
+    std::array<std::int32_t, 3> v;  ///< local vertices
+    std::array<std::int32_t, 3> n;  ///< triangle across side i, or -1 at the border of the face
+    std::array<std::int32_t, 3> c;  ///< constraints on side i: first note, or -1
+  };
+  /// One constraint on a side: its index as given, and whether the side runs along tail -> head.
+  struct Note {
+    std::int32_t constraint = 0;
+    bool forward = true;
+    std::int32_t next = -1;
+  };
+  struct Location {
+    std::int32_t triangle = -1;
+    enum class On : std::uint8_t { inside, side, vertex } on = On::inside;
+    int index = 0;  ///< of the side or vertex in the triangle
+  };
+
+  explicit Triangulation(const Carriers& carriers) : carriers_(carriers) {}
+
+  /// Starts over with one triangle: the face itself, its corners being local vertices 0, 1, 2.
+  void start(std::uint32_t face);
+
+  /// Local vertex of a named point; inserted if there is none at its place. Requires a point of the closed face.
+  std::int32_t add_point(const PointName& name);
+
+  /// Inserts a segment between two local vertices as constraint number `constraint`, carried by `line`.
+  void add_segment(std::int32_t tail, std::int32_t head, std::int32_t constraint, const ConstraintLine& line);
+
+  /// Where a point of the closed face lies.
+  [[nodiscard]] Location locate(const Point& p);
+
+  [[nodiscard]] std::uint32_t face() const { return face_; }
+  [[nodiscard]] std::span<const Point> points() const { return points_; }
+  [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
+  [[nodiscard]] const Note& note(std::int32_t i) const { return notes_[static_cast<std::size_t>(i)]; }
+  /// Some triangle at a vertex.
+  [[nodiscard]] std::int32_t triangle_at(std::int32_t vertex) const { return at_[static_cast<std::size_t>(vertex)]; }
+  /// Pairs of names found to be one point.
+  [[nodiscard]] const std::vector<std::pair<PointName, PointName>>& equal_names() const { return equal_; }
+
+ private:
+  struct Side {
+    std::int32_t triangle = -1;
+    int index = 0;
+  };
+  /// Where a segment that leaves a vertex goes first.
+  struct Departure {
+    Side side;                 ///< the side it crosses, if it does
+    std::int32_t vertex = -1;  ///< else the vertex it reaches along a side
+  };
+
+  [[nodiscard]] Sign turn(std::int32_t a, std::int32_t b, std::int32_t c) const;
+  [[nodiscard]] Sign turn(const Point& p, const Point& q, const Point& r) const;
+  [[nodiscard]] bool collinear_by_name(const Point& p, const Point& q, const Point& r) const;
+  [[nodiscard]] std::int32_t find(const PointName& name) const;
+  void remember(const PointName& name, std::int32_t vertex);
+  std::int32_t new_vertex(const Point& p);
+
+  [[nodiscard]] Triangle& tri(std::int32_t t) { return triangles_[static_cast<std::size_t>(t)]; }
+  [[nodiscard]] const Triangle& tri(std::int32_t t) const { return triangles_[static_cast<std::size_t>(t)]; }
+  [[nodiscard]] Side twin(Side s) const;
+  [[nodiscard]] int index_of(std::int32_t triangle, std::int32_t vertex) const;
+  [[nodiscard]] Side find_side(std::int32_t a, std::int32_t b) const;
+  void link(std::int32_t t, int i, std::int32_t u);
+  void split_triangle(std::int32_t t, std::int32_t v);
+  void split_side(Side s, std::int32_t v);
+  void flip(Side s);
+  [[nodiscard]] bool is_flippable(Side s) const;
+  void improve(std::int32_t vertex);
+  [[nodiscard]] bool prefers_flip(Side s) const;
+
+  [[nodiscard]] Departure depart(std::int32_t from, std::int32_t to) const;
+  std::int32_t advance(std::int32_t from, std::int32_t to, const ConstraintLine& line);
+  void open_way(std::int32_t from, std::int32_t to, std::vector<std::pair<std::int32_t, std::int32_t>>& crossed);
+  std::int32_t cross_constraint(Side s, const ConstraintLine& line);
+  void mark(std::int32_t from, std::int32_t to, std::int32_t constraint);
+  void add_note(Side s, std::int32_t constraint, bool forward);
+
+  const Carriers& carriers_;
+  std::uint32_t face_ = 0;
+  Carriers::Indices corners_{};
+  Projection projection_;
+  std::vector<Point> points_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::int32_t> at_;
+  std::vector<Note> notes_;
+  std::vector<ConstraintLine> lines_;  ///< per constraint number
+  std::unordered_map<std::uint64_t, std::int32_t> by_hash_;
+  std::vector<std::pair<PointName, std::int32_t>> names_;
+  std::vector<std::pair<PointName, PointName>> equal_;
+  std::vector<std::pair<std::int32_t, std::int32_t>> crossed_, stack_;
+  std::int32_t last_ = 0;
+};
+
+}  // namespace strata

@@ -1,0 +1,167 @@
+#include "strata/overlap/coplanar.h"
+
+#include <boost/container/static_vector.hpp>
+
+#include "strata/kernel/predicates.h"
+#include "strata/overlap/triangle.h"
+
+namespace strata {
+namespace {
+
+/// Points in which an edge meets a triangle; an edge and a convex set share at most a segment, so two ends at most.
+using Ends = boost::container::static_vector<SharedPoint, 8>;
+
+/// Both triangles seen in the projection that shows f counter-clockwise.
+class CoplanarMeeting {
+ public:
+  CoplanarMeeting(const Carriers& carriers, std::uint32_t f, std::uint32_t g)
+      : carriers_(carriers), f_(f), g_(g), vf_(carriers.face(f)), vg_(carriers.face(g)),
+        projection_(projection_of(carriers, f)), orientation_(same_orientation(carriers, f, g)) {
+    for (std::size_t i = 0; i < 3; ++i) pf_[i] = make_point(carriers, PointName::input(vf_[i]));
+    for (std::size_t i = 0; i < 3; ++i) pg_[i] = make_point(carriers, PointName::input(vg_[i]));
+    for (std::size_t e = 0; e < 3; ++e)
+      for (std::size_t p = 0; p < 3; ++p) {
+        f_vertex_side_[p][e] = side(pg_[e], pg_[(e + 1) % 3], pf_[p]);
+        g_vertex_side_[p][e] = side(pf_[e], pf_[(e + 1) % 3], pg_[p]);
+      }
+  }
+
+  bool find(Meetings& meetings) {
+    std::array<Ends, 3> g_edges, f_edges;
+    bool any = false;
+    for (int k = 0; k < 3; ++k) {
+      g_edges[static_cast<std::size_t>(k)] = ends_of_g_edge(k);
+      f_edges[static_cast<std::size_t>(k)] = ends_of_f_edge(k);
+      for (const SharedPoint& p : g_edges[static_cast<std::size_t>(k)]) any = any || !is_shared(p);
+      for (const SharedPoint& p : f_edges[static_cast<std::size_t>(k)]) any = any || !is_shared(p);
+    }
+    if (!any && !covers_same_side()) return false;
+    append_coplanar(meetings);
+    for (int k = 0; k < 3; ++k) {
+      append_to_f(meetings, k, g_edges[static_cast<std::size_t>(k)]);
+      append_to_g(meetings, k, f_edges[static_cast<std::size_t>(k)]);
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] Sign side(const Point& a, const Point& b, const Point& p) const {
+    return orient2d(carriers_, projection_, a, b, p);
+  }
+  [[nodiscard]] std::optional<Feature> f_vertex_in_g(int i) const {
+    return locate(f_vertex_side_[static_cast<std::size_t>(i)], orientation_);
+  }
+  [[nodiscard]] std::optional<Feature> g_vertex_in_f(int k) const {
+    return locate(g_vertex_side_[static_cast<std::size_t>(k)], Sign::positive);
+  }
+  [[nodiscard]] bool cross_properly(int i, int k) const {
+    const auto e = static_cast<std::size_t>(i), h = static_cast<std::size_t>(k);
+    const Sign g1 = g_vertex_side_[h][e], g2 = g_vertex_side_[(h + 1) % 3][e];
+    const Sign f1 = f_vertex_side_[e][h], f2 = f_vertex_side_[(e + 1) % 3][h];
+    return g1 * g2 == Sign::negative && f1 * f2 == Sign::negative;
+  }
+  static void add(Ends& ends, SharedPoint p) {
+    if (std::find(ends.begin(), ends.end(), p) == ends.end()) ends.push_back(p);
+  }
+
+  [[nodiscard]] Ends ends_of_g_edge(int k) const {
+    Ends ends;
+    for (const int v : {k, next(k)})
+      if (const auto on_f = g_vertex_in_f(v)) add(ends, {*on_f, Feature::vertex(v)});
+    for (int i = 0; i < 3; ++i) {
+      if (cross_properly(i, k)) add(ends, {Feature::edge(i), Feature::edge(k)});
+      const auto on_g = f_vertex_in_g(i);
+      if (on_g && *on_g == Feature::edge(k)) add(ends, {Feature::vertex(i), Feature::edge(k)});
+    }
+    return ends;
+  }
+  [[nodiscard]] Ends ends_of_f_edge(int i) const {
+    Ends ends;
+    for (const int v : {i, next(i)})
+      if (const auto on_g = f_vertex_in_g(v)) add(ends, {Feature::vertex(v), *on_g});
+    for (int k = 0; k < 3; ++k) {
+      if (cross_properly(i, k)) add(ends, {Feature::edge(i), Feature::edge(k)});
+      const auto on_f = g_vertex_in_f(k);
+      if (on_f && *on_f == Feature::edge(i)) add(ends, {Feature::edge(i), Feature::vertex(k)});
+    }
+    return ends;
+  }
+
+  [[nodiscard]] bool is_shared(const SharedPoint& p) const {
+    return p.on_f.kind == Feature::Kind::vertex && p.on_g.kind == Feature::Kind::vertex &&
+           vf_[p.on_f.index] == vg_[p.on_g.index];
+  }
+  /// Faces whose only common points are shared vertices: they overlap when all three vertices are shared, or when an
+  /// edge is and both lie on the same side of it.
+  [[nodiscard]] bool covers_same_side() const {
+    int shared = 0;
+    for (const std::uint32_t a : vf_)
+      for (const std::uint32_t b : vg_) shared += a == b;
+    return shared == 3;
+  }
+
+  /// Orders two ends along the direction from a to b.
+  void order(Ends& ends, const Point& a, const Point& b) const {
+    if (ends.size() < 2) return;
+    const Point p = make_point(carriers_, name_of(ends[0], f_, vf_, g_, vg_));
+    const Point q = make_point(carriers_, name_of(ends[1], f_, vf_, g_, vg_));
+    for (const int axis : {projection_.u, projection_.v}) {
+      const Sign along = compare(carriers_, axis, b, a);
+      if (along == Sign::zero) continue;
+      if (compare(carriers_, axis, q, p) != along) std::swap(ends[0], ends[1]);
+      return;
+    }
+  }
+  void note_equal(Meetings& meetings, const Ends& ends) const {
+    for (const SharedPoint& p : ends)
+      if (p.on_f.kind == Feature::Kind::vertex && p.on_g.kind == Feature::Kind::vertex && !is_shared(p))
+        meetings.equal.push_back({vf_[p.on_f.index], vg_[p.on_g.index]});
+  }
+
+  void append_coplanar(Meetings& meetings) const {
+    const auto nowhere = ConstraintLine{};
+    const PointName of_f = PointName::input(vf_[0]), of_g = PointName::input(vg_[0]);
+    meetings.constraints.push_back({f_, g_, ConstraintKind::coplanar, nowhere, of_f, of_f});
+    meetings.constraints.push_back({g_, f_, ConstraintKind::coplanar, nowhere, of_g, of_g});
+  }
+  void append_to_f(Meetings& meetings, int k, Ends ends) const {
+    if (ends.empty()) return;
+    const auto a = static_cast<std::size_t>(k), b = (a + 1) % 3;
+    order(ends, pg_[a], pg_[b]);
+    note_equal(meetings, ends);
+    const bool left = orientation_ == Sign::positive;
+    const ConstraintKind kind = ends.size() == 1 ? ConstraintKind::point
+                                : left           ? ConstraintKind::cover_left
+                                                 : ConstraintKind::cover_right;
+    meetings.constraints.push_back({f_, g_, kind, ConstraintLine::along_edge(vg_[a], vg_[b]),
+                                    name_of(ends.front(), f_, vf_, g_, vg_), name_of(ends.back(), f_, vf_, g_, vg_)});
+  }
+  void append_to_g(Meetings& meetings, int i, Ends ends) const {
+    if (ends.empty()) return;
+    const auto a = static_cast<std::size_t>(i), b = (a + 1) % 3;
+    order(ends, pf_[a], pf_[b]);
+    const bool left = orientation_ == Sign::positive;
+    const ConstraintKind kind = ends.size() == 1 ? ConstraintKind::point
+                                : left           ? ConstraintKind::cover_left
+                                                 : ConstraintKind::cover_right;
+    const auto name = [&](const SharedPoint& p) { return name_of({p.on_g, p.on_f}, g_, vg_, f_, vf_); };
+    meetings.constraints.push_back(
+        {g_, f_, kind, ConstraintLine::along_edge(vf_[a], vf_[b]), name(ends.front()), name(ends.back())});
+  }
+
+  const Carriers& carriers_;
+  std::uint32_t f_, g_;
+  Carriers::Indices vf_, vg_;
+  Projection projection_;
+  Sign orientation_;
+  std::array<Point, 3> pf_, pg_;
+  std::array<Signs, 3> f_vertex_side_, g_vertex_side_;
+};
+
+}  // namespace
+
+bool meet_coplanar_faces(const Carriers& carriers, std::uint32_t f, std::uint32_t g, Meetings& meetings) {
+  return CoplanarMeeting(carriers, f, g).find(meetings);
+}
+
+}  // namespace strata

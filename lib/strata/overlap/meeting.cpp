@@ -1,0 +1,160 @@
+#include "strata/overlap/meeting.h"
+
+#include "strata/kernel/predicates.h"
+#include "strata/overlap/coplanar.h"
+#include "strata/overlap/triangle.h"
+
+namespace strata {
+namespace {
+
+bool all(const Signs& s, Sign x) { return s[0] == x && s[1] == x && s[2] == x; }
+
+Signs sides_of(const Carriers& carriers, const Carriers::Indices& plane, const Carriers::Indices& v) {
+  return {orient3d(carriers, plane[0], plane[1], plane[2], v[0]), orient3d(carriers, plane[0], plane[1], plane[2], v[1]),
+          orient3d(carriers, plane[0], plane[1], plane[2], v[2])};
+}
+
+/// Where a triangle with vertices on sides s of a plane leaves it (tail) and enters its positive side (head), walking
+/// around counter-clockwise: the ends of its section with the plane, directed along n x n' (n the plane's normal, n' the
+/// triangle's). theory.md, "Directions".
+struct Section {
+  Feature tail, head;
+};
+
+Section section(const Signs& s) {
+  const auto at = [&](int i) { return s[static_cast<std::size_t>(i)]; };
+  for (int i = 0; i < 3; ++i) {  // an edge in the plane
+    if (at(i) != Sign::zero || at(next(i)) != Sign::zero) continue;
+    const Feature a = Feature::vertex(i), b = Feature::vertex(next(i));
+    return at(previous(i)) == Sign::positive ? Section{a, b} : Section{b, a};
+  }
+  Section r{Feature::inside(), Feature::inside()};
+  for (int i = 0; i < 3; ++i) {
+    if (at(i) == Sign::negative && at(next(i)) == Sign::positive) r.head = Feature::edge(i);
+    if (at(i) == Sign::positive && at(next(i)) == Sign::negative) r.tail = Feature::edge(i);
+  }
+  for (int i = 0; i < 3; ++i) {  // a vertex in the plane takes the place of what is missing
+    if (at(i) != Sign::zero) continue;
+    if (r.head == Feature::inside()) r.head = Feature::vertex(i);
+    if (r.tail == Feature::inside()) r.tail = Feature::vertex(i);
+  }
+  return r;
+}
+
+/// True when a triangle with these sides has an edge in the plane: that edge's index, else -1.
+int edge_in_plane(const Signs& s) {
+  for (int i = 0; i < 3; ++i)
+    if (s[static_cast<std::size_t>(i)] == Sign::zero && s[static_cast<std::size_t>(next(i))] == Sign::zero) return i;
+  return -1;
+}
+
+bool reaches(const Signs& s, Sign side) { return s[0] == side || s[1] == side || s[2] == side; }
+
+/// Two triangles in different planes that cross each other's plane.
+class TransversalMeeting {
+ public:
+  TransversalMeeting(const Carriers& carriers, std::uint32_t f, std::uint32_t g, const Signs& of_f, const Signs& of_g)
+      : carriers_(carriers), f_(f), g_(g), vf_(carriers.face(f)), vg_(carriers.face(g)), of_f_(of_f), of_g_(of_g) {}
+
+  bool find(Meetings& meetings) {
+    // Both sections lie on one line; directed along n_f x n_g, g's is as it comes and f's the other way round.
+    const Section on_g = section(of_g_), on_f = section(of_f_);
+    const auto tail = later(on_f.head, on_g.tail);
+    if (!tail) return false;
+    const auto head = later(on_f.tail, on_g.head);
+    if (!head) return false;
+    if (is_shared(*tail) && is_shared(*head)) return false;
+    append(meetings, *tail, *head);
+    return true;
+  }
+
+ private:
+  /// Of two candidate ends, one from either triangle, the one that lies in both triangles.
+  std::optional<SharedPoint> later(Feature from_f, Feature from_g) {
+    if (const auto on_g = locate(sides_in_g(from_f))) return SharedPoint{from_f, *on_g};
+    if (const auto on_f = locate(sides_in_f(from_g))) return SharedPoint{*on_f, from_g};
+    return std::nullopt;
+  }
+
+  /// The edge through a point of a section that leaves the other plane there.
+  static int edge_through(Feature end, const Signs& s) {
+    if (end.kind == Feature::Kind::edge) return end.index;
+    return s[static_cast<std::size_t>(next(end.index))] != Sign::zero ? end.index : previous(end.index);
+  }
+  Signs sides_in_g(Feature end) {
+    const int i = edge_through(end, of_f_);
+    return {between(i, 0), between(i, 1), between(i, 2)};
+  }
+  Signs sides_in_f(Feature end) {
+    const int k = edge_through(end, of_g_);
+    return {between(0, k), between(1, k), between(2, k)};
+  }
+  /// orient3d of edge i of f and edge k of g; the same with the edges swapped, since that is an even permutation.
+  Sign between(int i, int k) {
+    auto& known = between_[static_cast<std::size_t>(3 * i + k)];
+    if (!known)
+      known = orient3d(carriers_, vf_[static_cast<std::size_t>(i)], vf_[static_cast<std::size_t>(next(i))],
+                       vg_[static_cast<std::size_t>(k)], vg_[static_cast<std::size_t>(next(k))]);
+    return *known;
+  }
+
+  [[nodiscard]] bool is_shared(const SharedPoint& p) const {
+    return p.on_f.kind == Feature::Kind::vertex && p.on_g.kind == Feature::Kind::vertex &&
+           vf_[p.on_f.index] == vg_[p.on_g.index];
+  }
+
+  void append(Meetings& meetings, const SharedPoint& tail, const SharedPoint& head) const {
+    note_equal(meetings, tail);
+    note_equal(meetings, head);
+    const PointName tail_f = name_of(tail, f_, vf_, g_, vg_), head_f = name_of(head, f_, vf_, g_, vg_);
+    const PointName tail_g = name_of({tail.on_g, tail.on_f}, g_, vg_, f_, vf_),
+                    head_g = name_of({head.on_g, head.on_f}, g_, vg_, f_, vf_);
+    if (tail == head) {
+      meetings.constraints.push_back({f_, g_, ConstraintKind::point, ConstraintLine::trace_of(g_), tail_f, tail_f});
+      meetings.constraints.push_back({g_, f_, ConstraintKind::point, ConstraintLine::trace_of(f_), tail_g, tail_g});
+      return;
+    }
+    const auto kind = [](const Signs& s) {
+      return reaches(s, Sign::positive) ? ConstraintKind::crossing : ConstraintKind::touch;
+    };
+    meetings.constraints.push_back({f_, g_, kind(of_g_), line(g_), tail_f, head_f});
+    meetings.constraints.push_back({g_, f_, kind(of_f_), line(f_), head_g, tail_g});
+  }
+
+  void note_equal(Meetings& meetings, const SharedPoint& p) const {
+    if (p.on_f.kind != Feature::Kind::vertex || p.on_g.kind != Feature::Kind::vertex || is_shared(p)) return;
+    meetings.equal.push_back({vf_[p.on_f.index], vg_[p.on_g.index]});
+  }
+
+  /// The line of the section as the other face sees it: an edge of either triangle if one lies there.
+  [[nodiscard]] ConstraintLine line(std::uint32_t other) const {
+    const auto along = [](const Carriers::Indices& v, int i) {
+      return ConstraintLine::along_edge(v[static_cast<std::size_t>(i)], v[static_cast<std::size_t>(next(i))]);
+    };
+    const int ef = edge_in_plane(of_f_), eg = edge_in_plane(of_g_);
+    if (ef >= 0 && eg >= 0) return std::min(along(vf_, ef), along(vg_, eg));
+    if (ef >= 0) return along(vf_, ef);
+    if (eg >= 0) return along(vg_, eg);
+    return ConstraintLine::trace_of(other);
+  }
+
+  const Carriers& carriers_;
+  std::uint32_t f_, g_;
+  Carriers::Indices vf_, vg_;
+  Signs of_f_, of_g_;
+  std::array<std::optional<Sign>, 9> between_{};
+};
+
+}  // namespace
+
+bool meet_faces(const Carriers& carriers, std::uint32_t f, std::uint32_t g, Meetings& meetings) {
+  const auto vf = carriers.face(f), vg = carriers.face(g);
+  const Signs of_g = sides_of(carriers, vf, vg);
+  if (all(of_g, Sign::positive) || all(of_g, Sign::negative)) return false;
+  if (all(of_g, Sign::zero)) return meet_coplanar_faces(carriers, f, g, meetings);
+  const Signs of_f = sides_of(carriers, vg, vf);
+  if (all(of_f, Sign::positive) || all(of_f, Sign::negative)) return false;
+  return TransversalMeeting(carriers, f, g, of_f, of_g).find(meetings);
+}
+
+}  // namespace strata
