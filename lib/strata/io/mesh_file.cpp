@@ -1,0 +1,177 @@
+#include "strata/io/mesh_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ostream>
+#include <utility>
+
+#include "strata/io/readers.h"
+#include "strata/io/sink.h"
+#include "strata/io/writers.h"
+
+namespace strata {
+namespace {
+
+using Name = std::pair<std::string_view, Format>;
+constexpr std::array<Name, 7> names{Name{"stl", Format::stl},
+                                    Name{"stl-ascii", Format::stl_ascii},
+                                    Name{"obj", Format::obj},
+                                    Name{"off", Format::off},
+                                    Name{"ply", Format::ply},
+                                    Name{"ply-ascii", Format::ply_ascii},
+                                    Name{"ply-big-endian", Format::ply_big_endian}};
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+[[noreturn]] void fail_unknown(const std::string& name, const std::string& extension) {
+  throw IoError(name, {},
+                (extension.empty() ? std::string("unknown format: the name has no extension")
+                                   : "unknown format '" + extension + "'") +
+                    "; known are stl, obj, off, ply" +
+                    (io::can_read_other(".glb") ? ", and glb, gltf, 3mf, fbx, dae and others for reading" : ""));
+}
+
+MeshFile with_emptiness_noted(MeshFile file) {
+  if (file.mesh.triangles.empty()) file.notes.emplace_back("the file holds no faces");
+  return file;
+}
+
+MeshFile read_bytes(const io::Input& input, Format format) {
+  if (input.data.empty()) input.fail("the file is empty");
+  MeshFile file;
+  switch (format) {
+    case Format::stl:
+    case Format::stl_ascii:
+      file = io::read_stl(input);
+      break;
+    case Format::obj:
+      file = io::read_obj(input);
+      break;
+    case Format::off:
+      file = io::read_off(input);
+      break;
+    case Format::ply:
+    case Format::ply_ascii:
+    case Format::ply_big_endian:
+      file = io::read_ply(input);
+      break;
+    case Format::other:
+      file = io::read_other(input);
+      break;
+  }
+  return with_emptiness_noted(std::move(file));
+}
+
+/// What no format can hold, or no reader would take back.
+void check_writable(MeshView mesh, const std::string& name) {
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    for (const double x : mesh.vertices[i])
+      if (!std::isfinite(x)) throw IoError(name, {}, "cannot write: vertex " + std::to_string(i) + " is not finite");
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (const std::uint32_t v : mesh.triangles[i])
+      if (v >= mesh.vertices.size())
+        throw IoError(name, {},
+                      "cannot write: triangle " + std::to_string(i) + " uses vertex " + std::to_string(v) + " of " +
+                          std::to_string(mesh.vertices.size()));
+}
+
+std::vector<std::string> write(MeshView mesh, Format format, io::Sink& sink, const std::string& name) {
+  switch (format) {
+    case Format::stl:
+      return io::write_stl(mesh, sink, name);
+    case Format::stl_ascii:
+      io::write_stl_ascii(mesh, sink);
+      break;
+    case Format::obj:
+      io::write_obj(mesh, sink);
+      break;
+    case Format::off:
+      io::write_off(mesh, sink);
+      break;
+    case Format::ply:
+      io::write_ply_binary(mesh, sink, false);
+      break;
+    case Format::ply_ascii:
+      io::write_ply_ascii(mesh, sink);
+      break;
+    case Format::ply_big_endian:
+      io::write_ply_binary(mesh, sink, true);
+      break;
+    case Format::other:
+      throw IoError(name, {}, "cannot write this format; stl, obj, off and ply can be written");
+  }
+  return {};
+}
+
+}  // namespace
+
+Format format_of(const std::filesystem::path& path) {
+  const std::string extension = lower(path.extension().string());
+  for (const auto& [word, format] : names)
+    if (extension.starts_with('.') && extension.substr(1) == word) return format;
+  return Format::other;
+}
+
+std::optional<Format> format_named(std::string_view word) {
+  const std::string wanted = lower(std::string(word));
+  for (const auto& [known, format] : names)
+    if (wanted == known) return format;
+  if (io::can_read_other(std::string(".").append(wanted))) return Format::other;
+  return std::nullopt;
+}
+
+std::string_view name(Format format) {
+  const auto found = std::find_if(names.begin(), names.end(), [&](const Name& n) { return n.second == format; });
+  return found == names.end() ? "other" : found->first;
+}
+
+MeshFile read_mesh(const std::filesystem::path& path, std::optional<Format> format) {
+  const Format chosen = format.value_or(format_of(path));
+  if (chosen != Format::other) return read_mesh(io::FileBytes(path).view(), chosen, path.string());
+  // Files that are not there are told apart from formats that are not known.
+  if (io::FileBytes(path).view().empty()) throw IoError(path.string(), {}, "the file is empty");
+  if (!io::can_read_other(lower(path.extension().string()))) fail_unknown(path.string(), path.extension().string());
+  return with_emptiness_noted(io::read_other(path));
+}
+
+MeshFile read_mesh(std::string_view data, Format format, std::string name) {
+  const std::string extension = std::filesystem::path(name).extension().string();
+  if (format == Format::other && !io::can_read_other(lower(extension))) fail_unknown(name, extension);
+  return read_bytes({std::move(name), data}, format);
+}
+
+MeshFile read_mesh(std::span<const std::byte> data, Format format, std::string name) {
+  return read_mesh(std::string_view(reinterpret_cast<const char*>(data.data()), data.size()), format, std::move(name));
+}
+
+std::vector<std::string> write_mesh(const std::filesystem::path& path, MeshView mesh, std::optional<Format> format) {
+  const Format chosen = format.value_or(format_of(path));
+  if (chosen == Format::other) fail_unknown(path.string(), path.extension().string());
+  check_writable(mesh, path.string());
+  io::FileSink sink(path);
+  auto notes = write(mesh, chosen, sink, path.string());
+  sink.finish();
+  return notes;
+}
+
+std::vector<std::string> write_mesh(std::ostream& stream, MeshView mesh, Format format, std::string name) {
+  check_writable(mesh, name);
+  io::StreamSink sink(stream, name);
+  auto notes = write(mesh, format, sink, name);
+  sink.finish();
+  return notes;
+}
+
+std::string to_string(MeshView mesh, Format format) {
+  check_writable(mesh, "memory");
+  io::StringSink sink;
+  (void)write(mesh, format, sink, "memory");
+  return sink.take();
+}
+
+}  // namespace strata

@@ -1,0 +1,72 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strata/io/io_error.h"
+#include "strata/mesh/mesh.h"
+
+namespace strata {
+
+/// File formats. Reading tells the variants of STL and PLY apart by itself; writing obeys.
+enum class Format {
+  stl,        ///< binary, coordinates are floats
+  stl_ascii,  ///< text, coordinates are doubles
+  obj,
+  off,
+  ply,  ///< binary, little endian, doubles
+  ply_ascii,
+  ply_big_endian,
+  other,  ///< glTF, 3MF, FBX, DAE and whatever else assimp reads, into floats; cannot be written
+};
+
+/// What a file holds. Coordinates are what the file says: no units, no welding by distance.
+struct MeshFile {
+  Mesh mesh;
+  std::vector<std::string> notes;                  ///< what was left out or decided on the way, one sentence each
+  std::vector<std::uint32_t> polygon_of_triangle;  ///< face of the file, from 0, per triangle; empty: they are the same
+};
+
+/// The format that goes with a file name's extension, in any case; `other` for those that are not ours.
+[[nodiscard]] Format format_of(const std::filesystem::path& path);
+
+/// The format of a name: "stl", "stl-ascii", "obj", "off", "ply", "ply-ascii", "ply-big-endian"; any other extension
+/// that can be read ("glb") is `other`. Nothing for names that mean nothing.
+[[nodiscard]] std::optional<Format> format_named(std::string_view name);
+[[nodiscard]] std::string_view name(Format format);
+
+/// Reads a mesh, the format by extension unless given.
+/// Polygons are triangulated without moving or dropping a vertex, so that shared edges stay shared; those that are not
+/// planar in doubles are noted. STL corners with equal coordinates (-0 = 0) become one vertex, in order of first use.
+/// Faces with fewer than three different vertices are left out and noted.
+/// Throws IoError: missing, unreadable, empty, truncated or malformed files, coordinates that are not finite or beyond
+/// the range of doubles, indices out of range, unknown formats. O(size of the file), plus O(k^2) at worst for a face
+/// of k corners.
+[[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path, std::optional<Format> format = {});
+
+/// The same for bytes in memory. `name` stands for the path in messages; for `other` its extension picks the reader.
+[[nodiscard]] MeshFile read_mesh(std::string_view data, Format format, std::string name);
+[[nodiscard]] MeshFile read_mesh(std::span<const std::byte> data, Format format, std::string name);
+
+/// Writes a mesh, the format by extension unless given. Text and PLY keep every double exactly (shortest digits that
+/// read back the same); binary STL rounds to floats. Returns notes: what did not survive.
+/// The file is written beside the target and renamed when complete: the target is never half written. A target that
+/// is no regular file (a device, a pipe) is written in place.
+/// Throws IoError: unwritable targets, full disks, formats that cannot be written, coordinates that are not finite or
+/// too large for the format, indices out of range.
+std::vector<std::string> write_mesh(const std::filesystem::path& path, MeshView mesh,
+                                    std::optional<Format> format = {});
+
+/// The same into a stream, to which `name` refers in messages. Checks the stream's state.
+std::vector<std::string> write_mesh(std::ostream& stream, MeshView mesh, Format format, std::string name = "output");
+
+/// The same into memory.
+[[nodiscard]] std::string to_string(MeshView mesh, Format format);
+
+}  // namespace strata
