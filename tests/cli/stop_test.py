@@ -1,0 +1,52 @@
+"""Time limits and signals: exit code 6, and nothing left behind."""
+import signal
+import subprocess
+import time
+import unittest
+
+from tool import DATA, STOPPED, TOOL, ToolTest
+
+
+class Stop(ToolTest):
+    def heavy(self):
+        """Arguments for a Boolean that takes far longer than these tests wait."""
+        copies = []
+        text = (DATA / "sphere.off").read_text().splitlines()
+        counts = text[1].split()
+        for k in range(40):
+            moved = [" ".join([str(float(line.split()[0]) + k / 1024), *line.split()[1:]])
+                     for line in text[2:2 + int(counts[0])]]
+            copies.append(self.file(f"sphere{k}.off", "\n".join(text[:2] + moved + text[2 + int(counts[0]):]) + "\n"))
+        return ("xor", *copies, "-o", self.path("out.off"))
+
+    def test_a_time_limit_stops_the_work(self):
+        done = self.run_tool(*self.heavy(), "--timeout", "0.3", expect=STOPPED)
+        self.assertIn("time limit", done.stderr.decode())
+        self.assertFalse(self.path("out.off").exists())
+        self.assertFalse(list(self.folder.glob("*.part")))
+
+    def test_a_signal_stops_the_work_soon(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(signal=number):
+                process = subprocess.Popen([TOOL, *map(str, self.heavy())], stderr=subprocess.PIPE)
+                time.sleep(0.4)
+                process.send_signal(number)
+                _, err = process.communicate(timeout=10)
+                self.assertEqual(process.returncode, STOPPED, err.decode())
+                self.assertFalse(self.path("out.off").exists())
+
+    def test_a_signal_ends_waiting_for_standard_input(self):
+        process = subprocess.Popen([TOOL, "info", "-", "--input-format", "off"], stdin=subprocess.PIPE,
+                                   stderr=subprocess.PIPE)
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=5), STOPPED)
+        process.stdin.close()
+        process.stderr.close()
+
+    def test_a_limit_that_is_not_reached_changes_nothing(self):
+        self.run_tool("union", DATA / "cube.off", DATA / "cube_beside.off", "-o", "out.off", "--timeout", "60")
+
+
+if __name__ == "__main__":
+    unittest.main()
