@@ -2,11 +2,9 @@
 #include <atomic>
 #include <functional>
 
-namespace strata {
+#include "strata/select/operation.h"
 
-/// Regularized set operations on n >= 1 operands.
-/// unite: in any; intersect: in all; subtract: in the first and in no other; exclude: in an odd number (xor).
-enum class Operation { unite, intersect, subtract, exclude };
+namespace strata {
 
 /// What the caller declares about the operands.
 enum class InputClass {

@@ -1,0 +1,95 @@
+#include "strata/csg/combine.h"
+
+#include <tbb/task_arena.h>
+
+#include <exception>
+#include <utility>
+
+#include "strata/csg/evaluate.h"
+#include "strata/csg/stopwatch.h"
+#include "strata/mesh/prepare.h"
+#include "strata/round/rounding.h"
+
+namespace strata {
+namespace {
+
+/// Operands made ready, and their face numbers in the caller's meshes.
+class Operands {
+ public:
+  Operands(std::span<const Operand> given, InputClass input, std::vector<Defect>& notes) {
+    prepared_.reserve(given.size());
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      prepared_.push_back(prepare(given[i], input, i));
+      const Prepared& p = prepared_.back();
+      notes.insert(notes.end(), p.notes.begin(), p.notes.end());
+      const MeshView mesh = p.mesh ? MeshView(*p.mesh) : given[i].mesh;
+      carriers_.add(mesh.vertices, mesh.triangles, given[i].exact);
+    }
+  }
+
+  [[nodiscard]] const Carriers& carriers() const { return carriers_; }
+  [[nodiscard]] Source source(std::uint32_t global_face) const {
+    const std::uint32_t operand = carriers_.operand_of_face(global_face);
+    const std::uint32_t face = global_face - carriers_.first_face(operand);
+    const auto& renumbered = prepared_[operand].source_face;
+    return {operand, renumbered.empty() ? face : renumbered[face]};
+  }
+
+ private:
+  static Prepared prepare(const Operand& operand, InputClass input, std::size_t index) {
+    if (!operand.exact.empty()) return {};  // a result of ours
+    switch (input) {
+      case InputClass::solid:
+        return prepare_closed(operand.mesh, false, index);
+      case InputClass::overlapping:
+        return prepare_closed(operand.mesh, true, index);
+      case InputClass::repair:
+        return prepare_soup(operand.mesh, index);
+    }
+    return {};
+  }
+
+  std::vector<Prepared> prepared_;
+  Carriers carriers_;
+};
+
+BooleanResult combine_here(Operation operation, std::span<const Operand> given, const Options& options) {
+  BooleanResult result;
+  Stopwatch watch(result.profile);
+  const Monitor monitor(options.cancel);
+  monitor.check();
+  const Operands operands(given, options.input, result.notes);
+  watch.lap("prepare");
+  const Carriers& carriers = operands.carriers();
+  const Rule rule(operation, carriers.operand_count());
+  const bool self = options.input != InputClass::solid;
+  Boundary boundary = evaluate(carriers, rule, self, monitor, result.profile);
+  Stopwatch output(result.profile);
+  result.mesh.vertices = round_to_doubles(carriers, boundary.vertices, monitor);
+  result.mesh.triangles = std::move(boundary.triangles);
+  result.sources.reserve(boundary.sources.size());
+  for (const std::uint32_t f : boundary.sources) result.sources.push_back(operands.source(f));
+  output.lap("round");
+  if (options.exact_vertices) {
+    result.exact = exact_places(carriers, boundary.vertices, result.mesh.vertices, monitor);
+    output.lap("exact");
+  }
+  return result;
+}
+
+}  // namespace
+
+BooleanResult combine(Operation operation, std::span<const Operand> operands, const Options& options) {
+  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads));
+  BooleanResult result;
+  arena.execute([&] { result = combine_here(operation, operands, options); });
+  return result;
+}
+
+BooleanResult combine(Operation operation, std::span<const MeshView> operands, const Options& options) {
+  std::vector<Operand> all;
+  for (const MeshView& m : operands) all.push_back({m, {}});
+  return combine(operation, std::span<const Operand>(all), options);
+}
+
+}  // namespace strata

@@ -1,0 +1,42 @@
+#include "strata/csg/evaluate.h"
+
+#include <utility>
+
+#include "strata/cells/cell_tree.h"
+#include "strata/csg/stopwatch.h"
+#include "strata/overlap/pairs.h"
+#include "strata/select/split_faces.h"
+#include "strata/select/whole_faces.h"
+
+namespace strata {
+namespace {
+
+std::vector<std::uint8_t> touched_faces(const Carriers& carriers, const Meetings& meetings) {
+  std::vector<std::uint8_t> touched(carriers.face_count(), 0);
+  for (const Constraint& c : meetings.constraints) touched[c.face] = 1;
+  return touched;
+}
+
+}  // namespace
+
+Boundary evaluate(const Carriers& carriers, const Rule& rule, bool self, const Monitor& monitor, Profile& profile) {
+  Stopwatch watch(profile);
+  const CellTree cells(carriers, {.self = self});
+  watch.lap("cells");
+  monitor.check();
+  const Meetings meetings = find_meetings(carriers, cells, self, monitor);
+  watch.lap("overlap");
+  const SplitFaces split = split_faces(carriers, cells, rule, meetings.constraints, self, monitor);
+  watch.lap("arrange");
+  const auto whole = judge_whole_faces(carriers, cells, rule, touched_faces(carriers, meetings), self, monitor);
+  watch.lap("layers");
+  Boundary boundary = gather_boundary(carriers, whole, split, meetings.equal);
+  watch.lap("select");
+  profile.counts = {{"cells", cells.cells().size()},
+                    {"pairs_tested", meetings.pairs_tested},
+                    {"pairs_meeting", meetings.pairs_meeting},
+                    {"split_faces", split.faces.size()}};
+  return boundary;
+}
+
+}  // namespace strata

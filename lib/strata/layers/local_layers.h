@@ -1,0 +1,36 @@
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "strata/cells/cell_tree.h"
+#include "strata/cells/windings.h"
+#include "strata/kernel/point.h"
+
+namespace strata {
+
+/// Winding numbers at points, from the signed covering about local origins: w(q) = w(O) + the signs of the faces of q's
+/// cell that the walk from O to q crosses, which are those whose tetrahedron about O holds q. No order of the faces is
+/// needed, so cyclic dominance is no obstacle. theory.md.
+class LocalLayers {
+ public:
+  LocalLayers(const Carriers& carriers, const CellTree& cells) : carriers_(carriers), cells_(cells) {}
+
+  /// Winding numbers about all operands but `own`, whose entry is left out, at a point on none of their faces.
+  [[nodiscard]] Windings around(const Point& q, std::uint32_t own) const;
+
+  /// Winding numbers about all operands just above `face` (on its outer side) at a point of it. `covering` are the faces
+  /// coplanar with it that contain q, itself included; q is on no other face.
+  [[nodiscard]] Windings above(std::uint32_t face, const Point& q, std::span<const std::uint32_t> covering) const;
+
+  /// Grid coordinates of a point, by its nearest doubles.
+  [[nodiscard]] std::array<std::int32_t, 3> grid_of(const Point& q) const;
+
+ private:
+  static constexpr std::uint32_t nobody = 0xffffffffu;
+  [[nodiscard]] Windings walk(const Point& q, std::uint32_t own) const;
+
+  const Carriers& carriers_;
+  const CellTree& cells_;
+};
+
+}  // namespace strata

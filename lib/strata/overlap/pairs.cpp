@@ -1,0 +1,88 @@
+#include "strata/overlap/pairs.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "strata/overlap/meeting.h"
+
+namespace strata {
+namespace {
+
+/// The pairs of one cell. Faces are swept along x, so that only those that overlap there are compared.
+class CellPairs {
+ public:
+  CellPairs(const Carriers& carriers, const Cell& cell, bool self, Meetings& meetings)
+      : carriers_(carriers), cell_(cell), self_(self), meetings_(meetings) {}
+
+  void find() {
+    struct Swept {
+      CellFace face;
+      std::uint32_t operand;
+    };
+    std::vector<Swept> faces;
+    faces.reserve(cell_.faces.size());
+    std::uint32_t operand = 0, end = 0;
+    for (const CellFace& f : cell_.faces) {  // by increasing face, hence by operand
+      if (f.face >= end) {
+        operand = carriers_.operand_of_face(f.face);
+        end = carriers_.first_face(operand) + carriers_.face_count(operand);
+      }
+      faces.push_back({f, operand});
+    }
+    std::sort(faces.begin(), faces.end(), [](const Swept& a, const Swept& b) {
+      return std::tie(a.face.box.lower[0], a.face.face) < std::tie(b.face.box.lower[0], b.face.face);
+    });
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (std::size_t j = i + 1; j < faces.size() && faces[j].face.box.lower[0] <= faces[i].face.box.upper[0]; ++j)
+        if (self_ || faces[i].operand != faces[j].operand) test(faces[i].face, faces[j].face);
+  }
+
+ private:
+  void test(const CellFace& a, const CellFace& b) {
+    if (!a.box.overlaps(b.box)) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int32_t corner = std::max(a.box.lower[i], b.box.lower[i]);
+      if (corner < cell_.box.lower[i] || corner >= cell_.box.upper[i]) return;
+    }
+    ++meetings_.pairs_tested;
+    if (meet_faces(carriers_, std::min(a.face, b.face), std::max(a.face, b.face), meetings_)) ++meetings_.pairs_meeting;
+  }
+
+  const Carriers& carriers_;
+  const Cell& cell_;
+  bool self_;
+  Meetings& meetings_;
+};
+
+}  // namespace
+
+Meetings find_meetings(const Carriers& carriers, const CellTree& cells, bool self, const Monitor& monitor) {
+  std::vector<Meetings> per_cell(cells.cells().size());
+  tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t i) {
+    const Cell& cell = cells.cells()[i];
+    if (!cell.mixed) return;
+    monitor.check();
+    CellPairs(carriers, cell, self, per_cell[i]).find();
+  });
+  Meetings all;
+  std::size_t constraints = 0;
+  for (const Meetings& m : per_cell) constraints += m.constraints.size();
+  all.constraints.reserve(constraints);
+  for (Meetings& m : per_cell) {
+    all.constraints.insert(all.constraints.end(), m.constraints.begin(), m.constraints.end());
+    all.equal.insert(all.equal.end(), m.equal.begin(), m.equal.end());
+    all.pairs_tested += m.pairs_tested;
+    all.pairs_meeting += m.pairs_meeting;
+    m = {};
+  }
+  tbb::parallel_sort(all.constraints.begin(), all.constraints.end(), [](const Constraint& a, const Constraint& b) {
+    return std::tie(a.face, a.other, a.kind, a.line, a.tail, a.head) <
+           std::tie(b.face, b.other, b.kind, b.line, b.tail, b.head);
+  });
+  return all;
+}
+
+}  // namespace strata

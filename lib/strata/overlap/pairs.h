@@ -1,0 +1,13 @@
+#pragma once
+#include "strata/cells/cell_tree.h"
+#include "strata/mesh/monitor.h"
+#include "strata/overlap/constraint.h"
+
+namespace strata {
+
+/// All constraints, grouped by face: those of one face are adjacent, in a fixed order.
+/// Every pair of faces of different operands (with `self`: of any operands) is tested in exactly one cell: the one that
+/// holds the lower corner of the intersection of their boxes. The same for any number of threads.
+[[nodiscard]] Meetings find_meetings(const Carriers& carriers, const CellTree& cells, bool self, const Monitor& monitor);
+
+}  // namespace strata

@@ -1,0 +1,53 @@
+#include "strata/round/rounding.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <optional>
+
+namespace strata {
+namespace {
+
+bool is_double(const Carriers& carriers, const PointName& name) {
+  return name.kind == PointName::Kind::input && carriers.exact(name.id[0]) == nullptr;
+}
+
+template <class Body>
+void for_each_index(std::size_t count, const Monitor& monitor, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
+    monitor.check();
+    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+  });
+}
+
+}  // namespace
+
+std::vector<Vertex> round_to_doubles(const Carriers& carriers, const std::vector<PointName>& points,
+                                     const Monitor& monitor) {
+  std::vector<Vertex> rounded(points.size());
+  for_each_index(points.size(), monitor, [&](std::size_t i) {
+    rounded[i] = points[i].kind == PointName::Kind::input ? carriers.vertex(points[i].id[0])
+                                                          : nearest_doubles(carriers, make_point(carriers, points[i]));
+  });
+  return rounded;
+}
+
+std::vector<ExactVertex> exact_places(const Carriers& carriers, const std::vector<PointName>& points,
+                                      const std::vector<Vertex>& rounded, const Monitor& monitor) {
+  std::vector<std::optional<RationalPoint>> places(points.size());
+  for_each_index(points.size(), monitor, [&](std::size_t i) {
+    if (is_double(carriers, points[i])) return;
+    RationalPoint exact = exact_position(carriers, make_point(carriers, points[i]));
+    for (std::size_t k = 0; k < 3; ++k)
+      if (exact[k] != to_rational(rounded[i][k])) {
+        places[i] = std::move(exact);
+        return;
+      }
+  });
+  std::vector<ExactVertex> result;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (places[i]) result.push_back({static_cast<std::uint32_t>(i), std::move(*places[i])});
+  return result;
+}
+
+}  // namespace strata

@@ -1,0 +1,21 @@
+#pragma once
+#include <vector>
+
+#include "strata/kernel/carriers.h"
+#include "strata/kernel/exact_vertex.h"
+#include "strata/kernel/point.h"
+#include "strata/mesh/mesh.h"
+#include "strata/mesh/monitor.h"
+
+namespace strata {
+
+/// Coordinates of the named points, each rounded to the nearest double, ties to even. Input vertices given in doubles
+/// come out as they went in. O(1) per point.
+[[nodiscard]] std::vector<Vertex> round_to_doubles(const Carriers& carriers, const std::vector<PointName>& points,
+                                                   const Monitor& monitor);
+
+/// The points whose exact place is not where `rounded` says, with that place.
+[[nodiscard]] std::vector<ExactVertex> exact_places(const Carriers& carriers, const std::vector<PointName>& points,
+                                                    const std::vector<Vertex>& rounded, const Monitor& monitor);
+
+}  // namespace strata

@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+
+#include "strata/cells/windings.h"
+#include "strata/select/operation.h"
+
+namespace strata {
+
+/// Decides from the winding numbers at a point whether it is in the result. A point is in an operand where its winding
+/// number is positive.
+class Rule {
+ public:
+  Rule(Operation operation, std::uint32_t operands) : operation_(operation), operands_(operands) {}
+
+  [[nodiscard]] bool inside(const Windings& windings) const {
+    std::uint32_t in = 0;
+    bool in_first = false;
+    for (const auto& [operand, w] : windings) {
+      if (w <= 0) continue;
+      ++in;
+      in_first = in_first || operand == 0;
+    }
+    switch (operation_) {
+      case Operation::unite:
+        return in > 0;
+      case Operation::intersect:
+        return in == operands_;
+      case Operation::subtract:
+        return in_first && in == 1;
+      case Operation::exclude:
+        return in % 2 == 1;
+    }
+    return false;
+  }
+
+ private:
+  Operation operation_;
+  std::uint32_t operands_;
+};
+
+/// What becomes of a piece of surface.
+enum class Verdict : std::uint8_t {
+  drop,
+  keep,       ///< the result is behind it, as the operand was
+  keep_turned ///< the result is in front of it
+};
+
+[[nodiscard]] inline Verdict verdict(bool inside_above, bool inside_below) {
+  if (inside_above == inside_below) return Verdict::drop;
+  return inside_below ? Verdict::keep : Verdict::keep_turned;
+}
+
+}  // namespace strata

@@ -1,0 +1,271 @@
+#include "strata/select/split_faces.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+
+#include "strata/arrange/triangulation.h"
+#include "strata/exact/failure.h"
+
+namespace strata {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// What is known about one region of a split face.
+struct Region {
+  Windings above;                                           ///< winding numbers just above the face
+  boost::container::small_vector<std::uint32_t, 4> covers;  ///< other coplanar faces that cover it, sorted
+};
+
+/// Splits and judges one face; kept for the next one, so that its memory is reused.
+class FaceSplitter {
+ public:
+  FaceSplitter(const Carriers& carriers, const CellTree& cells, const Rule& rule, bool self)
+      : carriers_(carriers), layers_(carriers, cells), rule_(rule), self_(self), triangulation_(carriers) {}
+
+  void split(std::span<const Constraint> constraints, SplitFace& result,
+             std::vector<std::pair<PointName, PointName>>& equal) {
+    face_ = constraints.front().face;
+    operand_ = carriers_.operand_of_face(face_);
+    constraints_ = constraints;
+    triangulate();
+    spread(start());
+    judge();
+    collect(result);
+    equal.insert(equal.end(), triangulation_.equal_names().begin(), triangulation_.equal_names().end());
+  }
+
+ private:
+  struct Start {
+    std::int32_t triangle = 0;
+    Region region;
+  };
+
+  void triangulate() {
+    triangulation_.start(face_);
+    ends_.clear();
+    coplanar_.clear();
+    corner_touched_.fill(false);
+    for (const Constraint& c : constraints_) {
+      const std::int32_t tail = triangulation_.add_point(c.tail), head = triangulation_.add_point(c.head);
+      ends_.emplace_back(tail, head);
+      if (tail < 3) corner_touched_[at(tail)] = true;
+      if (head < 3) corner_touched_[at(head)] = true;
+      if (c.kind == ConstraintKind::coplanar) coplanar_.push_back(c.other);
+    }
+    for (std::size_t i = 0; i < constraints_.size(); ++i)
+      if (ends_[i].first != ends_[i].second)
+        triangulation_.add_segment(ends_[i].first, ends_[i].second, static_cast<std::int32_t>(i), constraints_[i].line);
+  }
+
+  /// A place of the face with its region. A corner on no other surface is the cheapest one; else a point inside.
+  [[nodiscard]] Start start() {
+    const auto corners = carriers_.face(face_);
+    for (std::size_t i = 0; i < 3 && !self_; ++i) {
+      if (corner_touched_[i] || !coplanar_.empty()) continue;
+      const Point corner = make_point(carriers_, PointName::input(corners[i]));
+      return {triangulation_.triangle_at(static_cast<std::int32_t>(i)), {layers_.around(corner, operand_), {}}};
+    }
+    return start_inside();
+  }
+
+  /// The points with weights (1, t, t^2) lie on a conic, which a line meets in at most two points. So at most two of
+  /// them lie on each constraint and one on each isolated point, and the search ends.
+  [[nodiscard]] Start start_inside() {
+    for (std::uint32_t t = 1; t <= PointName::weight_limit; ++t) {
+      const Point q = make_point(carriers_, PointName::weighted(face_, t));
+      const auto l = triangulation_.locate(q);
+      using On = Triangulation::Location::On;
+      if (l.on == On::vertex) continue;
+      if (l.on == On::side && triangulation_.triangles()[at(l.triangle)].c[at(l.index)] >= 0) continue;
+      Region region;
+      boost::container::small_vector<std::uint32_t, 8> covering{face_};
+      for (const std::uint32_t g : coplanar_)
+        if (covers(g, q)) {
+          region.covers.push_back(g);
+          covering.push_back(g);
+        }
+      std::sort(region.covers.begin(), region.covers.end());
+      if (self_) {
+        region.above = layers_.above(face_, q, {covering.data(), covering.size()});
+      } else {
+        region.above = above_others(q, region);
+      }
+      return {l.triangle, region};
+    }
+    fail("no point inside a face off its constraints", face_);
+  }
+
+  /// Winding numbers of the other operands just above.
+  [[nodiscard]] Windings above_others(const Point& q, const Region& region) const {
+    Windings w = layers_.above(face_, q, {region.covers.data(), region.covers.size()});
+    w.set(operand_, 0);
+    return w;
+  }
+
+  /// Is q, a point of this face's plane on no edge of g, inside g?
+  [[nodiscard]] bool covers(std::uint32_t g, const Point& q) const {
+    const auto v = carriers_.face(g);
+    const Projection projection = projection_of(carriers_, face_);
+    std::array<Point, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = make_point(carriers_, PointName::input(v[i]));
+    const Sign a = orient2d(carriers_, projection, p[0], p[1], q);
+    return a != Sign::zero && a == orient2d(carriers_, projection, p[1], p[2], q) &&
+           a == orient2d(carriers_, projection, p[2], p[0], q);
+  }
+
+  /// Floods the triangles from a start: freely inside a region, with the changes noted on a side from one to the next.
+  void spread(Start from) {
+    const auto triangles = triangulation_.triangles();
+    region_of_.assign(triangles.size(), -1);
+    regions_.clear();
+    struct Crossing {
+      std::int32_t triangle;
+      int side;
+    };
+    std::deque<Crossing> crossings;
+    std::vector<std::int32_t> inner;
+    const auto enter = [&](std::int32_t t, Region region) {
+      regions_.push_back(std::move(region));
+      const auto r = static_cast<std::int32_t>(regions_.size()) - 1;
+      region_of_[at(t)] = r;
+      inner.assign(1, t);
+      while (!inner.empty()) {
+        const std::int32_t x = inner.back();
+        inner.pop_back();
+        for (int i = 0; i < 3; ++i) {
+          const std::int32_t n = triangles[at(x)].n[at(i)];
+          if (n < 0 || region_of_[at(n)] >= 0) continue;
+          if (triangles[at(x)].c[at(i)] >= 0) {
+            crossings.push_back({x, i});
+          } else {
+            region_of_[at(n)] = r;
+            inner.push_back(n);
+          }
+        }
+      }
+    };
+    enter(from.triangle, std::move(from.region));
+    while (!crossings.empty()) {
+      const auto [t, side] = crossings.front();
+      crossings.pop_front();
+      const std::int32_t n = triangles[at(t)].n[at(side)];
+      if (region_of_[at(n)] < 0) enter(n, across(regions_[at(region_of_[at(t)])], triangles[at(t)].c[at(side)]));
+    }
+  }
+
+  /// The region on the right of a side from the one on its left.
+  [[nodiscard]] Region across(Region region, std::int32_t first_note) const {
+    for (std::int32_t n = first_note; n >= 0; n = triangulation_.note(n).next) {
+      const auto& note = triangulation_.note(n);
+      const Constraint& c = constraints_[at(note.constraint)];
+      switch (c.kind) {
+        case ConstraintKind::crossing:
+          region.above.add(carriers_.operand_of_face(c.other), note.forward ? -1 : 1);
+          break;
+        case ConstraintKind::cover_left:
+          cover(region, c.other, !note.forward);
+          break;
+        case ConstraintKind::cover_right:
+          cover(region, c.other, note.forward);
+          break;
+        case ConstraintKind::point:
+        case ConstraintKind::touch:
+        case ConstraintKind::coplanar:
+          break;
+      }
+    }
+    return region;
+  }
+
+  static void cover(Region& region, std::uint32_t g, bool enters) {
+    const auto where = std::lower_bound(region.covers.begin(), region.covers.end(), g);
+    const bool there = where != region.covers.end() && *where == g;
+    if (enters && !there) region.covers.insert(where, g);
+    if (!enters && there) region.covers.erase(where);
+  }
+
+  void judge() {
+    verdicts_.clear();
+    for (const Region& r : regions_) {
+      Windings below = r.above;
+      below.add(operand_, 1);
+      for (const std::uint32_t g : r.covers)
+        below.add(carriers_.operand_of_face(g), to_int(same_orientation(carriers_, face_, g)));
+      const bool owner = r.covers.empty() || face_ < r.covers.front();
+      verdicts_.push_back(owner ? verdict(rule_.inside(r.above), rule_.inside(below)) : Verdict::drop);
+    }
+  }
+
+  void collect(SplitFace& result) const {
+    const auto triangles = triangulation_.triangles();
+    std::vector<std::int32_t> index(triangulation_.points().size(), -1);
+    result.face = face_;
+    const auto verdict_of = [&](std::int32_t t) {
+      return t < 0 ? Verdict::drop : verdicts_[at(region_of_[at(t)])];
+    };
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const Verdict verdict = verdict_of(static_cast<std::int32_t>(t));
+      if (verdict == Verdict::drop) continue;
+      PieceTriangle piece;
+      piece.turned = verdict == Verdict::keep_turned;
+      for (std::size_t i = 0; i < 3; ++i) {
+        // Turned triangles run c, b, a: side i of the result is side 1 - i (mod 3) of the triangle.
+        const std::size_t vertex = piece.turned ? 2 - i : i, side = piece.turned ? (4 - i) % 3 : i;
+        const std::int32_t v = triangles[t].v[vertex];
+        if (index[at(v)] < 0) {
+          index[at(v)] = static_cast<std::int32_t>(result.points.size());
+          result.points.push_back(triangulation_.points()[at(v)].name);
+        }
+        piece.v[i] = static_cast<std::uint32_t>(index[at(v)]);
+        const auto bit = static_cast<std::uint8_t>(1u << i);
+        if (verdict_of(triangles[t].n[side]) != verdict) piece.outline |= bit;
+        if (triangles[t].c[side] >= 0) piece.carried |= bit;
+      }
+      result.triangles.push_back(piece);
+    }
+  }
+
+  const Carriers& carriers_;
+  const LocalLayers layers_;
+  const Rule& rule_;
+  bool self_;
+  Triangulation triangulation_;
+
+  std::uint32_t face_ = 0, operand_ = 0;
+  std::span<const Constraint> constraints_;
+  std::vector<std::pair<std::int32_t, std::int32_t>> ends_;
+  std::vector<std::uint32_t> coplanar_;
+  std::array<bool, 3> corner_touched_{};
+  std::vector<std::int32_t> region_of_;
+  std::vector<Region> regions_;
+  std::vector<Verdict> verdicts_;
+};
+
+}  // namespace
+
+SplitFaces split_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
+                       std::span<const Constraint> constraints, bool self, const Monitor& monitor) {
+  std::vector<std::size_t> first;
+  for (std::size_t i = 0; i < constraints.size(); ++i)
+    if (i == 0 || constraints[i].face != constraints[i - 1].face) first.push_back(i);
+  const std::size_t count = first.size();
+  first.push_back(constraints.size());
+
+  SplitFaces result;
+  result.faces.resize(count);
+  std::vector<std::vector<std::pair<PointName, PointName>>> equal(count);
+  tbb::enumerable_thread_specific<FaceSplitter> splitters([&] { return FaceSplitter(carriers, cells, rule, self); });
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    monitor.check();
+    splitters.local().split(constraints.subspan(first[i], first[i + 1] - first[i]), result.faces[i], equal[i]);
+  });
+  for (const auto& e : equal) result.equal.insert(result.equal.end(), e.begin(), e.end());
+  return result;
+}
+
+}  // namespace strata
