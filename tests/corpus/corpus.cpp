@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <numeric>
 #include <stdexcept>
 
 #include "strata/io/mesh_file.h"
+#include "support/transform.h"
 
 namespace strata::test {
 namespace {
@@ -29,6 +32,13 @@ Rational decimal(std::string_view text) {
   return negative ? Rational(-value) : value;
 }
 
+/// The number rounded to 15 digits, as an exact rational.
+Rational short_decimal(const std::string& text) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.15g", std::stod(text));
+  return decimal(digits);
+}
+
 std::size_t root(std::vector<std::size_t>& parent, std::size_t i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;
@@ -46,6 +56,26 @@ std::optional<std::filesystem::path> corpus_or_skip() {
 }
 
 Mesh load(const std::filesystem::path& root, const std::string& path) { return read_mesh(root / path).mesh; }
+
+ExactMesh load_decimals(const std::filesystem::path& root, const std::string& path) {
+  std::ifstream file(root / path);
+  std::string word;
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  if (!(file >> word >> vertices >> triangles >> word)) throw std::runtime_error("no OFF header: " + path);
+  std::vector<RationalPoint> points(vertices);
+  for (RationalPoint& p : points) {
+    for (Rational& x : p) {
+      if (!(file >> word)) throw std::runtime_error("vertices are missing: " + path);
+      x = short_decimal(word);
+    }
+  }
+  std::vector<Triangle> faces(triangles);
+  for (auto& [a, b, c] : faces) {
+    if (!(file >> word >> a >> b >> c) || word != "3") throw std::runtime_error("not all faces are triangles: " + path);
+  }
+  return exact_mesh(points, faces);
+}
 
 std::optional<Rational> exact_number(std::string_view text) {
   text = text.substr(0, text.find(' '));

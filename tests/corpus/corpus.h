@@ -21,6 +21,11 @@ namespace strata::test {
 /// A mesh of the corpus. Throws IoError.
 [[nodiscard]] Mesh load(const std::filesystem::path& root, const std::string& path);
 
+/// An OFF file of triangles, with its coordinates taken as the short decimals that they were before they became
+/// doubles: 0.10000000000000001 is one tenth here (15 digits). `load` takes the doubles as they are.
+/// Throws std::runtime_error for any other file.
+[[nodiscard]] ExactMesh load_decimals(const std::filesystem::path& root, const std::string& path);
+
 /// "49/40", "-3", "0.1" or "1e-7", exactly; whatever follows a blank is left out. Nothing for an empty text.
 [[nodiscard]] std::optional<Rational> exact_number(std::string_view text);
 
