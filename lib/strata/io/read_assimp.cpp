@@ -4,11 +4,15 @@
 
 #include <assimp/mesh.h>
 #include <assimp/scene.h>
+#include <assimp/version.h>
 
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <exception>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "strata/io/face_list.h"
 
@@ -58,6 +62,7 @@ class SceneReader {
       for (unsigned i = 0; i < node->mNumMeshes; ++i) add(*scene_.mMeshes[node->mMeshes[i]], map);
       for (unsigned i = node->mNumChildren; i-- > 0;) stack.emplace_back(node->mChildren[i], map);
     }
+    if (faces_.count() == 0 && lines_ == 0) throw IoError(name_, {}, "cannot be read: assimp finds no faces in it");
     file_.notes.emplace_back("read through assimp: coordinates come as floats, moved by the transforms of the scene");
     if (lines_ > 0) file_.notes.push_back(std::to_string(lines_) + " points and lines ignored");
     faces_.finish(file_, name_);
@@ -99,13 +104,30 @@ class SceneReader {
   std::uint64_t lines_ = 0;
 };
 
+bool is_3mf(const std::string& name) {
+  std::string extension = std::filesystem::path(name).extension().string();
+  for (char& c : extension) c = c == 'M' ? 'm' : c == 'F' ? 'f' : c;
+  return extension == ".3mf";
+}
+
+/// Through version 5.2, assimp's reader of 3MF leaves textures in the scene that it has freed already.
+/// Forgetting them keeps the scene from freeing them again.
+void forget_freed_textures(aiScene& scene) {
+  if (std::pair(aiGetVersionMajor(), aiGetVersionMinor()) > std::pair(5U, 2U)) return;
+  delete[] scene.mTextures;
+  scene.mTextures = nullptr;
+  scene.mNumTextures = 0;
+}
+
 /// Runs one of assimp's readers and takes the scene over. Its own post-processing rounds and welds: none is asked for.
 template <class Import>
 MeshFile read_scene(const std::string& name, const Import& import) {
   try {
     Assimp::Importer importer;
-    const aiScene* scene = import(importer);
-    if (scene == nullptr) throw IoError(name, {}, std::string("cannot be read: ") + importer.GetErrorString());
+    if (import(importer) == nullptr)
+      throw IoError(name, {}, std::string("cannot be read: ") + importer.GetErrorString());
+    const std::unique_ptr<aiScene> scene(importer.GetOrphanedScene());
+    if (is_3mf(name)) forget_freed_textures(*scene);
     return SceneReader(*scene, name).read();
   } catch (const IoError&) {
     throw;
