@@ -10,9 +10,9 @@ namespace strata {
 ///
 /// Every operation adds to the bound: the operands' errors carried through, |result| * 2^-52 for its own rounding
 /// (twice the unit roundoff), and 2^-1000 for anything lost to underflow (at most 2^-1074 in each partial result).
-/// The bounds are themselves computed in doubles; each step loses at most a relative 2^-51 of them, so a chain of fewer
-/// than 2^20 steps loses less than 2^-30, which `sign()` and `separated()` give back. Overflow makes the bound infinite
-/// or NaN, and then nothing is certain. See theory.md, "Running errors".
+/// The bounds are themselves computed in doubles; each step loses at most a relative 2^-50 of them, so an expression of
+/// at most 2^19 steps loses less than 2^-30, which `sign()`, `lower()` and `upper()` give back. Overflow makes the bound
+/// infinite or NaN, and then nothing is certain. See theory.md, "Running errors".
 struct Bounded {
   double value = 0;
   double error = 0;
@@ -39,11 +39,12 @@ struct Bounded {
     return {v, carried + std::abs(v) * rounding + underflow};
   }
   /// Requires that b is certainly not zero; otherwise the error is infinite or NaN.
+  /// The divisor's relative error comes first: |q| * b.error may underflow where its quotient by b does not.
   friend Bounded operator/(Bounded a, Bounded b) {
     const double q = a.value / b.value;
     const double distance = std::abs(b.value) - b.error * slack;
     if (!(distance > 0)) return {q, HUGE_VAL};
-    const double carried = (a.error + std::abs(q) * b.error) / distance;
+    const double carried = a.error / distance + std::abs(q) * (b.error / distance);
     return {q, carried * slack + std::abs(q) * rounding + underflow};
   }
   Bounded operator-() const { return {-value, error}; }
