@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <utility>
+
+#include "strata/mesh/defect_list.h"
+#include "strata/mesh/edge_table.h"
+#include "strata/mesh/prepare.h"
+#include "strata/mesh/prepare_steps.h"
+#include "strata/mesh/zero_area.h"
+
+namespace strata {
+namespace {
+
+std::string number(std::uint64_t n) { return std::to_string(n); }
+
+/// A point of a triangle.
+Vertex centre(MeshView mesh, const Triangle& t) {
+  Vertex p;
+  for (int i = 0; i < 3; ++i) p[i] = mesh.vertices[t[0]][i] / 3 + mesh.vertices[t[1]][i] / 3 + mesh.vertices[t[2]][i] / 3;
+  return p;
+}
+
+/// The sound faces as a mesh of their own, with the numbers they have in the input.
+struct SoundMesh {
+  std::span<const Vertex> vertices;
+  SourcedTriangles faces;
+
+  [[nodiscard]] MeshView view() const { return {vertices, faces.triangles}; }
+};
+
+void find_zero_areas(const SoundMesh& mesh, std::vector<Defect>& defects) {
+  DefectList list(DefectKind::degenerate_triangle, Severity::note,
+                  "nothing to do: zero-area triangles are removed exactly, their neighbours divided");
+  const ZeroAreaTest is_zero(mesh.view());
+  for (std::size_t i = 0; i < mesh.faces.triangles.size(); ++i) {
+    if (!is_zero(i)) continue;
+    const std::uint32_t face = mesh.faces.sources[i];
+    list.add(centre(mesh.view(), mesh.faces.triangles[i]), {face},
+             [&] { return "face " + number(face) + " has zero area"; });
+  }
+  list.append_to(defects);
+}
+
+/// The smallest rotation: equal for triangles over the same vertices in the same sense.
+Triangle rotated(Triangle t) {
+  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  return t;
+}
+
+void find_duplicates(const SoundMesh& mesh, std::vector<Defect>& defects) {
+  DefectList list(DefectKind::duplicate_face, Severity::error, "remove all but one of these faces (input class repair does)");
+  const auto& triangles = mesh.faces.triangles;
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    if (!repeats_vertex(triangles[i])) order.push_back(i);
+  }
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Triangle s = rotated(triangles[a]), t = rotated(triangles[b]);
+    return s != t ? s < t : a < b;
+  });
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (rotated(triangles[order[i]]) != rotated(triangles[order[i - 1]])) continue;
+    const std::uint32_t first = mesh.faces.sources[order[i - 1]], second = mesh.faces.sources[order[i]];
+    list.add(centre(mesh.view(), triangles[order[i]]), {first, second}, [&] {
+      return "face " + number(second) + " repeats face " + number(first) + ", same vertices in the same sense";
+    });
+  }
+  list.append_to(defects);
+}
+
+void find_inside_out(const SoundMesh& mesh, std::vector<Defect>& defects) {
+  if (screen(mesh.view()).orientation >= 0) return;
+  DefectList list(DefectKind::inside_out, Severity::error, "reverse all faces (input class repair does)");
+  list.add({}, {}, [] { return std::string("the volume is negative: faces are clockwise seen from outside"); });
+  list.append_to(defects);
+}
+
+}  // namespace
+
+std::vector<Defect> diagnose(MeshView mesh) {
+  std::vector<Defect> defects;
+  if (mesh.triangles.empty()) {
+    DefectList list(DefectKind::empty_mesh, Severity::note, "nothing to do if the empty solid is meant");
+    list.add({}, {}, [] { return std::string("the mesh has no faces"); });
+    list.append_to(defects);
+    return defects;
+  }
+  SoundMesh sound{mesh.vertices, sound_faces(mesh, Severity::error, defects)};
+  find_zero_areas(sound, defects);
+  if (!screen(sound.view()).chain_closed) {  // equal vertices that are listed several times make no opening
+    weld(mesh.vertices, sound.faces.triangles);
+  }
+  find_duplicates(sound, defects);
+  find_open_edges(sound.vertices, sound.faces, defects);
+  find_inside_out(sound, defects);
+  return defects;
+}
+
+}  // namespace strata

@@ -1,0 +1,193 @@
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "strata/mesh/prepare.h"
+#include "strata/mesh/product_sum.h"
+#include "strata/mesh/zero_area.h"
+
+namespace strata {
+namespace {
+
+// Work is cut into at most 256 chunks whose bounds depend on the input alone, and partial results are added up in
+// order: the answer does not depend on threads.
+constexpr std::size_t max_chunks = 256;
+constexpr std::size_t min_chunk = 4096;
+
+struct Chunks {
+  std::size_t items;
+  std::size_t size;
+  std::size_t count;
+
+  explicit Chunks(std::size_t n)
+      : items(n), size(std::max(min_chunk, (n + max_chunks - 1) / max_chunks)), count((n + size - 1) / size) {}
+
+  template <class Visit>
+  void for_each(Visit visit) const {  // visit(chunk, first, last)
+    const auto one = [&](std::size_t k) { visit(k, k * size, std::min(items, (k + 1) * size)); };
+    if (count == 1) return one(0);
+    tbb::parallel_for(std::size_t{0}, count, one);
+  }
+};
+
+/// The box of all vertices that are finite, and whether all are.
+struct Extent {
+  Vertex lower{};
+  Vertex upper{};
+  bool finite = true;
+  bool empty = true;
+
+  void add(const Extent& other) {
+    finite = finite && other.finite;
+    if (other.empty) return;
+    for (int i = 0; i < 3; ++i) {
+      lower[i] = empty ? other.lower[i] : std::min(lower[i], other.lower[i]);
+      upper[i] = empty ? other.upper[i] : std::max(upper[i], other.upper[i]);
+    }
+    empty = false;
+  }
+};
+
+bool is_finite(const Vertex& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+
+Extent extent(std::span<const Vertex> vertices) {
+  Extent result;
+  for (const Vertex& v : vertices) {
+    if (is_finite(v)) {
+      if (result.empty) result.lower = result.upper = v;
+      for (int i = 0; i < 3; ++i) {
+        result.lower[i] = std::min(result.lower[i], v[i]);
+        result.upper[i] = std::max(result.upper[i], v[i]);
+      }
+      result.empty = false;
+    } else {
+      result.finite = false;
+    }
+  }
+  return result;
+}
+
+Extent whole_extent(std::span<const Vertex> vertices) {
+  const Chunks chunks(vertices.size());
+  std::array<Extent, max_chunks> parts;
+  chunks.for_each([&](std::size_t k, std::size_t first, std::size_t last) {
+    parts[k] = extent(vertices.subspan(first, last - first));
+  });
+  Extent whole;
+  for (std::size_t k = 0; k < chunks.count; ++k) whole.add(parts[k]);
+  return whole;
+}
+
+using Wide = __int128;
+
+/// A fixed random number of 63 bits and a sign per directed edge: opposite directions have opposite numbers, a loop
+/// has zero. For numbers that are independent, a chain that is not closed sums to zero with probability <= 2^-63:
+/// given all others there is at most one value of one number that does it (sums do not wrap around).
+/// The mixer is the finalizer of Steele, Lea and Flood 2014 (SplitMix).
+inline Wide edge_number(std::uint32_t from, std::uint32_t to) {
+  const std::uint64_t low = std::min(from, to), high = std::max(from, to);
+  std::uint64_t h = (low << 32 | high) * 0x9E3779B97F4A7C15U;
+  h = (h ^ h >> 30) * 0xBF58476D1CE4E5B9U;
+  h = (h ^ h >> 27) * 0x94D049BB133111EBU;
+  const auto number = static_cast<std::int64_t>(h ^ h >> 31) >> 1;
+  const std::int64_t reversed = -static_cast<std::int64_t>(from > to);
+  const std::int64_t proper = -static_cast<std::int64_t>(from != to);
+  return ((number ^ reversed) - reversed) & proper;
+}
+
+/// What a run of triangles adds up to.
+struct Tally {
+  Wide chain = 0;         ///< sum of edge numbers
+  double volume = 0;      ///< sum of det(a-o, b-o, c-o), rounded
+  double size = 0;        ///< sum of |b-a| |c-a| in the maximum norm: the scale of rounding errors
+  bool indices_valid = true;
+  bool degenerate = false;
+};
+
+Tally tally_of(MeshView mesh, std::size_t first, std::size_t last, const Vertex& o, bool finite,
+               const ZeroAreaTest& is_zero) {
+  Tally tally;
+  std::uint32_t largest = 0;
+  for (std::size_t f = first; f < last; ++f) {
+    const Triangle& t = mesh.triangles[f];
+    largest = std::max(std::max(largest, t[0]), std::max(t[1], t[2]));
+  }
+  tally.indices_valid = largest < mesh.vertices.size();
+  if (!tally.indices_valid) return tally;
+  for (std::size_t f = first; f < last; ++f) {
+    const auto [a, b, c] = mesh.triangles[f];
+    tally.chain += edge_number(a, b) + edge_number(b, c) + edge_number(c, a);
+    const Vertex& p = mesh.vertices[a];
+    const auto [n, scale, certain] = filtered_normal(p, mesh.vertices[b], mesh.vertices[c]);
+    tally.volume += (p[0] - o[0]) * n[0] + (p[1] - o[1]) * n[1] + (p[2] - o[2]) * n[2];
+    tally.size += scale;
+    if (!certain && finite && !tally.degenerate) tally.degenerate = is_zero.exactly(f);
+  }
+  return tally;
+}
+
+/// Sign of the sum of det(a, b, c) of a closed chain.
+///
+/// With U, V, e and n as in zero_area.h, det(a-o, b-o, c-o) = (a-o) . n sums to the same for every o. With R >= |a-o| in every component, each term has an
+/// error below 3 R (8.01 e U V) + 3 R (2 U V)(4e) + underflow <= 49 e R U V + (R+1) 2^-1070, and is at most 7 R U V in size.
+/// Adding up m terms in a row and then k partial sums costs at most (m + k) e times the sum of sizes.
+int orientation(MeshView mesh, const Tally& total, const Extent& box, const Vertex& o, const Chunks& chunks) {
+  double radius = 0;
+  for (int i = 0; i < 3; ++i) radius = std::max(radius, std::max(box.upper[i] - o[i], o[i] - box.lower[i]));
+  const auto terms = static_cast<double>(chunks.size + chunks.count);
+  const double error = 1.01 * (radius * total.size * (49 + 7 * terms) * 0x1p-53 +
+                               static_cast<double>(chunks.items) * (radius + 1) * 0x1p-1060);
+  if (total.volume > error) return 1;
+  if (total.volume < -error) return -1;
+  ProductSum exact;
+  for (const Triangle& t : mesh.triangles) {
+    exact.add_determinant(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+  }
+  return exact.sign();
+}
+
+bool used_vertices_finite(MeshView mesh) {
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+    return is_finite(mesh.vertices[t[0]]) && is_finite(mesh.vertices[t[1]]) && is_finite(mesh.vertices[t[2]]);
+  });
+}
+
+bool indices_in_range(MeshView mesh) {
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [n = mesh.vertices.size()](const Triangle& t) {
+    return t[0] < n && t[1] < n && t[2] < n;
+  });
+}
+
+}  // namespace
+
+Screening screen(MeshView mesh) {
+  Screening result;
+  if (mesh.triangles.empty()) return result;
+  const Extent box = whole_extent(mesh.vertices);
+  result.finite = box.finite || !indices_in_range(mesh) || used_vertices_finite(mesh);
+  Vertex o;
+  for (int i = 0; i < 3; ++i) o[i] = box.lower[i] / 2 + box.upper[i] / 2;
+  const Chunks chunks(mesh.triangles.size());
+  const ZeroAreaTest is_zero(mesh);
+  std::array<Tally, max_chunks> parts;
+  chunks.for_each([&](std::size_t k, std::size_t first, std::size_t last) {
+    parts[k] = tally_of(mesh, first, last, o, result.finite, is_zero);
+  });
+  Tally total;
+  for (std::size_t k = 0; k < chunks.count; ++k) {
+    total.chain += parts[k].chain;
+    total.volume += parts[k].volume;
+    total.size += parts[k].size;
+    total.indices_valid = total.indices_valid && parts[k].indices_valid;
+    result.degenerate = result.degenerate || parts[k].degenerate;
+  }
+  result.indices_valid = total.indices_valid;
+  result.chain_closed = total.indices_valid && total.chain == 0;
+  if (result.finite && result.chain_closed) result.orientation = orientation(mesh, total, box, o, chunks);
+  return result;
+}
+
+}  // namespace strata
