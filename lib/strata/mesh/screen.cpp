@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "strata/mesh/edge_table.h"
 #include "strata/mesh/prepare.h"
 #include "strata/mesh/product_sum.h"
 #include "strata/mesh/zero_area.h"
@@ -83,19 +84,21 @@ Extent whole_extent(std::span<const Vertex> vertices) {
 
 using Wide = __int128;
 
-/// A fixed random number of 63 bits and a sign per directed edge: opposite directions have opposite numbers, a loop
-/// has zero. For numbers that are independent, a chain that is not closed sums to zero with probability <= 2^-63:
-/// given all others there is at most one value of one number that does it (sums do not wrap around).
-/// The mixer is the finalizer of Steele, Lea and Flood 2014 (SplitMix).
-inline Wide edge_number(std::uint32_t from, std::uint32_t to) {
+/// A fixed random number of 60 bits and a sign per edge, reversed with the edge. For independent numbers a chain that
+/// is not closed sums to zero with probability <= 2^-61: given all others, one value of one number at most does it
+/// (sums do not wrap around). The mixer multiplies, folds and multiplies, as the finalizers of MurmurHash do; the
+/// upper bits of the last product depend on all of the key. An edge from a vertex to itself has a number too.
+inline std::int64_t edge_number(std::uint32_t from, std::uint32_t to) {
   const std::uint64_t low = std::min(from, to), high = std::max(from, to);
   std::uint64_t h = (low << 32 | high) * 0x9E3779B97F4A7C15U;
-  h = (h ^ h >> 30) * 0xBF58476D1CE4E5B9U;
-  h = (h ^ h >> 27) * 0x94D049BB133111EBU;
-  const auto number = static_cast<std::int64_t>(h ^ h >> 31) >> 1;
+  h = (h ^ h >> 32) * 0xBF58476D1CE4E5B9U;
   const std::int64_t reversed = -static_cast<std::int64_t>(from > to);
-  const std::int64_t proper = -static_cast<std::int64_t>(from != to);
-  return ((number ^ reversed) - reversed) & proper;
+  return ((static_cast<std::int64_t>(h) >> 3) ^ reversed) - reversed;
+}
+
+/// The sum over the sides of a triangle; below 2^62 in size.
+inline std::int64_t boundary_number(const Triangle& t) {
+  return edge_number(t[0], t[1]) + edge_number(t[1], t[2]) + edge_number(t[2], t[0]);
 }
 
 /// What a run of triangles adds up to.
@@ -118,13 +121,15 @@ Tally tally_of(MeshView mesh, std::size_t first, std::size_t last, const Vertex&
   tally.indices_valid = largest < mesh.vertices.size();
   if (!tally.indices_valid) return tally;
   for (std::size_t f = first; f < last; ++f) {
-    const auto [a, b, c] = mesh.triangles[f];
-    tally.chain += edge_number(a, b) + edge_number(b, c) + edge_number(c, a);
-    const Vertex& p = mesh.vertices[a];
-    const auto [n, scale, certain] = filtered_normal(p, mesh.vertices[b], mesh.vertices[c]);
+    const Triangle& t = mesh.triangles[f];
+    tally.chain += boundary_number(t);
+    const Vertex& p = mesh.vertices[t[0]];
+    const auto [n, scale, certain] = filtered_normal(p, mesh.vertices[t[1]], mesh.vertices[t[2]]);
     tally.volume += (p[0] - o[0]) * n[0] + (p[1] - o[1]) * n[1] + (p[2] - o[2]) * n[2];
     tally.size += scale;
-    if (!certain && finite && !tally.degenerate) tally.degenerate = is_zero.exactly(f);
+    if (certain) continue;
+    if (repeats_vertex(t)) tally.chain -= boundary_number(t);  // it has no boundary
+    if (finite && !tally.degenerate) tally.degenerate = is_zero.exactly(f);
   }
   return tally;
 }
