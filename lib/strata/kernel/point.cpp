@@ -1,5 +1,7 @@
 #include "strata/kernel/point.h"
 
+#include <cmath>
+
 #include "strata/kernel/exact_evaluation.h"
 #include "strata/kernel/filters.h"
 
@@ -91,9 +93,10 @@ BoundedPoint approximate(const Carriers& carriers, const PointName& name) {
 }
 
 /// Wide bounds make every later decision dear: beyond 2^-24 of the coordinate they are replaced by the exact place.
+/// So are overflows, whose infinite bounds no later decision could use.
 bool is_tight(const BoundedPoint& p) {
   for (const Bounded& x : p)
-    if (!(x.error <= std::abs(x.value) * 0x1p-24) && !(x.error < 0x1p-900 && x.error >= 0)) return false;
+    if (!std::isfinite(x.value) || !(x.error <= std::max(std::abs(x.value) * 0x1p-24, 0x1p-900))) return false;
   return true;
 }
 
