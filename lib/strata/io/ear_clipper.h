@@ -11,7 +11,8 @@ namespace strata::io {
 
 /// Cuts ears off a counter-clockwise polygon until nothing is left.
 /// An ear is a strictly convex corner v with neighbours u and w such that no other vertex lies in the closed triangle
-/// uvw, vertices at the places of u, v and w aside. A weakly simple polygon that is no triangle has one always.
+/// uvw, vertices at the places of u, v and w aside. A polygon that is simple, or meets itself in corners
+/// and along whole sides only, has one always.
 /// Only corners that are not convex can be in the way, so they are kept in a grid.
 class EarClipper {
  public:

@@ -14,17 +14,17 @@ constexpr double unit_roundoff = 0x1p-53;
 /// A product that underflows is off by 2^-1075; where the magnitudes reach this, bounds are far above that.
 constexpr double safe_magnitude = 0x1p-900;
 
-/// Asks a question of exact integers on the lattice of the points: in fixed width where `width(bits)` fits.
+/// Asks a question of exact integers on the lattice of the points, in the least width that `width(bits)` fits.
 template <class Points, class Width, class Question>
 Sign decide(const Points& points, const Width& width, const Question& question) {
   Lattice lattice;
   for (const auto& p : points)
     for (const double x : p) lattice.add(x);
-  using Fixed = WideInt<8>;
-  const int b = lattice.bits();
-  if (width(b) < Fixed::bits && b + 65 < Fixed::bits)
-    return question([&](double x) { return lattice.integer<Fixed>(x); });
-  return question([&](double x) { return lattice.integer<Integer>(x); });
+  const int bits = std::max(width(lattice.bits()), lattice.bits() + 64);
+  const auto ask = [&]<class Int>(const Int*) { return question([&](double x) { return lattice.integer<Int>(x); }); };
+  if (bits < 256) return ask(static_cast<const WideInt<4>*>(nullptr));
+  if (bits < 512) return ask(static_cast<const WideInt<8>*>(nullptr));
+  return ask(static_cast<const Integer*>(nullptr));
 }
 
 /// Side of d relative to the plane of a, b, c, up to a fixed factor of -1. Exact.

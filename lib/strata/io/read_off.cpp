@@ -50,7 +50,9 @@ void read_faces(TextCursor& text, std::uint64_t count, std::uint64_t vertex_coun
   std::vector<std::uint32_t> corners;
   for (std::uint64_t i = 0; i < count; ++i) {
     if (!text.next_word_anywhere()) text.fail_expected("face " + std::to_string(i));
+    const std::size_t place = text.offset();
     const std::uint64_t size = text.count("number of corners", 2);
+    if (size == 0) text.fail_at(place, "expected the corners of face " + std::to_string(i) + ", found none");
     corners.clear();
     for (std::uint64_t k = 0; k < size; ++k) corners.push_back(corner(text, vertex_count));
     faces.add(corners);

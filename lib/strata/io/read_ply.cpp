@@ -34,7 +34,11 @@ class TextNumbers {
     return (text_.remaining() + 1) / (2 * e.properties.size());
   }
   [[nodiscard]] bool has_more() { return text_.next_word_anywhere(); }
-  [[nodiscard]] std::size_t offset() const { return text_.offset(); }
+  /// Of the next number.
+  [[nodiscard]] std::size_t offset() {
+    (void)text_.next_word_anywhere();
+    return text_.offset();
+  }
   [[noreturn]] void fail_at(std::size_t offset, const std::string& reason) const { text_.fail_at(offset, reason); }
 
  private:

@@ -80,8 +80,7 @@ bool TextCursor::accept_text(std::string_view text) {
 }
 
 bool TextCursor::at_delimiter() const {
-  return at_ == end_ || is_white(*at_) || (syntax_.hash_comments && *at_ == '#') ||
-         (syntax_.continuation && *at_ == '\\');
+  return at_ == end_ || is_white(*at_) || (syntax_.continuation && *at_ == '\\');
 }
 
 double TextCursor::number(const char* what) {

@@ -12,7 +12,7 @@ namespace strata::io {
 class TextCursor {
  public:
   struct Syntax {
-    bool hash_comments = false;  ///< '#' hides the rest of the line
+    bool hash_comments = false;  ///< '#' at the start of a word hides the rest of the line
     bool continuation = false;   ///< a backslash before the line end joins two lines
   };
 
@@ -70,7 +70,7 @@ class TextCursor {
   std::int64_t leading_integer(const char* what);
   /// A count of things that take at least `bytes` bytes of text each: no more than the rest of the text can hold.
   std::uint64_t count(const char* what, std::uint64_t bytes);
-  /// True when white space, a comment or the end is here.
+  /// True when a word ends here: white space, a continued line or the end follows.
   [[nodiscard]] bool at_delimiter() const;
 
   /// Throws: "expected WHAT, found 'WORD'".

@@ -13,11 +13,10 @@ struct PolygonShape {
 
 /// Triangulates a closed polygon of n >= 3 corners into exactly n - 2 triangles of corner numbers, oriented as the
 /// polygon is. Every side of the polygon is a side of one triangle: nothing is dropped, collinear corners included.
-/// Planar and simple polygons, also those that touch themselves (keyholes), are divided exactly: no triangle is
-/// degenerate, none overlaps another. A polygon that is not planar is divided as it is seen along the axis in which
-/// it is largest. One that is not simple is divided somehow, deterministically.
-/// `triangles` has room for n - 2. O(n) for convex polygons, O(n^2) at worst, near O(n log n) for most.
-/// Source: ears, Meisters 1975.
+/// Planar and simple polygons, also those that meet themselves in corners and along whole sides (keyholes), are divided
+/// exactly: no triangle is degenerate, none overlaps another. A polygon that is not planar is divided as it is seen
+/// along the axis in which it is largest. One that is not simple is divided somehow, deterministically. `triangles` has
+/// room for n - 2. O(n) for convex polygons, O(n^2) at worst, near O(n log n) for most. Source: ears, Meisters 1975.
 PolygonShape triangulate(std::span<const Vertex> loop, std::span<Triangle> triangles);
 
 }  // namespace strata::io
