@@ -108,8 +108,13 @@ Sign Triangulation::turn(const Point& p, const Point& q, const Point& r) const {
   return orient2d(carriers_, projection_, p, q, r);
 }
 
-/// Three points of this face are collinear when one edge carries them, or when they lie on a face that crosses this one.
-/// Faces in the names of a face's points, other than itself, do cross it.
+bool Triangulation::leaves_plane(const Carriers::Indices& vertices) const {
+  for (const std::uint32_t v : vertices)
+    if (orient3d(carriers_, corners_[0], corners_[1], corners_[2], v) != Sign::zero) return true;
+  return false;
+}
+
+/// Three points of this face are collinear when one edge carries them, or when they lie on a face in another plane.
 bool Triangulation::collinear_by_name(const Point& p, const Point& q, const Point& r) const {
   const auto all_on_edge = [&](std::uint32_t a, std::uint32_t b) {
     return named_on_edge(p.name, a, b) && named_on_edge(q.name, a, b) && named_on_edge(r.name, a, b);
@@ -117,7 +122,8 @@ bool Triangulation::collinear_by_name(const Point& p, const Point& q, const Poin
   const auto all_on_face = [&](std::uint32_t g) {
     if (g == face_) return false;
     const auto v = carriers_.face(g);
-    return named_on_face(p.name, g, v) && named_on_face(q.name, g, v) && named_on_face(r.name, g, v);
+    return named_on_face(p.name, g, v) && named_on_face(q.name, g, v) && named_on_face(r.name, g, v) &&
+           leaves_plane(v);
   };
   for (int i = 0; i < 3; ++i)
     if (all_on_edge(corners_[at(i)], corners_[at(next(i))])) return true;

@@ -5,6 +5,7 @@
 #include <exception>
 #include <utility>
 
+#include "strata/csg/check.h"
 #include "strata/csg/evaluate.h"
 #include "strata/csg/stopwatch.h"
 #include "strata/mesh/prepare.h"
@@ -53,6 +54,19 @@ class Operands {
   Carriers carriers_;
 };
 
+/// The boundary of operands that are what was declared is closed. If it is not, one of them was not: finds out which.
+void ensure_closed(const Mesh& result, std::span<const Operand> given, const Options& options) {
+  if (screen(result).chain_closed) return;
+  if (options.input == InputClass::solid)
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      if (!given[i].exact.empty()) continue;
+      std::vector<Defect> defects = check(given[i].mesh, options);
+      std::erase_if(defects, [](const Defect& d) { return d.severity != Severity::error; });
+      if (!defects.empty()) throw InputError(std::move(defects), i);
+    }
+  throw LogicError("the boundary of a result is not closed");
+}
+
 BooleanResult combine_here(Operation operation, std::span<const Operand> given, const Options& options) {
   BooleanResult result;
   Stopwatch watch(result.profile);
@@ -70,6 +84,8 @@ BooleanResult combine_here(Operation operation, std::span<const Operand> given, 
   result.sources.reserve(boundary.sources.size());
   for (const std::uint32_t f : boundary.sources) result.sources.push_back(operands.source(f));
   output.lap("round");
+  ensure_closed(result.mesh, given, options);
+  output.lap("ensure");
   if (options.exact_vertices) {
     result.exact = exact_places(carriers, boundary.vertices, result.mesh.vertices, monitor);
     output.lap("exact");

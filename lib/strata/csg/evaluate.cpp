@@ -5,6 +5,7 @@
 #include "strata/cells/cell_tree.h"
 #include "strata/csg/stopwatch.h"
 #include "strata/overlap/pairs.h"
+#include "strata/select/merge.h"
 #include "strata/select/split_faces.h"
 #include "strata/select/whole_faces.h"
 
@@ -26,11 +27,13 @@ Boundary evaluate(const Carriers& carriers, const Rule& rule, bool self, const M
   monitor.check();
   const Meetings meetings = find_meetings(carriers, cells, self, monitor);
   watch.lap("overlap");
-  const SplitFaces split = split_faces(carriers, cells, rule, meetings.constraints, self, monitor);
+  SplitFaces split = split_faces(carriers, cells, rule, meetings.constraints, self, monitor);
   watch.lap("arrange");
   const auto whole = judge_whole_faces(carriers, cells, rule, touched_faces(carriers, meetings), self, monitor);
   watch.lap("layers");
-  Boundary boundary = gather_boundary(carriers, whole, split, meetings.equal);
+  const PointTable points(split, meetings.equal);
+  merge_pieces(carriers, points, split, monitor);
+  Boundary boundary = gather_boundary(carriers, whole, split, points);
   watch.lap("select");
   profile.counts = {{"cells", cells.cells().size()},
                     {"pairs_tested", meetings.pairs_tested},

@@ -1,51 +1,12 @@
 #include "strata/select/boundary.h"
 
-#include <tbb/parallel_sort.h>
-
-#include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace strata {
 namespace {
 
 constexpr std::uint32_t unused = 0xffffffffu;
-
-/// The points that occur in pieces or equalities, one representative for each place: input vertices come first.
-class PointTable {
- public:
-  PointTable(const SplitFaces& split, std::span<const EqualVertices> equal) {
-    for (const SplitFace& f : split.faces) names_.insert(names_.end(), f.points.begin(), f.points.end());
-    for (const auto& [a, b] : split.equal) names_.insert(names_.end(), {a, b});
-    for (const EqualVertices& e : equal) names_.insert(names_.end(), {PointName::input(e.a), PointName::input(e.b)});
-    tbb::parallel_sort(names_.begin(), names_.end());
-    names_.erase(std::unique(names_.begin(), names_.end()), names_.end());
-    parent_.resize(names_.size());
-    std::iota(parent_.begin(), parent_.end(), 0u);
-    for (const auto& [a, b] : split.equal) join(index(a), index(b));
-    for (const EqualVertices& e : equal) join(index(PointName::input(e.a)), index(PointName::input(e.b)));
-    for (std::uint32_t i = 0; i < parent_.size(); ++i) parent_[i] = root(i);
-  }
-
-  [[nodiscard]] std::span<const PointName> names() const { return names_; }
-  [[nodiscard]] std::uint32_t index(const PointName& name) const {
-    return static_cast<std::uint32_t>(std::lower_bound(names_.begin(), names_.end(), name) - names_.begin());
-  }
-  [[nodiscard]] std::uint32_t representative(std::uint32_t i) const { return parent_[i]; }
-
- private:
-  [[nodiscard]] std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-  std::vector<PointName> names_;
-  std::vector<std::uint32_t> parent_;
-};
 
 /// Numbers the vertices of the result.
 class VertexNumbers {
@@ -106,8 +67,7 @@ class VertexNumbers {
 }  // namespace
 
 Boundary gather_boundary(const Carriers& carriers, const std::vector<Verdict>& whole, const SplitFaces& split,
-                         std::span<const EqualVertices> equal) {
-  const PointTable table(split, equal);
+                         const PointTable& table) {
   VertexNumbers numbers(carriers, table);
   for (std::uint32_t f = 0; f < whole.size(); ++f)
     if (whole[f] != Verdict::drop)

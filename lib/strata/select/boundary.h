@@ -1,11 +1,10 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "strata/kernel/point.h"
-#include "strata/overlap/constraint.h"
+#include "strata/select/point_table.h"
 #include "strata/select/rule.h"
 #include "strata/select/split_faces.h"
 
@@ -18,8 +17,9 @@ struct Boundary {
   std::vector<std::uint32_t> sources;                   ///< global face number per triangle
 };
 
-/// Gathers what stays. Points of different names that were found equal become one vertex.
+/// Gathers what stays. Points of different names that were found equal become one vertex. `table` holds every point of
+/// the pieces.
 [[nodiscard]] Boundary gather_boundary(const Carriers& carriers, const std::vector<Verdict>& whole,
-                                       const SplitFaces& split, std::span<const EqualVertices> equal);
+                                       const SplitFaces& split, const PointTable& table);
 
 }  // namespace strata

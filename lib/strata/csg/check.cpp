@@ -1,0 +1,129 @@
+#include "strata/csg/check.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+#include "strata/cells/cell_tree.h"
+#include "strata/layers/local_layers.h"
+#include "strata/mesh/defect_list.h"
+#include "strata/mesh/equal_vertices.h"
+#include "strata/mesh/prepare.h"
+#include "strata/overlap/pairs.h"
+
+namespace strata {
+namespace {
+
+/// The mesh with every triangle on the first of its equal vertices: sheets that touch in a vertex share it.
+std::vector<Triangle> on_first_vertices(MeshView mesh) {
+  const auto first = equal_vertices(mesh.vertices);
+  std::vector<Triangle> triangles(mesh.triangles.begin(), mesh.triangles.end());
+  for (Triangle& t : triangles)
+    for (std::uint32_t& v : t) v = first[v];
+  return triangles;
+}
+
+/// Where faces of a mesh meet but for shared edges and vertices, and its shells that do not enclose what is inside them.
+/// Requires a closed mesh without degenerate triangles. `source` gives the caller's face numbers; empty: the same.
+class Inspection {
+ public:
+  Inspection(MeshView mesh, const std::vector<std::uint32_t>& source, const Monitor& monitor)
+      : triangles_(on_first_vertices(mesh)), source_(source), monitor_(monitor) {
+    carriers_.add(mesh.vertices, triangles_);
+  }
+
+  [[nodiscard]] std::vector<Defect> find() {
+    const CellTree cells(carriers_, {.self = true});
+    std::vector<Defect> defects = intersections(find_meetings(carriers_, cells, true, monitor_));
+    if (defects.empty()) defects = wrong_shells(cells);
+    return defects;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t source(std::uint32_t f) const { return source_.empty() ? f : source_[f]; }
+
+  [[nodiscard]] std::vector<Defect> intersections(const Meetings& meetings) const {
+    DefectList list(DefectKind::self_intersection, Severity::error,
+                    "declare the input as overlapping, which resolves intersections exactly");
+    std::uint32_t f = 0, g = 0;
+    for (const Constraint& c : meetings.constraints) {
+      if (c.other < c.face || (list.count() > 0 && c.face == f && c.other == g)) continue;
+      f = c.face;
+      g = c.other;
+      const Point p = make_point(carriers_, c.tail);
+      list.add(Vertex{p.at[0].value, p.at[1].value, p.at[2].value}, {source(f), source(g)}, [&] {
+        return "faces " + std::to_string(source(f)) + " and " + std::to_string(source(g)) +
+               (c.kind == ConstraintKind::coplanar ? " overlap in one plane" : " meet away from shared edges and vertices");
+      });
+    }
+    std::vector<Defect> defects;
+    list.append_to(defects);
+    return defects;
+  }
+
+  /// Without self-intersections a face is right when just above it the winding number is 0.
+  [[nodiscard]] std::vector<Defect> wrong_shells(const CellTree& cells) const {
+    const LocalLayers layers(carriers_, cells);
+    std::vector<std::int32_t> above(triangles_.size());
+    tbb::parallel_for(std::uint32_t{0}, carriers_.face_count(), [&](std::uint32_t f) {
+      monitor_.check();
+      above[f] = layers.above(f, make_point(carriers_, PointName::weighted(f, 1)), {&f, 1})[0];
+    });
+    DefectList list(DefectKind::inside_out, Severity::error, "reverse the faces of the shell, or declare the input as repair");
+    for (std::uint32_t f = 0; f < above.size(); ++f) {
+      if (above[f] == 0) continue;
+      list.add(carriers_.vertex(carriers_.face(f)[0]), {source(f)}, [&] {
+        return "the outer side of face " + std::to_string(source(f)) + " has winding number " + std::to_string(above[f]) +
+               " and the inner side " + std::to_string(above[f] + 1) + "; a solid has 0 and 1";
+      });
+    }
+    std::vector<Defect> defects;
+    list.append_to(defects);
+    return defects;
+  }
+
+  Carriers carriers_;
+  std::vector<Triangle> triangles_;
+  const std::vector<std::uint32_t>& source_;
+  const Monitor& monitor_;
+};
+
+template <class Body>
+auto in_arena(const Options& options, const Body& body) {
+  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads));
+  return arena.execute(body);
+}
+
+bool is_error(const Defect& d) { return d.severity == Severity::error; }
+
+}  // namespace
+
+std::vector<Defect> check(MeshView mesh, const Options& options) {
+  return in_arena(options, [&] {
+    std::vector<Defect> defects = diagnose(mesh);
+    if (std::any_of(defects.begin(), defects.end(), is_error) || mesh.triangles.empty()) return defects;
+    const Monitor monitor(options.cancel);
+    const Prepared prepared = prepare_closed(mesh, true);
+    const auto more = Inspection(prepared.mesh ? MeshView(*prepared.mesh) : mesh, prepared.source_face, monitor).find();
+    defects.insert(defects.end(), more.begin(), more.end());
+    return defects;
+  });
+}
+
+bool is_embedded(MeshView mesh, const Options& options) {
+  return in_arena(options, [&] {
+    for (const Defect& d : diagnose(mesh))
+      if (d.kind == DefectKind::degenerate_triangle || d.kind == DefectKind::duplicate_face ||
+          d.kind == DefectKind::non_finite_coordinate || d.kind == DefectKind::index_out_of_range)
+        return false;
+    const Monitor monitor(options.cancel);
+    Carriers carriers;
+    const std::vector<Triangle> triangles = on_first_vertices(mesh);
+    carriers.add(mesh.vertices, triangles);
+    const CellTree cells(carriers, {.self = true});
+    return find_meetings(carriers, cells, true, monitor).pairs_meeting == 0;
+  });
+}
+
+}  // namespace strata

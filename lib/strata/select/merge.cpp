@@ -1,0 +1,233 @@
+#include "strata/select/merge.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "strata/arrange/triangulation.h"
+#include "strata/exact/failure.h"
+
+namespace strata {
+namespace {
+
+using Id = std::uint32_t;
+using Edge = std::pair<Id, Id>;
+
+constexpr Id none = 0xffffffffu;
+
+Edge undirected(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// Representatives of a face's points.
+std::vector<Id> ids_of(const PointTable& table, const SplitFace& face) {
+  std::vector<Id> ids;
+  ids.reserve(face.points.size());
+  for (const PointName& name : face.points) ids.push_back(table.representative(table.index(name)));
+  return ids;
+}
+
+/// The edges of the outlines of all pieces, and what meets in each vertex.
+class Outlines {
+ public:
+  Outlines(const Carriers& carriers, const PointTable& table, const SplitFaces& split,
+           const std::vector<std::vector<Id>>& ids) {
+    for (std::size_t f = 0; f < split.faces.size(); ++f)
+      for (const PieceTriangle& t : split.faces[f].triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+          if ((t.outline >> i & 1) != 0) edges_.push_back(undirected(ids[f][t.v[i]], ids[f][t.v[(i + 1) % 3]]));
+    tbb::parallel_sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+    degree_.assign(table.names().size(), 0);
+    neighbours_.assign(table.names().size(), {none, none});
+    for (const auto& [a, b] : edges_) {
+      meet(a, b);
+      meet(b, a);
+    }
+    find_straight(carriers, table);
+  }
+
+  [[nodiscard]] bool has(Id a, Id b) const {
+    return std::binary_search(edges_.begin(), edges_.end(), undirected(a, b));
+  }
+  /// True when nothing needs the vertex: no outline edge ends there, or two that run straight on.
+  [[nodiscard]] bool is_redundant(Id v) const { return degree_[v] == 0 || straight_[v] != 0; }
+
+ private:
+  void meet(Id a, Id b) {
+    if (degree_[a] < 2) neighbours_[a][degree_[a]] = b;
+    ++degree_[a];
+  }
+  void find_straight(const Carriers& carriers, const PointTable& table) {
+    straight_.assign(degree_.size(), 0);
+    tbb::parallel_for(std::size_t{0}, degree_.size(), [&](std::size_t v) {
+      if (degree_[v] != 2 || table.names()[v].kind == PointName::Kind::input) return;
+      const Point p = make_point(carriers, table.names()[neighbours_[v][0]]);
+      const Point q = make_point(carriers, table.names()[v]);
+      const Point r = make_point(carriers, table.names()[neighbours_[v][1]]);
+      for (const Projection axes : {Projection{0, 1}, Projection{1, 2}, Projection{2, 0}})
+        if (orient2d(carriers, axes, p, q, r) != Sign::zero) return;
+      straight_[v] = 1;
+    });
+  }
+
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> degree_;
+  std::vector<std::array<Id, 2>> neighbours_;
+  std::vector<std::uint8_t> straight_;
+};
+
+/// A directed run of sides between two vertices that stay; on its left lie triangles of one verdict.
+struct Run {
+  Id from = 0, to = 0;
+  Verdict left = Verdict::drop;  ///< drop: the run only divides
+};
+
+/// Triangulates one face anew.
+class FaceMerger {
+ public:
+  FaceMerger(const Carriers& carriers, const PointTable& table, const Outlines& outlines)
+      : carriers_(carriers), table_(table), outlines_(outlines), triangulation_(carriers) {}
+
+  void merge(SplitFace& face, const std::vector<Id>& ids) {
+    if (!is_concerned(face, ids)) return;
+    gather_runs(face, ids);
+    triangulate(face.face);
+    collect(face);
+  }
+
+ private:
+  [[nodiscard]] bool is_concerned(const SplitFace& face, const std::vector<Id>& ids) const {
+    for (const Id v : ids)
+      if (outlines_.is_redundant(v)) return true;
+    for (const PieceTriangle& t : face.triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (is_bare(t, i) && (t.carried >> i & 1) != 0 && !outlines_.has(ids[t.v[i]], ids[t.v[(i + 1) % 3]])) return true;
+    return false;
+  }
+  [[nodiscard]] static bool is_bare(const PieceTriangle& t, std::size_t side) { return (t.outline >> side & 1) == 0; }
+
+  /// Sides that stay, in the face's own orientation, joined across redundant vertices.
+  void gather_runs(const SplitFace& face, const std::vector<Id>& ids) {
+    std::vector<Run> sides;
+    for (const PieceTriangle& t : face.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        Id a = ids[t.v[i]], b = ids[t.v[(i + 1) % 3]];
+        if (t.turned) std::swap(a, b);
+        if (!is_bare(t, i)) {
+          sides.push_back({a, b, t.turned ? Verdict::keep_turned : Verdict::keep});
+        } else if ((t.carried >> i & 1) != 0 && outlines_.has(a, b)) {
+          sides.push_back({a, b, Verdict::drop});
+        }
+      }
+    std::unordered_map<std::uint64_t, Id> onward;  // per redundant vertex and verdict: where its side goes
+    const auto key = [](Id v, Verdict left) { return std::uint64_t{v} << 2 | static_cast<std::uint64_t>(left); };
+    // A dividing side is met once from either triangle: both directions, one run each.
+    const auto is_start = [&](const Run& s) { return !outlines_.is_redundant(s.from); };
+    std::unordered_map<std::uint64_t, std::vector<Id>> dividing;
+    for (const Run& s : sides) {
+      if (is_start(s)) continue;
+      if (s.left == Verdict::drop) {
+        dividing[s.from].push_back(s.to);
+      } else {
+        onward.emplace(key(s.from, s.left), s.to);
+      }
+    }
+    runs_.clear();
+    for (Run s : sides) {
+      if (!is_start(s)) continue;
+      Id before = s.from;
+      while (outlines_.is_redundant(s.to)) {
+        const Id here = s.to;
+        if (s.left == Verdict::drop) {
+          const auto& ways = dividing.at(here);
+          s.to = ways[0] == before ? ways.at(1) : ways[0];
+        } else {
+          s.to = onward.at(key(here, s.left));
+        }
+        before = here;
+      }
+      runs_.push_back(s);
+    }
+  }
+
+  void triangulate(std::uint32_t face) {
+    triangulation_.start(face);
+    std::vector<std::pair<std::int32_t, std::int32_t>> ends;
+    for (const Run& r : runs_)
+      ends.emplace_back(triangulation_.add_point(table_.names()[r.from]), triangulation_.add_point(table_.names()[r.to]));
+    const std::size_t points = triangulation_.points().size();
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      triangulation_.add_segment(ends[i].first, ends[i].second, static_cast<std::int32_t>(i), {});
+    if (triangulation_.points().size() != points) fail("outlines of pieces cross", face);
+  }
+
+  void collect(SplitFace& face) {
+    const auto triangles = triangulation_.triangles();
+    std::vector<Verdict> verdicts(triangles.size(), Verdict::drop);
+    std::vector<std::size_t> stack;
+    const auto reach = [&](std::int32_t t, Verdict v) {
+      if (t < 0 || verdicts[static_cast<std::size_t>(t)] != Verdict::drop) return;
+      verdicts[static_cast<std::size_t>(t)] = v;
+      stack.push_back(static_cast<std::size_t>(t));
+    };
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (const std::int32_t first : triangles[t].c)
+        for (std::int32_t n = first; n >= 0; n = triangulation_.note(n).next) {
+          const auto& note = triangulation_.note(n);
+          const Verdict left = runs_[static_cast<std::size_t>(note.constraint)].left;
+          if (note.forward && left != Verdict::drop) reach(static_cast<std::int32_t>(t), left);
+        }
+    while (!stack.empty()) {
+      const std::size_t t = stack.back();
+      stack.pop_back();
+      for (std::size_t i = 0; i < 3; ++i)
+        if (triangles[t].c[i] < 0 || only_divides(triangles[t].c[i])) reach(triangles[t].n[i], verdicts[t]);
+    }
+    face.points.clear();
+    face.triangles.clear();
+    std::vector<std::uint32_t> index(triangulation_.points().size(), none);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      if (verdicts[t] == Verdict::drop) continue;
+      PieceTriangle piece;
+      piece.turned = verdicts[t] == Verdict::keep_turned;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto v = static_cast<std::size_t>(triangles[t].v[piece.turned ? 2 - i : i]);
+        if (index[v] == none) {
+          index[v] = static_cast<std::uint32_t>(face.points.size());
+          face.points.push_back(triangulation_.points()[v].name);
+        }
+        piece.v[i] = index[v];
+      }
+      face.triangles.push_back(piece);
+    }
+  }
+
+  [[nodiscard]] bool only_divides(std::int32_t first_note) const {
+    for (std::int32_t n = first_note; n >= 0; n = triangulation_.note(n).next)
+      if (runs_[static_cast<std::size_t>(triangulation_.note(n).constraint)].left != Verdict::drop) return false;
+    return true;
+  }
+
+  const Carriers& carriers_;
+  const PointTable& table_;
+  const Outlines& outlines_;
+  Triangulation triangulation_;
+  std::vector<Run> runs_;
+};
+
+}  // namespace
+
+void merge_pieces(const Carriers& carriers, const PointTable& table, SplitFaces& split, const Monitor& monitor) {
+  std::vector<std::vector<Id>> ids(split.faces.size());
+  tbb::parallel_for(std::size_t{0}, ids.size(), [&](std::size_t i) { ids[i] = ids_of(table, split.faces[i]); });
+  const Outlines outlines(carriers, table, split, ids);
+  tbb::enumerable_thread_specific<FaceMerger> mergers([&] { return FaceMerger(carriers, table, outlines); });
+  tbb::parallel_for(std::size_t{0}, ids.size(), [&](std::size_t i) {
+    monitor.check();
+    mergers.local().merge(split.faces[i], ids[i]);
+  });
+}
+
+}  // namespace strata

@@ -1,0 +1,17 @@
+#pragma once
+#include "strata/kernel/carriers.h"
+#include "strata/mesh/monitor.h"
+#include "strata/select/point_table.h"
+#include "strata/select/split_faces.h"
+
+namespace strata {
+
+/// Merges pieces of one face that stay together: sides between them that bound no other piece go, so do constructed
+/// vertices in which nothing but such sides met, and those that only divide a straight edge of the result. Faces
+/// concerned are triangulated anew from their outlines; all others stay as they are.
+///
+/// Whether a side or vertex is needed is decided for all faces at once, so the result meets only along shared edges and
+/// vertices as before. Input vertices on outlines always stay: whole faces may use them.
+void merge_pieces(const Carriers& carriers, const PointTable& table, SplitFaces& split, const Monitor& monitor);
+
+}  // namespace strata
