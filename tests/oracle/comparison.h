@@ -21,7 +21,7 @@ struct SeedRange {
 struct Tally {
   std::uint64_t equal = 0;
   std::uint64_t different = 0;      ///< the engine threw, or its result is another point set
-  std::uint64_t oracle_failed = 0;  ///< CGAL has no answer
+  std::uint64_t oracle_failed = 0;  ///< CGAL has no answer, or several that differ
 };
 
 /// Runs the four operations on the operands, here and in CGAL; every difference is a failed check that carries the

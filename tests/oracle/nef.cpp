@@ -6,6 +6,7 @@
 #include <CGAL/Polyhedron_incremental_builder_3.h>
 #include <CGAL/assertions_behaviour.h>
 
+#include <algorithm>
 #include <deque>
 #include <exception>
 #include <type_traits>
@@ -70,23 +71,24 @@ Nef parity(const std::vector<Sheet>& sheets) {
   for (const Sheet& sheet : sheets) queue.push_back(to_nef(sheet));
   if (queue.empty()) return Nef(Nef::EMPTY);
   while (queue.size() > 1) {
-    queue.push_back((queue[0] ^ queue[1]).regularization());
+    queue.push_back(queue[0] ^ queue[1]);
     queue.pop_front();
     queue.pop_front();
   }
-  return queue.front();
+  return queue.front().regularization();
 }
 
+/// Not regularized: may miss or have points of a nowhere dense set.
 Nef apply(Operation operation, const Nef& a, const Nef& b) {
   switch (operation) {
     case Operation::unite:
-      return (a + b).regularization();
+      return a + b;
     case Operation::intersect:
-      return (a * b).regularization();
+      return a * b;
     case Operation::subtract:
-      return (a - b).regularization();
+      return a - b;
     case Operation::exclude:
-      return (a ^ b).regularization();
+      return a ^ b;
   }
   throw OracleFailed("unknown operation");
 }
@@ -163,17 +165,25 @@ std::vector<ExactFacet> NefSolid::facets() const {
   return guarded([&] { return boundary_facets(data_->nef); });
 }
 
-NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands) {
+NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands, Way way) {
+  std::vector<const Nef*> list;
+  for (const NefSolid& solid : operands) list.push_back(&solid.data_->nef);
+  if (way == Way::backwards && !list.empty()) {
+    std::reverse(list.begin() + (operation == Operation::subtract ? 1 : 0), list.end());
+  }
   return NefSolid(guarded([&] {
-    Nef result = operands.empty() ? Nef(Nef::EMPTY) : operands[0].data_->nef;
-    for (std::size_t i = 1; i < operands.size(); ++i) result = apply(operation, result, operands[i].data_->nef);
-    return std::make_shared<const NefSolid::Data>(NefSolid::Data{result});
+    Nef result = list.empty() ? Nef(Nef::EMPTY) : *list[0];
+    for (std::size_t i = 1; i < list.size(); ++i) {
+      result = apply(operation, result, *list[i]);
+      if (way == Way::regularize_often) result = result.regularization();
+    }
+    return std::make_shared<const NefSolid::Data>(NefSolid::Data{result.regularization()});
   }));
 }
 
-CanonicalForm nef_boolean(Operation operation, std::span<const ExactMesh> operands) {
+CanonicalForm nef_boolean(Operation operation, std::span<const ExactMesh> operands, Way way) {
   const std::vector<NefSolid> solids(operands.begin(), operands.end());
-  return canonical_form(nef_combine(operation, solids).facets());
+  return canonical_form(nef_combine(operation, solids, way).facets());
 }
 
 Rational facet_volume(const std::vector<ExactFacet>& facets) {

@@ -18,6 +18,13 @@ class OracleFailed : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Ways to one and the same solid. CGAL 5.5 sometimes crashes or answers wrongly on one of them.
+enum class Way {
+  regularize_once,   ///< operands in order, regularized at the end: results differ by nowhere dense sets until then
+  regularize_often,  ///< operands in order, regularized after every step
+  backwards,         ///< the operands in reverse (a difference: what is taken away in reverse)
+};
+
 /// A regular solid as a CGAL Nef polyhedron.
 ///
 /// Built without any code of the library: every closed, manifold and embedded sheet of the boundary becomes a
@@ -36,8 +43,8 @@ class NefSolid {
   /// Boundary facets, outwards, interior on the left. Throws OracleFailed.
   [[nodiscard]] std::vector<ExactFacet> facets() const;
 
-  /// Regularized (closure of the interior), operands in order. Throws OracleFailed.
-  friend NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands);
+  /// Regularized: the closure of the interior. Throws OracleFailed.
+  friend NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands, Way way);
 
  private:
   struct Data;
@@ -45,10 +52,12 @@ class NefSolid {
   std::shared_ptr<const Data> data_;
 };
 
-[[nodiscard]] NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands);
+[[nodiscard]] NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands,
+                                   Way way = Way::regularize_once);
 
 /// Canonical form of the regularized Boolean, by CGAL. Throws OracleFailed.
-[[nodiscard]] CanonicalForm nef_boolean(Operation operation, std::span<const ExactMesh> operands);
+[[nodiscard]] CanonicalForm nef_boolean(Operation operation, std::span<const ExactMesh> operands,
+                                        Way way = Way::regularize_once);
 
 /// Signed volume enclosed by facets: sum over the triangles of a fan of every loop. Exact.
 [[nodiscard]] Rational facet_volume(const std::vector<ExactFacet>& facets);
