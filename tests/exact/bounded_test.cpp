@@ -50,17 +50,28 @@ double any_double(Random& random) {
 double number(Random& random, int family) {
   const double m = 1 + random.unit(), s = random.once_in(2) ? -1 : 1;
   switch (family) {
-    case 0: return random.between(-3, 3);
-    case 1: return s * m;
-    case 2: return s * std::nextafter(1.0, random.once_in(2) ? 2.0 : 0.0);
-    case 3: return s * m * std::ldexp(1.0, random.between(-60, 60));
-    case 4: return s * std::ldexp(m, random.between(-1074, -990));
-    case 5: return s * std::ldexp(m, random.between(-530, -480));
-    case 6: return s * std::ldexp(m, random.between(480, 530));
-    case 7: return s * std::ldexp(m, random.between(990, 1023));
-    case 8: return std::ldexp(random.between(-9, 9), -1074);
-    case 9: return s * (random.once_in(2) ? 1e-300 : 1e300);
-    default: return any_double(random);
+    case 0:
+      return random.between(-3, 3);
+    case 1:
+      return s * m;
+    case 2:
+      return s * std::nextafter(1.0, random.once_in(2) ? 2.0 : 0.0);
+    case 3:
+      return s * m * std::ldexp(1.0, random.between(-60, 60));
+    case 4:
+      return s * std::ldexp(m, random.between(-1074, -990));
+    case 5:
+      return s * std::ldexp(m, random.between(-530, -480));
+    case 6:
+      return s * std::ldexp(m, random.between(480, 530));
+    case 7:
+      return s * std::ldexp(m, random.between(990, 1023));
+    case 8:
+      return std::ldexp(random.between(-9, 9), -1074);
+    case 9:
+      return s * (random.once_in(2) ? 1e-300 : 1e300);
+    default:
+      return any_double(random);
   }
 }
 constexpr int families = 11;
@@ -68,11 +79,16 @@ constexpr int families = 11;
 Twin combined(const Twin& a, const Twin& b, int operation) {
   const int steps = a.steps + b.steps + 1;
   switch (operation) {
-    case 0: return {a.bounded + b.bounded, a.exact + b.exact, steps};
-    case 1: return {a.bounded - b.bounded, a.exact - b.exact, steps};
-    case 2: return {a.bounded * b.bounded, a.exact * b.exact, steps};
-    case 3: return {a.bounded / b.bounded, a.exact / b.exact, steps};
-    default: return {-a.bounded, -a.exact, a.steps};
+    case 0:
+      return {a.bounded + b.bounded, a.exact + b.exact, steps};
+    case 1:
+      return {a.bounded - b.bounded, a.exact - b.exact, steps};
+    case 2:
+      return {a.bounded * b.bounded, a.exact * b.exact, steps};
+    case 3:
+      return {a.bounded / b.bounded, a.exact / b.exact, steps};
+    default:
+      return {-a.bounded, -a.exact, a.steps};
   }
 }
 

@@ -100,10 +100,18 @@ TEST_CASE("lattice integers times the unit give the doubles back", "[exact][prop
     std::vector<double> numbers;
     for (int k = random.between(1, 9); k > 0; --k) {
       switch (i % 4) {
-        case 0: numbers.push_back(any_double(random)); break;
-        case 1: numbers.push_back(subnormal(random)); break;
-        case 2: numbers.push_back(near_one(random)); break;
-        case 3: numbers.push_back(random.once_in(2) ? near_one(random) * 0x1p-1040 : near_one(random)); break;
+        case 0:
+          numbers.push_back(any_double(random));
+          break;
+        case 1:
+          numbers.push_back(subnormal(random));
+          break;
+        case 2:
+          numbers.push_back(near_one(random));
+          break;
+        case 3:
+          numbers.push_back(random.once_in(2) ? near_one(random) * 0x1p-1040 : near_one(random));
+          break;
       }
     }
     check_lattice(numbers);

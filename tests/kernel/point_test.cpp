@@ -12,9 +12,7 @@ namespace {
 /// No double is nearer to x, and a tie went to the even mantissa.
 void check_nearest(double found, const Rational& x) {
   const Rational beyond = Rational(Integer(1) << 1024);
-  const auto value = [&](double d) {
-    return std::isfinite(d) ? to_rational(d) : d > 0 ? beyond : Rational(-beyond);
-  };
+  const auto value = [&](double d) { return std::isfinite(d) ? to_rational(d) : d > 0 ? beyond : Rational(-beyond); };
   const Rational off = abs(Rational(value(found) - x));
   for (const double next : {std::nextafter(found, -HUGE_VAL), std::nextafter(found, HUGE_VAL)}) {
     const Rational other = abs(Rational(value(next) - x));

@@ -26,7 +26,9 @@ class TierTable {
     return answer;
   }
 
-  [[nodiscard]] std::uint64_t count(const char* predicate, Tier tier) { return rows_[predicate][static_cast<std::size_t>(tier)]; }
+  [[nodiscard]] std::uint64_t count(const char* predicate, Tier tier) {
+    return rows_[predicate][static_cast<std::size_t>(tier)];
+  }
 
   [[nodiscard]] std::string to_string() const {
     std::string r;

@@ -39,13 +39,18 @@ class Scene {
   [[nodiscard]] std::optional<RationalPoint> place_of(const PointName& name) const {
     const auto& id = name.id;
     switch (name.kind) {
-      case PointName::Kind::input: return places[id[0]];
+      case PointName::Kind::input:
+        return places[id[0]];
       case PointName::Kind::edge_edge:
         return line_meets_line(places[id[0]], places[id[1]], places[id[2]], places[id[3]]);
-      case PointName::Kind::edge_face: return line_meets_plane(places[id[0]], places[id[1]], plane(id[2]));
-      case PointName::Kind::three_faces: return planes_meet(plane(id[0]), plane(id[1]), plane(id[2]));
-      case PointName::Kind::weighted: return weighted_mean(plane(id[0]), id[1]);
-      case PointName::Kind::free: break;
+      case PointName::Kind::edge_face:
+        return line_meets_plane(places[id[0]], places[id[1]], plane(id[2]));
+      case PointName::Kind::three_faces:
+        return planes_meet(plane(id[0]), plane(id[1]), plane(id[2]));
+      case PointName::Kind::weighted:
+        return weighted_mean(plane(id[0]), id[1]);
+      case PointName::Kind::free:
+        break;
     }
     return std::nullopt;
   }
@@ -53,12 +58,17 @@ class Scene {
   /// A name of a random kind; its carriers may not meet.
   PointName any_name() {
     switch (random.below(6)) {
-      case 0: return PointName::input(any_vertex());
+      case 0:
+        return PointName::input(any_vertex());
       case 1:
-      case 2: return PointName::edge_face(any_vertex(), any_vertex(), any_face());
-      case 3: return PointName::three_faces(any_face(), any_face(), any_face());
-      case 4: return PointName::weighted(any_face(), any_weight());
-      default: return PointName::edge_edge(any_vertex(), any_vertex(), any_vertex(), any_vertex());
+      case 2:
+        return PointName::edge_face(any_vertex(), any_vertex(), any_face());
+      case 3:
+        return PointName::three_faces(any_face(), any_face(), any_face());
+      case 4:
+        return PointName::weighted(any_face(), any_weight());
+      default:
+        return PointName::edge_edge(any_vertex(), any_vertex(), any_vertex(), any_vertex());
     }
   }
 
@@ -143,14 +153,17 @@ inline int affordable(Family family, int scenes) {
   switch (family) {
     case Family::wild:
     case Family::far_apart:
-    case Family::underflowing: return scenes / 10 + 1;
-    case Family::spread: return scenes * 2;
+    case Family::underflowing:
+      return scenes / 10 + 1;
+    case Family::spread:
+      return scenes * 2;
     case Family::small_integers:
     case Family::one_ulp:
     case Family::floats:
     case Family::doubles:
     case Family::subnormal:
-    case Family::huge: return scenes;
+    case Family::huge:
+      return scenes;
   }
   return scenes;
 }

@@ -1,0 +1,135 @@
+#include "kernel/tiers.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "strata/kernel/predicates.h"
+
+using namespace strata;
+using namespace strata::test;
+
+namespace {
+
+/// Asks once and checks the answer and the one tier that gave it.
+template <class Question>
+void check_tier(Tier tier, Sign expected, const Question& question) {
+  TierProbe probe;
+  CHECK(question() == expected);
+  if (!counts_tiers) return;
+  TierProbe::Counts only{};
+  only[static_cast<std::size_t>(tier)] = 1;
+  CHECK(probe.take() == only);
+}
+
+struct Given {
+  explicit Given(std::vector<Carriers::Coordinates> p, std::vector<Carriers::Indices> f = {})
+      : points(std::move(p)), faces(std::move(f)) {
+    carriers.add(points, faces);
+  }
+  [[nodiscard]] Point point(const PointName& name) const { return make_point(carriers, name); }
+
+  std::vector<Carriers::Coordinates> points;
+  std::vector<Carriers::Indices> faces;
+  Carriers carriers;
+};
+
+/// Four vertices in the plane x + y + z = 0, on a lattice of b + 1 bits.
+Given coplanar(int b) {
+  const double m = std::ldexp(1.0, b);
+  return Given({{0, m, -m}, {m, -m, 0}, {-m, 0, m}, {1, -1, 0}});
+}
+
+}  // namespace
+
+TEST_CASE("four vertices in general position are the filter's", "[kernel]") {
+  const Given g({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  check_tier(Tier::filter, Sign::positive, [&] { return orient3d(g.carriers, 0U, 1U, 2U, 3U); });
+  check_tier(Tier::filter, Sign::negative, [&] { return orient3d(g.carriers, 1U, 0U, 2U, 3U); });
+}
+
+TEST_CASE("a vertex that occurs twice is decided by its name", "[kernel]") {
+  const Given g({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  check_tier(Tier::names, Sign::zero, [&] { return orient3d(g.carriers, 0U, 1U, 2U, 1U); });
+  check_tier(Tier::names, Sign::zero, [&] { return orient3d(g.carriers, 0U, 0U, 1U, 2U); });
+}
+
+// 3 b' + 8 bits on a lattice of b' = b + 1 bits. Catches: a tier taken too early, or one that is never taken.
+TEST_CASE("coplanar vertices take the narrowest integers that hold the determinant", "[kernel]") {
+  const struct {
+    int b;
+    Tier tier;
+  } cases[] = {{0, Tier::bits_128},    {39, Tier::bits_128},   {40, Tier::bits_256},   {81, Tier::bits_256},
+               {82, Tier::bits_512},   {167, Tier::bits_512},  {168, Tier::bits_1024}, {337, Tier::bits_1024},
+               {338, Tier::unbounded}, {1000, Tier::unbounded}};
+  for (const auto& [b, tier] : cases) {
+    CAPTURE(b);
+    const Given g = coplanar(b);
+    check_tier(tier, Sign::zero, [&] { return orient3d(g.carriers, 0U, 1U, 2U, 3U); });
+  }
+}
+
+TEST_CASE("a construction is on its own face by name", "[kernel]") {
+  const Given g({{0, 0, 0}, {3, 0, 1}, {0, 3, 1}, {1, 1, -5}, {1, 1, 5}}, {{0, 1, 2}});
+  const Point p = g.point(PointName::edge_face(3, 4, 0));
+  check_tier(Tier::names, Sign::zero, [&] { return side_of_face(g.carriers, 0, p); });
+  check_tier(Tier::names, Sign::zero, [&] { return compare(g.carriers, 2, p, p); });
+}
+
+// The line x = y = 1 meets the first plane in (1, 1, 2/3), where the second one passes too.
+TEST_CASE("a construction on a plane it is not named for needs integers", "[kernel][degenerate]") {
+  const Given g({{0, 0, 0}, {3, 0, 1}, {0, 3, 1}, {1, 1, -5}, {1, 1, 5}, {3, 0, 0}, {0, 3, 0}, {0, 0, 2}},
+                {{0, 1, 2}, {5, 6, 7}});
+  const Point p = g.point(PointName::edge_face(3, 4, 0));
+  CHECK(exact_position(g.carriers, p) == RationalPoint{1, 1, Rational(2, 3)});
+  check_tier(Tier::bits_128, Sign::zero, [&] { return side_of_face(g.carriers, 1, p); });
+}
+
+// Four planes through (1, 1, 1): 9 b + 20 bits with b = 3.
+TEST_CASE("four planes through one point meet in it under every name", "[kernel][degenerate]") {
+  const Given g({{1, 0, 0},
+                 {1, 4, 0},
+                 {1, 0, 4},
+                 {0, 1, 0},
+                 {4, 1, 0},
+                 {0, 1, 4},
+                 {0, 0, 1},
+                 {4, 0, 1},
+                 {0, 4, 1},
+                 {3, 0, 0},
+                 {0, 3, 0},
+                 {0, 0, 3}},
+                {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}});
+  const Point p = g.point(PointName::three_faces(0, 1, 2)), q = g.point(PointName::three_faces(1, 2, 3));
+  check_tier(Tier::bits_128, Sign::zero, [&] { return side_of_face(g.carriers, 3, p); });
+  check_tier(Tier::names, Sign::zero, [&] { return side_of_face(g.carriers, 3, q); });
+  CHECK(p.name != q.name);
+  CHECK(equal(g.carriers, p, q));
+}
+
+TEST_CASE("1e-300 beside 1e300 needs unbounded integers", "[kernel]") {
+  const Given g({{1e-300, 0, 0}, {0, 1e-300, 0}, {1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}});
+  const Given flat({{1e-300, 0, 1}, {0, 1e-300, 1}, {1e300, 1e300, 1}, {-1e300, -1e300, 1}});
+  check_tier(Tier::unbounded, Sign::zero, [&] { return orient3d(flat.carriers, 0U, 1U, 2U, 3U); });
+  CHECK(orient3d(g.carriers, 0U, 1U, 2U, 3U) == -orient3d(g.carriers, 1U, 0U, 2U, 3U));
+  CHECK(orient3d(g.carriers, 0U, 1U, 2U, 3U) != Sign::zero);
+}
+
+TEST_CASE("subnormals and huge numbers alone need few bits", "[kernel]") {
+  for (const double unit : {std::numeric_limits<double>::denorm_min(), 1.0, 0x1p1021}) {
+    CAPTURE(unit);
+    const Given g({{unit, 0, unit}, {0, unit, unit}, {-unit, 0, unit}, {0, -unit, unit}, {0, 0, -2 * unit}});
+    check_tier(Tier::bits_128, Sign::zero, [&] { return orient3d(g.carriers, 0U, 1U, 2U, 3U); });
+    CHECK(orient3d(g.carriers, 0U, 1U, 2U, 4U) == Sign::negative);
+  }
+}
+
+TEST_CASE("a rational vertex needs unbounded integers where the filter does not know", "[kernel]") {
+  const std::vector<Carriers::Coordinates> points{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1.0 / 3, 1.0 / 3, 1.0 / 3}};
+  const std::vector<ExactVertex> exact{{3, {Rational(1, 3), Rational(1, 3), Rational(1, 3)}}};
+  Carriers doubles, rationals;
+  doubles.add(points, {});
+  rationals.add(points, {}, exact);
+  check_tier(Tier::unbounded, Sign::zero, [&] { return orient3d(rationals, 0U, 1U, 2U, 3U); });
+  CHECK(orient3d(doubles, 0U, 1U, 2U, 3U) == Sign::negative);  // the double next to 1/3 lies below it
+}
