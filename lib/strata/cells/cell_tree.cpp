@@ -95,7 +95,13 @@ bool is_empty(const GridBox& b) {
   return b.lower[0] > b.upper[0] || b.lower[1] > b.upper[1] || b.lower[2] > b.upper[2];
 }
 
-/// Where to cut a cell.
+/// The last grid coordinates that belong to a cell.
+GridBox closed(GridBox cell) {
+  for (std::int32_t& x : cell.upper) --x;
+  return cell;
+}
+
+/// Where to cut a cell: below are grid coordinates < split, above are those >= split.
 struct Cut {
   int axis = 0;
   std::int32_t split = 0;
@@ -141,16 +147,17 @@ class Grower {
     GridBox a = empty_box(), b = empty_box();
     bool two = !options_.self;
     for (const CellFace& f : cell.faces) {
+      const GridBox part = common(f.box, closed(cell.box));
       if (f.face < end_of_first) {
-        include(a, f.box);
+        include(a, part);
       } else {
-        include(b, f.box);
+        include(b, part);
         two = two && f.face >= carriers_.first_face(last);
       }
     }
-    if (two) return {common(common(a, b), cell.box), true};
+    if (two) return {common(a, b), true};
     include(a, b);
-    return {common(a, cell.box), false};
+    return {a, false};
   }
 
   /// Candidates, best first: a plane that separates the operands; a plane that cuts off space where nothing can meet;
@@ -192,7 +199,7 @@ class Grower {
     if (cut.split <= cell.box.lower[a] || cut.split >= cell.box.upper[a]) return false;
     std::size_t below = 0, above = 0;
     for (const CellFace& f : cell.faces) {
-      below += f.box.lower[a] <= cut.split;
+      below += f.box.lower[a] < cut.split;
       above += f.box.upper[a] >= cut.split;
     }
     const std::size_t n = cell.faces.size();
@@ -212,7 +219,7 @@ class Grower {
     low.faces.reserve(below);
     high.faces.reserve(above);
     for (const CellFace& f : cell.faces) {
-      if (f.box.lower[a] <= cut.split) low.faces.push_back(f);
+      if (f.box.lower[a] < cut.split) low.faces.push_back(f);
       if (f.box.upper[a] >= cut.split) high.faces.push_back(f);
     }
     Cell& stays = origin_below ? low : high;

@@ -18,7 +18,7 @@ struct CellFace {
 
 /// A leaf of the subdivision: a box of space, the faces that may meet it, and a local origin in it with its winding
 /// numbers. A point belongs to the one cell with lower <= grid coordinates < upper; the faces listed are those whose
-/// boxes meet the closed box, so every walk inside a cell meets listed faces only.
+/// boxes reach into it, so every walk inside a cell meets listed faces only: the grid being monotone, a cell is convex.
 struct Cell {
   GridBox box;
   Carriers::Coordinates origin{};
