@@ -56,7 +56,7 @@ class Files(ToolTest):
         self.assertFalse(self.path("out.off").exists())
 
     def test_text_errors_name_the_line(self):
-        self.file("words.off", "OFF\n8 12 0\n0 0 0\n0 0 zero\n")
+        self.file("words.off", cube().replace("1 0 0\n", "1 0 zero\n", 1))
         self.assertIn("words.off:4", self.run_tool("info", "words.off", expect=FILE).stderr.decode())
 
     def test_unwritable_targets_are_refused(self):

@@ -21,6 +21,7 @@ namespace {
 int pipe_ends[2] = {-1, -1};
 constexpr char by_signal = 's';
 constexpr char by_destructor = 'd';
+constexpr auto patience = std::chrono::seconds(2);  // with an engine that was asked to stop
 
 void send(char why) {
   const int error = errno;
@@ -41,6 +42,11 @@ void handle_signals() {
 int milliseconds_until(std::chrono::steady_clock::time_point end) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - std::chrono::steady_clock::now()).count();
   return static_cast<int>(std::clamp<long long>(left, 0, 1'000'000'000));
+}
+
+[[noreturn]] void leave(const std::string& reason) {
+  fmt::print(stderr, "strata: {}; no result was written\n", reason);
+  std::_Exit(static_cast<int>(ExitCode::stopped));
 }
 
 }  // namespace
@@ -64,32 +70,36 @@ void Watch::on_stop(OnStop action) {
 }
 
 void Watch::run() {
-  const auto limit = std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds_));
-  const auto end = std::chrono::steady_clock::now() + limit;
-  pollfd wake = {pipe_ends[0], POLLIN, 0};
+  using Seconds = std::chrono::duration<double>;
   bool timed = seconds_ > 0;
+  auto end = std::chrono::steady_clock::now() + std::chrono::ceil<std::chrono::milliseconds>(Seconds(seconds_));
+  pollfd wake = {pipe_ends[0], POLLIN, 0};
   while (true) {
     const int ready = poll(&wake, 1, timed ? milliseconds_until(end) : -1);
-    if (ready < 0) continue;  // interrupted
-    if (ready == 0) {
-      if (std::chrono::steady_clock::now() < end) continue;
-      timed = false;
-      stop(fmt::format("time limit of {} s reached", seconds_));
-      continue;
-    }
     char why = by_destructor;
-    if (read(pipe_ends[0], &why, 1) != 1 || why == by_destructor) return;
-    stop("interrupted");
+    if (ready > 0) {
+      if (read(pipe_ends[0], &why, 1) != 1 || why == by_destructor) return;
+      stop("interrupted");
+    } else if (ready == 0 && std::chrono::steady_clock::now() >= end) {
+      if (stopped_) leave_if_still_asked();
+      stop(fmt::format("time limit of {} s reached", seconds_));
+    } else {
+      continue;  // woken early
+    }
+    timed = stopped_;
+    end = std::chrono::steady_clock::now() + patience;
   }
 }
 
 void Watch::stop(const std::string& reason) {
   const std::lock_guard lock(mutex_);
   if (stopped_ || action_ == OnStop::finish) return;
-  if (action_ == OnStop::leave) {
-    fmt::print(stderr, "strata: {}\n", reason);
-    std::_Exit(static_cast<int>(ExitCode::stopped));
-  }
+  if (action_ == OnStop::leave) leave(reason);
   reason_ = reason;
   stopped_ = true;
+}
+
+void Watch::leave_if_still_asked() {
+  const std::lock_guard lock(mutex_);
+  if (action_ == OnStop::ask) leave(reason_);
 }

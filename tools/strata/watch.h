@@ -7,7 +7,7 @@
 /// What a stop (Ctrl-C, SIGTERM, the time limit) does at the moment.
 enum class OnStop {
   leave,   ///< nothing is written yet: end the process at once
-  ask,     ///< set the cancel token; the engine throws Cancelled
+  ask,     ///< set the cancel token, so that the engine throws Cancelled; after two seconds, as `leave`
   finish,  ///< files are being written: too late to stop
 };
 
@@ -28,6 +28,7 @@ class Watch {
  private:
   void run();
   void stop(const std::string& reason);
+  void leave_if_still_asked();
 
   double seconds_;
   std::atomic<bool> stopped_ = false;
