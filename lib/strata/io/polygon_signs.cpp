@@ -119,11 +119,10 @@ bool is_planar(std::span<const Vertex> loop) {
   const Vertex& a = loop[0];
   const auto b = std::find_if(loop.begin(), loop.end(), [&](const Vertex& p) { return p != a; });
   if (b == loop.end()) return true;
-  const auto c = std::find_if(b, loop.end(), [&](const Vertex& p) { return !is_collinear(a, *b, p); });
+  const auto c = std::find_if(b + 1, loop.end(), [&](const Vertex& p) { return !is_collinear(a, *b, p); });
   if (c == loop.end()) return true;
-  return std::all_of(b, loop.end(), [&](const Vertex& p) {
-    return &p == &*b || &p == &*c || side_of_plane(a, *b, *c, p) == Sign::zero;
-  });
+  return std::all_of(b + 1, loop.end(),
+                     [&](const Vertex& p) { return &p == &*c || side_of_plane(a, *b, *c, p) == Sign::zero; });
 }
 
 }  // namespace strata::io
