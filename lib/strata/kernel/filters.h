@@ -7,17 +7,23 @@ namespace strata {
 
 /// Predicates in running errors, on coordinate differences: the first tier. theory.md, "Filters".
 
-using BoundedPoint = std::array<Bounded, 3>;
+/// Three coordinates of a type with error bounds: Bounded or Twofold.
+template <class Real>
+using RealPoint = std::array<Real, 3>;
+using BoundedPoint = RealPoint<Bounded>;
 
-[[nodiscard]] inline BoundedPoint operator-(const BoundedPoint& p, const BoundedPoint& q) {
+template <class Real>
+[[nodiscard]] RealPoint<Real> operator-(const RealPoint<Real>& p, const RealPoint<Real>& q) {
   return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
 }
 
-[[nodiscard]] inline BoundedPoint cross(const BoundedPoint& u, const BoundedPoint& v) {
+template <class Real>
+[[nodiscard]] RealPoint<Real> cross(const RealPoint<Real>& u, const RealPoint<Real>& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
-[[nodiscard]] inline Bounded dot(const BoundedPoint& u, const BoundedPoint& v) {
+template <class Real>
+[[nodiscard]] Real dot(const RealPoint<Real>& u, const RealPoint<Real>& v) {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 

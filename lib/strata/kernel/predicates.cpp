@@ -53,8 +53,28 @@ std::optional<Sign> filtered_orient3d(const Carriers::Coordinates& a, const Carr
   const double bound = factor * magnitude + 0x1p-1000 * (1 + std::abs(wx) + std::abs(wy) + std::abs(wz));
   if (value > bound) return Sign::positive;
   if (-value > bound) return Sign::negative;
+  // Differences of doubles are zero only when they are exactly: equal points, and planes across an axis.
+  const auto flat = [](double x, double y, double z) { return x == 0 && y == 0 && z == 0; };
+  if (flat(ux, vx, wx) || flat(uy, vy, wy) || flat(uz, vz, wz) || flat(wx, wy, wz)) return Sign::zero;
+  if (b == d || c == d) return Sign::zero;
   return std::nullopt;
 }
+
+/// The same for the turn of three points, by Shewchuk's bound (3 + 16 u) u.
+std::optional<Sign> filtered_turn(const Point& p, const Point& q, const Point& r, std::size_t u, std::size_t v) {
+  const double qu = q.at[u].value - p.at[u].value, qv = q.at[v].value - p.at[v].value;
+  const double ru = r.at[u].value - p.at[u].value, rv = r.at[v].value - p.at[v].value;
+  const double left = qu * rv, right = qv * ru, value = left - right;
+  constexpr double factor = (3 + 16 * 0x1p-53) * 0x1p-53;
+  const double bound = factor * (std::abs(left) + std::abs(right)) + 0x1p-1000;
+  if (value > bound) return Sign::positive;
+  if (-value > bound) return Sign::negative;
+  if ((qu == 0 || rv == 0) && (qv == 0 || ru == 0)) return Sign::zero;
+  if (qu == ru && qv == rv) return Sign::zero;
+  return std::nullopt;
+}
+
+bool is_exact(const Point& p) { return p.at[0].error == 0 && p.at[1].error == 0 && p.at[2].error == 0; }
 
 }  // namespace
 
@@ -95,6 +115,12 @@ Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p) 
 }
 
 std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, const Point& q, const Point& r) {
+  const auto u = static_cast<std::size_t>(projection.u), v = static_cast<std::size_t>(projection.v);
+  if (is_exact(p) && is_exact(q) && is_exact(r)) {
+    const auto s = filtered_turn(p, q, r, u, v);
+    if (s) count(Tier::filter);
+    return s;
+  }
   return filtered(bounded_turn(p.at, q.at, r.at, projection.u, projection.v));
 }
 
