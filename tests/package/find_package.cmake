@@ -1,3 +1,3 @@
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 install_strata()
-build_consumer(find_package -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix -D CMAKE_BUILD_TYPE=${CONFIG})
+build_consumer(find_package -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix)

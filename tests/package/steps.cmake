@@ -26,8 +26,8 @@ endfunction()
 
 # Configures, builds and runs the consumer in the folder CONSUMER/<way>.
 function(build_consumer way)
-  run(${CMAKE_COMMAND} -S ${CONSUMER}/${way} -B ${SCRATCH}/build -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${CXX}
-    -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -D CMAKE_CXX_FLAGS=${FLAGS} ${ARGN})
+  run(${CMAKE_COMMAND} -S ${CONSUMER}/${way} -B ${SCRATCH}/build -G ${GENERATOR} -C ${OPTIONS}
+    -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${FLAGS} ${ARGN})
   run(${CMAKE_COMMAND} --build ${SCRATCH}/build -j 2)
   expect_answer(${SCRATCH}/build/program)
 endfunction()
