@@ -92,7 +92,8 @@ TEMPLATE_TEST_CASE("rounding is right among subnormals and at both ends of the r
                               Limits::denorm_min(), TestType(-Limits::denorm_min())}) {
     check_around(edge, random);
   }
-  for (int i = 0; i < 500; ++i) check_around(static_cast<TestType>(random_float<TestType>(random) * Limits::min()), random);
+  for (int i = 0; i < 500; ++i)
+    check_around(static_cast<TestType>(random_float<TestType>(random) * Limits::min()), random);
 }
 
 TEMPLATE_TEST_CASE("values beyond the largest finite number by half a unit become infinite", "[exact]", double, float) {

@@ -63,10 +63,10 @@ Mesh pierced_cube() {
   };
   for (std::uint32_t i = 0; i < 4; ++i) {
     const std::uint32_t j = (i + 1) % 4;
-    quadrangle(i, j, j + 8, i + 8);                  // outer wall
-    quadrangle(4 + j, 4 + i, 12 + i, 12 + j);        // inner wall
-    quadrangle(8 + i, 8 + j, 12 + j, 12 + i);        // top
-    quadrangle(j, i, 4 + i, 4 + j);                  // bottom
+    quadrangle(i, j, j + 8, i + 8);            // outer wall
+    quadrangle(4 + j, 4 + i, 12 + i, 12 + j);  // inner wall
+    quadrangle(8 + i, 8 + j, 12 + j, 12 + i);  // top
+    quadrangle(j, i, 4 + i, 4 + j);            // bottom
   }
   return mesh;
 }
@@ -144,11 +144,13 @@ TEST_CASE("a hole through a box gives facets with clockwise loops", "[mesh]") {
 TEST_CASE("solids that share a face are equal to their union: the wall between them cancels", "[mesh]") {
   const CanonicalForm expected = form(box({0, 0, 0}, {2, 1, 1}));
   CHECK(form(joined(box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1}))) == expected);
-  CHECK(form(joined(gridded_box({0, 0, 0}, {1, 1, 1}, 3, true), gridded_box({1, 0, 0}, {2, 1, 1}, 4, true))) == expected);
+  CHECK(form(joined(gridded_box({0, 0, 0}, {1, 1, 1}, 3, true), gridded_box({1, 0, 0}, {2, 1, 1}, 4, true))) ==
+        expected);
 }
 
 TEST_CASE("a solid and its reverse cancel altogether", "[mesh]") {
-  const CanonicalForm nothing = form(joined(gridded_box({0, 0, 0}, {5, 5, 5}, 3, true), flipped(box({0, 0, 0}, {5, 5, 5}))));
+  const CanonicalForm nothing =
+      form(joined(gridded_box({0, 0, 0}, {5, 5, 5}, 3, true), flipped(box({0, 0, 0}, {5, 5, 5}))));
   CHECK(nothing == CanonicalForm{});
   CHECK(nothing.facet_count() == 0);
   CHECK(nothing == form({}));
@@ -165,7 +167,8 @@ TEST_CASE("a small box on a large one leaves a hole in the large one's lid", "[m
 
 TEST_CASE("prisms that touch crosswise leave facets cut at the exact crossings", "[mesh]") {
   const auto square = prism({{0, 0}, {3, 0}, {3, 3}, {0, 3}}, 0, 1);
-  const auto turned = prism({{Rational(3, 2), -1}, {4, Rational(3, 2)}, {Rational(3, 2), 4}, {-1, Rational(3, 2)}}, 1, 2);
+  const auto turned =
+      prism({{Rational(3, 2), -1}, {4, Rational(3, 2)}, {Rational(3, 2), 4}, {-1, Rational(3, 2)}}, 1, 2);
   const CanonicalForm both = canonical_form(concatenated(square, turned));
   CHECK(both.facet_count() == 1 + 1 + 4 + 4 + 4 + 4);
   CHECK(both.vertices.size() == 16 + 8);
@@ -182,7 +185,8 @@ TEST_CASE("facets that touch at a vertex only are two facets", "[mesh]") {
   }
 }
 
-TEST_CASE("a hole that touches the outline belongs to the outer loop, whether or not the outline is cut there", "[mesh]") {
+TEST_CASE("a hole that touches the outline belongs to the outer loop, whether or not the outline is cut there",
+          "[mesh]") {
   const ExactFacet bottom{{point(0, 0, 0), point(0, 4, 0), point(4, 4, 0), point(4, 0, 0)},
                           {point(2, 0, 0), point(3, 2, 0), point(1, 2, 0)}};
   ExactFacet cut = bottom;
@@ -205,7 +209,9 @@ TEST_CASE("holes that touch one another at a vertex are no facets", "[mesh]") {
 }
 
 TEST_CASE("an island in a hole is a facet of its own", "[mesh]") {
-  const auto frame = [](int r) { return std::vector<std::pair<Rational, Rational>>{{-r, -r}, {r, -r}, {r, r}, {-r, r}}; };
+  const auto frame = [](int r) {
+    return std::vector<std::pair<Rational, Rational>>{{-r, -r}, {r, -r}, {r, r}, {-r, r}};
+  };
   auto facets = concatenated(prism(frame(3), 0, 1), prism(frame(1), 0, 1));
   for (ExactFacet facet : prism(frame(2), 0, 1)) {
     for (auto& loop : facet) std::reverse(loop.begin(), loop.end());
@@ -215,11 +221,13 @@ TEST_CASE("an island in a hole is a facet of its own", "[mesh]") {
 }
 
 TEST_CASE("coordinates in thirds are as good as doubles", "[mesh]") {
-  const auto cube = prism({{0, 0}, {Rational(1, 3), 0}, {Rational(1, 3), Rational(2, 3)}, {0, Rational(2, 3)}}, 0, Rational(1, 3));
+  const auto cube =
+      prism({{0, 0}, {Rational(1, 3), 0}, {Rational(1, 3), Rational(2, 3)}, {0, Rational(2, 3)}}, 0, Rational(1, 3));
   const CanonicalForm expected = canonical_form(cube);
   ExactMesh mesh{box({0, 0, 0}, {1.0 / 3, 2.0 / 3, 1.0 / 3}), {}};
   for (std::uint32_t v = 1; v < 8; ++v) {
-    mesh.exact.push_back({v, point(Rational(v & 1 ? 1 : 0, 3), Rational(v & 2 ? 2 : 0, 3), Rational(v & 4 ? 1 : 0, 3))});
+    mesh.exact.push_back(
+        {v, point(Rational(v & 1 ? 1 : 0, 3), Rational(v & 2 ? 2 : 0, 3), Rational(v & 4 ? 1 : 0, 3))});
   }
   CHECK(canonical_form(mesh) == expected);
   CHECK(expected.planes.back().plane.coefficients == std::array<Integer, 4>{3, 0, 0, 1});

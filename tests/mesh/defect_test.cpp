@@ -5,7 +5,8 @@
 using namespace strata;
 
 TEST_CASE("a defect is described in one line with coordinates, faces and remedy", "[mesh]") {
-  Defect defect{DefectKind::open_edge, Severity::error, Vertex{0.5, 0, -1}, {3, 7}, 12, "12 edges have no partner", "close the hole"};
+  Defect defect{DefectKind::open_edge,      Severity::error, Vertex{0.5, 0, -1}, {3, 7}, 12,
+                "12 edges have no partner", "close the hole"};
   CHECK(describe(defect) == "open edge: 12 edges have no partner at (0.5, 0, -1), faces 3, 7; close the hole");
   CHECK(describe(Defect{}) == "empty mesh");
 }

@@ -221,12 +221,12 @@ TEST_CASE("a soup is welded, oriented and cleaned, with notes", "[mesh]") {
   Mesh soup = shattered(cube());
   for (const std::size_t i : {1U, 4U, 5U, 10U}) std::swap(soup.triangles[i][0], soup.triangles[i][2]);
   soup.vertices.push_back({std::numeric_limits<double>::infinity(), 0, 0});
-  soup.triangles.push_back({0, 1, 36});                // not finite
-  soup.triangles.push_back({0, 1, 1000});              // out of range
-  soup.triangles.push_back({0, 0, 5});                 // degenerate
-  soup.triangles.push_back(soup.triangles[2]);         // duplicate
+  soup.triangles.push_back({0, 1, 36});         // not finite
+  soup.triangles.push_back({0, 1, 1000});       // out of range
+  soup.triangles.push_back({0, 0, 5});          // degenerate
+  soup.triangles.push_back(soup.triangles[2]);  // duplicate
   soup.vertices.insert(soup.vertices.end(), {{9, 9, 9}, {10, 9, 9}, {11, 9, 9}});
-  soup.triangles.push_back({37, 38, 39});              // zero area, loose
+  soup.triangles.push_back({37, 38, 39});  // zero area, loose
   const Prepared prepared = prepare_soup(soup);
   check_clean(prepared, cube());
   CHECK(count_of(prepared.notes, DefectKind::non_finite_coordinate) == 1);

@@ -82,7 +82,8 @@ bool operator==(const CanonicalForm& a, const CanonicalForm& b) {
   const auto same = [](const CanonicalFacets& f, const CanonicalFacets& g) {
     return f.plane == g.plane && f.loops == g.loops;
   };
-  return a.vertices == b.vertices && std::equal(a.planes.begin(), a.planes.end(), b.planes.begin(), b.planes.end(), same);
+  return a.vertices == b.vertices &&
+         std::equal(a.planes.begin(), a.planes.end(), b.planes.begin(), b.planes.end(), same);
 }
 
 }  // namespace strata

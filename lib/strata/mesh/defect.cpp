@@ -24,23 +24,34 @@ std::string summary(const std::vector<Defect>& defects, std::size_t operand) {
 
 std::string_view name(DefectKind kind) {
   switch (kind) {
-    case DefectKind::non_finite_coordinate: return "non-finite coordinate";
-    case DefectKind::index_out_of_range: return "index out of range";
-    case DefectKind::degenerate_triangle: return "degenerate triangle";
-    case DefectKind::duplicate_face: return "duplicate face";
-    case DefectKind::open_edge: return "open edge";
-    case DefectKind::inconsistent_orientation: return "inconsistent orientation";
-    case DefectKind::self_intersection: return "self-intersection";
-    case DefectKind::inside_out: return "inside-out";
-    case DefectKind::empty_mesh: return "empty mesh";
+    case DefectKind::non_finite_coordinate:
+      return "non-finite coordinate";
+    case DefectKind::index_out_of_range:
+      return "index out of range";
+    case DefectKind::degenerate_triangle:
+      return "degenerate triangle";
+    case DefectKind::duplicate_face:
+      return "duplicate face";
+    case DefectKind::open_edge:
+      return "open edge";
+    case DefectKind::inconsistent_orientation:
+      return "inconsistent orientation";
+    case DefectKind::self_intersection:
+      return "self-intersection";
+    case DefectKind::inside_out:
+      return "inside-out";
+    case DefectKind::empty_mesh:
+      return "empty mesh";
   }
   return "unknown defect";
 }
 
 std::string_view name(Severity severity) {
   switch (severity) {
-    case Severity::note: return "note";
-    case Severity::error: return "error";
+    case Severity::note:
+      return "note";
+    case Severity::error:
+      return "error";
   }
   return "unknown severity";
 }

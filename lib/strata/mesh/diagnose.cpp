@@ -15,7 +15,8 @@ std::string number(std::uint64_t n) { return std::to_string(n); }
 /// A point of a triangle.
 Vertex centre(MeshView mesh, const Triangle& t) {
   Vertex p;
-  for (int i = 0; i < 3; ++i) p[i] = mesh.vertices[t[0]][i] / 3 + mesh.vertices[t[1]][i] / 3 + mesh.vertices[t[2]][i] / 3;
+  for (int i = 0; i < 3; ++i)
+    p[i] = mesh.vertices[t[0]][i] / 3 + mesh.vertices[t[1]][i] / 3 + mesh.vertices[t[2]][i] / 3;
   return p;
 }
 
@@ -47,7 +48,8 @@ Triangle rotated(Triangle t) {
 }
 
 void find_duplicates(const SoundMesh& mesh, std::vector<Defect>& defects) {
-  DefectList list(DefectKind::duplicate_face, Severity::error, "remove all but one of these faces (input class repair does)");
+  DefectList list(DefectKind::duplicate_face, Severity::error,
+                  "remove all but one of these faces (input class repair does)");
   const auto& triangles = mesh.faces.triangles;
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {

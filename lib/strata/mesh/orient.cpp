@@ -55,7 +55,8 @@ std::vector<bool> closed_sheets(const std::vector<EdgeUse>& table, const std::ve
   std::vector<std::pair<std::uint32_t, int>> net;  // sheet, direction
   for_each_edge(table, [&](std::span<const EdgeUse> uses) {
     net.clear();
-    for (const EdgeUse& use : uses) net.emplace_back(sheet_of[use.triangle], use.forward != reverse[use.triangle] ? 1 : -1);
+    for (const EdgeUse& use : uses)
+      net.emplace_back(sheet_of[use.triangle], use.forward != reverse[use.triangle] ? 1 : -1);
     std::sort(net.begin(), net.end());
     for (std::size_t i = 0; i < net.size();) {
       const std::uint32_t sheet = net[i].first;

@@ -58,8 +58,9 @@ Shell make_shell(std::span<const Vertex> vertices, const std::vector<Triangle>& 
     shell.vertices.insert(shell.vertices.end(), triangles[t].begin(), triangles[t].end());
   }
   auto& list = shell.vertices;
-  std::sort(list.begin(), list.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return std::pair(vertices[a][2], a) < std::pair(vertices[b][2], b); });
+  std::sort(list.begin(), list.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(vertices[a][2], a) < std::pair(vertices[b][2], b);
+  });
   list.erase(std::unique(list.begin(), list.end()), list.end());
   shell.lower = shell.upper = vertices[list.front()];
   for (const std::uint32_t v : list) {

@@ -19,7 +19,8 @@ struct HashCoefficients {
   }
 };
 
-/// A plane in coprime integers, the first coefficient that is not zero positive; `flipped` if that took a change of sign.
+/// A plane in coprime integers, the first coefficient that is not zero positive; `flipped` if that took a change of
+/// sign.
 struct Unoriented {
   Coefficients plane;
   bool flipped;

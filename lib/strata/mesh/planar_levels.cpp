@@ -38,7 +38,8 @@ std::vector<std::int64_t> coverage_below(const PointTable& points, Projection ax
   auto ending = by_end.begin();
   for (std::size_t begin = 0, end = 0; begin < chain.size(); begin = end) {
     const std::uint32_t p = chain[begin].low;
-    for (; ending != by_end.end() && points.compare(chain[*ending].high, p) <= 0; ++ending) status.erase(place[*ending]);
+    for (; ending != by_end.end() && points.compare(chain[*ending].high, p) <= 0; ++ending)
+      status.erase(place[*ending]);
     for (; end < chain.size() && chain[end].low == p; ++end) place[end] = status.insert(end).first;
     auto lowest = place[begin];
     while (lowest != status.begin() && chain[*std::prev(lowest)].low == p) --lowest;

@@ -39,9 +39,8 @@ Integer scaled_integer(double x, int unit) {  // x / 2^unit, where that is an in
 std::vector<std::uint32_t> coordinate_ranks(const std::vector<HomogeneousPoint>& points, int axis) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return compare_coordinate(points[a], points[b], axis) < 0;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return compare_coordinate(points[a], points[b], axis) < 0; });
   std::vector<std::uint32_t> ranks(points.size(), 0);
   for (std::size_t i = 1; i < order.size(); ++i) {
     const bool larger = compare_coordinate(points[order[i - 1]], points[order[i]], axis) < 0;
@@ -71,8 +70,8 @@ std::vector<HomogeneousPoint> homogeneous(std::span<const Vertex> vertices) {
   std::vector<HomogeneousPoint> points;
   points.reserve(vertices.size());
   for (const Vertex& v : vertices) {
-    points.push_back({{scaled_integer(v[0], unit), scaled_integer(v[1], unit), scaled_integer(v[2], unit)},
-                      Integer(1) << -unit});
+    points.push_back(
+        {{scaled_integer(v[0], unit), scaled_integer(v[1], unit), scaled_integer(v[2], unit)}, Integer(1) << -unit});
   }
   return points;
 }
@@ -80,9 +79,8 @@ std::vector<HomogeneousPoint> homogeneous(std::span<const Vertex> vertices) {
 PointTable::PointTable(std::vector<HomogeneousPoint> points, std::vector<std::uint32_t>& name_of) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return compare_points(points[a], points[b]) < 0;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return compare_points(points[a], points[b]) < 0; });
   name_of.assign(points.size(), 0);
   for (const std::uint32_t i : order) {
     if (points_.empty() || compare_points(points_.back(), points[i]) != 0) points_.push_back(std::move(points[i]));

@@ -52,7 +52,8 @@ void drop_duplicates(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>
     return s != t ? s < t : a < b;
   });
   std::vector<bool> keep(triangles.size(), true);
-  DefectList list(DefectKind::duplicate_face, Severity::note, "equal faces were reduced to one, opposite pairs to none");
+  DefectList list(DefectKind::duplicate_face, Severity::note,
+                  "equal faces were reduced to one, opposite pairs to none");
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     std::int64_t net = 0;
     for (; end < order.size() && sorted(triangles[order[end]]) == sorted(triangles[order[begin]]); ++end) {
@@ -98,7 +99,8 @@ void drop_loose_flat_sheets(MeshView mesh, SourcedTriangles& faces, std::vector<
   list.append_to(notes);
 }
 
-void add_note(std::vector<Defect>& notes, DefectKind kind, std::uint64_t count, std::string message, std::string remedy) {
+void add_note(std::vector<Defect>& notes, DefectKind kind, std::uint64_t count, std::string message,
+              std::string remedy) {
   if (count == 0) return;
   Defect note;
   note.kind = kind;

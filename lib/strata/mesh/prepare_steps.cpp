@@ -34,15 +34,15 @@ SourcedTriangles sound_faces(MeshView mesh, Severity severity, std::vector<Defec
     const auto outside = std::find_if(t.begin(), t.end(), [&](std::uint32_t v) { return v >= mesh.vertices.size(); });
     if (outside != t.end()) {
       out_of_range.add({}, {f}, [&] {
-        return "face " + number(f) + " names vertex " + number(*outside) + ", the mesh has " + number(mesh.vertices.size());
+        return "face " + number(f) + " names vertex " + number(*outside) + ", the mesh has " +
+               number(mesh.vertices.size());
       });
       continue;
     }
     const auto bad = std::find_if(t.begin(), t.end(), [&](std::uint32_t v) { return !is_finite(mesh.vertices[v]); });
     if (bad != t.end()) {
-      non_finite.add(mesh.vertices[*bad], {f}, [&] {
-        return "vertex " + number(*bad) + " has a coordinate that is no finite number";
-      });
+      non_finite.add(mesh.vertices[*bad], {f},
+                     [&] { return "vertex " + number(*bad) + " has a coordinate that is no finite number"; });
       continue;
     }
     sound.add(t, f);
@@ -65,7 +65,8 @@ Defect weld_note(std::uint64_t welded) {
   note.kind = DefectKind::open_edge;
   note.severity = Severity::note;
   note.count = welded;
-  note.message = std::to_string(welded) + " vertices repeat the coordinates of others; the mesh is closed once they are one";
+  note.message =
+      std::to_string(welded) + " vertices repeat the coordinates of others; the mesh is closed once they are one";
   note.remedy = "nothing to do: they were taken as one";
   return note;
 }
@@ -77,7 +78,8 @@ Defect removal_note(MeshView mesh, const Removal& removal) {
   note.count = removal.removed.size();
   const std::uint32_t first = removal.removed.front();
   note.where = mesh.vertices[mesh.triangles[first][0]];
-  note.faces.assign(removal.removed.begin(), removal.removed.begin() + std::min<std::ptrdiff_t>(5, removal.removed.size()));
+  note.faces.assign(removal.removed.begin(),
+                    removal.removed.begin() + std::min<std::ptrdiff_t>(5, removal.removed.size()));
   note.message = std::to_string(removal.removed.size()) + " triangles of zero area were removed, " +
                  std::to_string(removal.divided) + " neighbours divided";
   note.remedy = "nothing to do: the surface is the same";
@@ -96,8 +98,8 @@ void find_open_edges(std::span<const Vertex> vertices, const SourcedTriangles& f
     const auto message = [&] {
       const auto forward = static_cast<std::int64_t>(uses.size() + net) / 2;
       return "edge between vertices " + number(uses[0].low) + " and " + number(uses[0].high) + " has " +
-             number(forward) + (forward == 1 ? " face" : " faces") + " along it and " +
-             number(uses.size() - forward) + " against";
+             number(forward) + (forward == 1 ? " face" : " faces") + " along it and " + number(uses.size() - forward) +
+             " against";
     };
     DefectList& list = uses.size() % 2 == 0 ? turned : open;
     list.add(middle(vertices[uses[0].low], vertices[uses[0].high]), std::move(around), message);

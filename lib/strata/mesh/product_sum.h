@@ -14,7 +14,7 @@ class ProductSum {
  public:
   void add(double a, double b, double c);                                   ///< adds a b c. O(1).
   void add_determinant(const Vertex& a, const Vertex& b, const Vertex& c);  ///< adds det(a, b, c). O(1).
-  [[nodiscard]] int sign() const;               ///< -1, 0 or 1
+  [[nodiscard]] int sign() const;                                           ///< -1, 0 or 1
   [[nodiscard]] Rational value() const;
 
  private:

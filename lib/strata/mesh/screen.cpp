@@ -103,9 +103,9 @@ inline std::int64_t boundary_number(const Triangle& t) {
 
 /// What a run of triangles adds up to.
 struct Tally {
-  Wide chain = 0;         ///< sum of edge numbers
-  double volume = 0;      ///< sum of det(a-o, b-o, c-o), rounded
-  double size = 0;        ///< sum of |b-a| |c-a| in the maximum norm: the scale of rounding errors
+  Wide chain = 0;     ///< sum of edge numbers
+  double volume = 0;  ///< sum of det(a-o, b-o, c-o), rounded
+  double size = 0;    ///< sum of |b-a| |c-a| in the maximum norm: the scale of rounding errors
   bool indices_valid = true;
   bool degenerate = false;
 };
@@ -136,9 +136,10 @@ Tally tally_of(MeshView mesh, std::size_t first, std::size_t last, const Vertex&
 
 /// Sign of the sum of det(a, b, c) of a closed chain.
 ///
-/// With U, V, e and n as in zero_area.h, det(a-o, b-o, c-o) = (a-o) . n sums to the same for every o. With R >= |a-o| in every component, each term has an
-/// error below 3 R (8.01 e U V) + 3 R (2 U V)(4e) + underflow <= 49 e R U V + (R+1) 2^-1070, and is at most 7 R U V in size.
-/// Adding up m terms in a row and then k partial sums costs at most (m + k) e times the sum of sizes.
+/// With U, V, e and n as in zero_area.h, det(a-o, b-o, c-o) = (a-o) . n sums to the same for every o. With R >= |a-o|
+/// in every component, each term has an error below 3 R (8.01 e U V) + 3 R (2 U V)(4e) + underflow <= 49 e R U V +
+/// (R+1) 2^-1070, and is at most 7 R U V in size. Adding up m terms in a row and then k partial sums costs at most (m +
+/// k) e times the sum of sizes.
 int orientation(MeshView mesh, const Tally& total, const Extent& box, const Vertex& o, const Chunks& chunks) {
   double radius = 0;
   for (int i = 0; i < 3; ++i) radius = std::max(radius, std::max(box.upper[i] - o[i], o[i] - box.lower[i]));
@@ -161,9 +162,8 @@ bool used_vertices_finite(MeshView mesh) {
 }
 
 bool indices_in_range(MeshView mesh) {
-  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [n = mesh.vertices.size()](const Triangle& t) {
-    return t[0] < n && t[1] < n && t[2] < n;
-  });
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
+                     [n = mesh.vertices.size()](const Triangle& t) { return t[0] < n && t[1] < n && t[2] < n; });
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace strata {
 /// The normal (b-a) x (c-a) in doubles, and whether it is certain not to vanish.
 struct FilteredNormal {
   Vertex normal;
-  double scale;    ///< |b-a| |c-a| in the maximum norm
-  bool certain;    ///< the exact normal is not zero
+  double scale;  ///< |b-a| |c-a| in the maximum norm
+  bool certain;  ///< the exact normal is not zero
 };
 
 /// Let e = 2^-53, u = b-a, v = c-a, U and V their largest components as rounded, n = u x v. A difference has relative
