@@ -21,7 +21,7 @@ void check_nearest(double found, const Rational& x) {
   }
 }
 
-void check_bounds(const Bounded& bound, const Rational& x) {
+void check_bounds(const Bounded& bound, const Rational& x, double size) {
   const double nearest = to_nearest_double(x);
   REQUIRE(std::isfinite(bound.value) == std::isfinite(nearest));
   if (!std::isfinite(nearest)) {
@@ -29,7 +29,7 @@ void check_bounds(const Bounded& bound, const Rational& x) {
     return;
   }
   REQUIRE(abs(Rational(x - to_rational(bound.value))) <= to_rational(bound.error) * to_rational(Bounded::slack));
-  REQUIRE(bound.error <= std::max(std::abs(bound.value) * 0x1p-24, 0x1p-900));
+  REQUIRE(bound.error <= size * 0x1p-49);
   if (std::isfinite(bound.lower())) REQUIRE(to_rational(bound.lower()) <= x);
   if (std::isfinite(bound.upper())) REQUIRE(x <= to_rational(bound.upper()));
 }
@@ -38,8 +38,10 @@ void check_point(const Carriers& carriers, const Known& known) {
   CAPTURE(static_cast<int>(known.point.name.kind), known.point.name.id);
   REQUIRE(exact_position(carriers, known.point) == known.place);
   const auto nearest = nearest_doubles(carriers, known.point);
+  double size = 0x1p-900;
+  for (const Bounded& x : known.point.at) size = std::max(size, std::abs(x.value));
   for (std::size_t i = 0; i < 3; ++i) {
-    check_bounds(known.point.at[i], known.place[i]);
+    check_bounds(known.point.at[i], known.place[i], size);
     check_nearest(nearest[i], known.place[i]);
   }
 }
@@ -119,7 +121,7 @@ TEST_CASE("nearly parallel carriers still give a bound of a few ulps", "[kernel]
   const double up = std::nextafter(1.0, 2.0);
   const Given given({{0, 0, 1}, {1, 0, up}, {0, 0, 1}, {3, 0, 1}, {0, 1, 1}, {7, 7, 1}}, {{3, 4, 5}});
   const Point p = make_point(given.carriers, PointName::edge_face(0, 1, 0));
-  for (const Bounded& x : p.at) CHECK(x.error <= std::max(std::abs(x.value) * 0x1p-24, 0x1p-900));
+  for (const Bounded& x : p.at) CHECK(x.error <= 0x1p-49);
   CHECK(exact_position(given.carriers, p) == RationalPoint{0, 0, 1});
 }
 

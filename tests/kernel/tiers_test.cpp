@@ -37,7 +37,7 @@ struct Given {
 /// Four vertices in the plane x + y + z = 0, on a lattice of b + 1 bits.
 Given coplanar(int b) {
   const double m = std::ldexp(1.0, b);
-  return Given({{0, m, -m}, {m, -m, 0}, {-m, 0, m}, {1, -1, 0}});
+  return Given({{0, m, -m}, {m, -m, 0}, {-m, 0, m}, {2, -1, -1}});
 }
 
 }  // namespace
@@ -48,10 +48,21 @@ TEST_CASE("four vertices in general position are the filter's", "[kernel]") {
   check_tier(Tier::filter, Sign::negative, [&] { return orient3d(g.carriers, 1U, 0U, 2U, 3U); });
 }
 
-TEST_CASE("a vertex that occurs twice is decided by its name", "[kernel]") {
-  const Given g({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-  check_tier(Tier::names, Sign::zero, [&] { return orient3d(g.carriers, 0U, 1U, 2U, 1U); });
-  check_tier(Tier::names, Sign::zero, [&] { return orient3d(g.carriers, 0U, 0U, 1U, 2U); });
+TEST_CASE("a vertex that occurs twice, and planes across an axis, need no integers", "[kernel]") {
+  const Given g({{0, 0, 7}, {1, 0, 7}, {0, 1, 7}, {5, 5, 7}});
+  check_tier(Tier::filter, Sign::zero, [&] { return orient3d(g.carriers, 0U, 1U, 2U, 1U); });
+  check_tier(Tier::filter, Sign::zero, [&] { return orient3d(g.carriers, 0U, 1U, 2U, 3U); });
+  const Given tilted({{0, 0, 7}, {1, 0, 8}, {0, 1, 9}});
+  check_tier(Tier::names, Sign::zero, [&] { return orient3d(tilted.carriers, 0U, 1U, 1U, 2U); });
+}
+
+// Both differences from the first vertex round to the same double. Catches: equal differences taken for equal points.
+TEST_CASE("points whose differences from a third round alike are told apart", "[kernel]") {
+  const double up = std::nextafter(1.0, 2.0);
+  const Given g({{-4, -4, 0}, {1, 1, 0}, {1, up, 0}, {-1.7e308, -1e308, 0}, {1.7e308, 1e308, 0}, {1.6e308, 1.1e308, 0}},
+                {{0, 1, 2}, {3, 4, 5}});
+  check_tier(Tier::bits_128, Sign::positive, [&] { return normal_component(g.carriers, 0, 2); });
+  CHECK(normal_component(g.carriers, 1, 2) == Sign::positive);
 }
 
 // 3 b' + 8 bits on a lattice of b' = b + 1 bits. Catches: a tier taken too early, or one that is never taken.
@@ -109,7 +120,7 @@ TEST_CASE("four planes through one point meet in it under every name", "[kernel]
 
 TEST_CASE("1e-300 beside 1e300 needs unbounded integers", "[kernel]") {
   const Given g({{1e-300, 0, 0}, {0, 1e-300, 0}, {1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}});
-  const Given flat({{1e-300, 0, 1}, {0, 1e-300, 1}, {1e300, 1e300, 1}, {-1e300, -1e300, 1}});
+  const Given flat({{1e-300, 0, 1e-300}, {0, 1e-300, 0}, {1e300, 1e300, 1e300}, {-1e300, 2e300, -1e300}});
   check_tier(Tier::unbounded, Sign::zero, [&] { return orient3d(flat.carriers, 0U, 1U, 2U, 3U); });
   CHECK(orient3d(g.carriers, 0U, 1U, 2U, 3U) == -orient3d(g.carriers, 1U, 0U, 2U, 3U));
   CHECK(orient3d(g.carriers, 0U, 1U, 2U, 3U) != Sign::zero);
@@ -118,7 +129,7 @@ TEST_CASE("1e-300 beside 1e300 needs unbounded integers", "[kernel]") {
 TEST_CASE("subnormals and huge numbers alone need few bits", "[kernel]") {
   for (const double unit : {std::numeric_limits<double>::denorm_min(), 1.0, 0x1p1021}) {
     CAPTURE(unit);
-    const Given g({{unit, 0, unit}, {0, unit, unit}, {-unit, 0, unit}, {0, -unit, unit}, {0, 0, -2 * unit}});
+    const Given g({{unit, 0, unit}, {0, unit, 0}, {-unit, 0, -unit}, {2 * unit, -unit, 2 * unit}, {0, 0, -2 * unit}});
     check_tier(Tier::bits_128, Sign::zero, [&] { return orient3d(g.carriers, 0U, 1U, 2U, 3U); });
     CHECK(orient3d(g.carriers, 0U, 1U, 2U, 4U) == Sign::negative);
   }

@@ -36,19 +36,22 @@ struct Twofold {
     return {r.high, r.low, carried + std::abs(r.high) * rounding + Bounded::underflow};
   }
   /// Requires that b is certainly not zero; otherwise the error is infinite or NaN.
+  /// What the remainder loses to underflow is divided by b: it counts like an error of a.
   friend Twofold operator/(const Twofold& a, const Twofold& b) {
     const double first = a.value / b.value;
     const Twofold rest = a.without_error() - b.without_error() * Twofold(first);
     const Pair q = quick_sum(first, (rest.value + rest.low) / b.value);
     const double distance = std::abs(b.value) * (1 - 0x1p-50) - b.error * Bounded::slack;
     if (!(distance > 0)) return {q.high, q.low, HUGE_VAL};
-    const double carried = a.error / distance + std::abs(q.high) * (1 + 0x1p-50) * (b.error / distance);
+    const double carried = (a.error + Bounded::underflow) / distance + std::abs(q.high) * (1 + 0x1p-50) * (b.error / distance);
     return {q.high, q.low, carried * Bounded::slack + std::abs(q.high) * rounding + Bounded::underflow};
   }
   Twofold operator-() const { return {-value, -low, error}; }
 
-  /// As a double with a bound.
-  [[nodiscard]] Bounded bounded() const { return {value, (std::abs(low) + error) * Bounded::slack}; }
+  /// As a double with a bound, which leaves room for the rounding of `lower()` and `upper()` as every Bounded does.
+  [[nodiscard]] Bounded bounded() const {
+    return {value, (std::abs(low) + error) * Bounded::slack + std::abs(value) * Bounded::rounding};
+  }
 
   /// True when every number within the bound rounds to `value`.
   [[nodiscard]] bool rounds_to_value() const {

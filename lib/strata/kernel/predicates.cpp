@@ -70,7 +70,7 @@ std::optional<Sign> filtered_turn(const Point& p, const Point& q, const Point& r
   if (value > bound) return Sign::positive;
   if (-value > bound) return Sign::negative;
   if ((qu == 0 || rv == 0) && (qv == 0 || ru == 0)) return Sign::zero;
-  if (qu == ru && qv == rv) return Sign::zero;
+  if (q.at[u].value == r.at[u].value && q.at[v].value == r.at[v].value) return Sign::zero;
   return std::nullopt;
 }
 
