@@ -45,13 +45,16 @@ struct Bounds {
   }
 };
 
-/// Bounds of the points of an operand. A rational point counts by its nearest doubles: rounding is monotone too, so the
-/// grid's argument holds for the composition.
-Bounds bounds_of(std::span<const Carriers::Coordinates> points) {
+/// Bounds of the vertices that faces use. A rational vertex counts by its nearest doubles: rounding is monotone too, so
+/// the grid's argument holds for the composition.
+Bounds bounds_of(const Carriers& carriers, std::uint32_t operand) {
+  const auto points = carriers.points(operand);
+  const auto faces = carriers.faces(operand);
   return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, points.size(), 1 << 16), Bounds{},
+      tbb::blocked_range<std::size_t>(0, faces.size(), 1 << 14), Bounds{},
       [&](const auto& range, Bounds b) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) b.add(points[i]);
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+          for (const std::uint32_t v : faces[i]) b.add(points[v]);
         return b;
       },
       [](Bounds a, const Bounds& b) {
@@ -63,7 +66,7 @@ Bounds bounds_of(std::span<const Carriers::Coordinates> points) {
 Bounds bounds_of(const Carriers& carriers) {
   Bounds all;
   for (std::uint32_t o = 0; o < carriers.operand_count(); ++o)
-    if (!carriers.points(o).empty()) all.add(bounds_of(carriers.points(o)));
+    if (carriers.face_count(o) != 0) all.add(bounds_of(carriers, o));
   if (!(all.lower[0] <= all.upper[0])) all.lower = all.upper = {0, 0, 0};
   return all;
 }
@@ -272,16 +275,12 @@ class Grower {
   const CellOptions& options_;
 };
 
-Grid grid_over(const Carriers& carriers) {
-  const Bounds b = bounds_of(carriers);
-  return {b.lower, b.upper};
-}
-
 }  // namespace
 
-CellTree::CellTree(const Carriers& carriers, const CellOptions& options) : grid_(grid_over(carriers)) {
+CellTree::CellTree(const Carriers& carriers, const CellOptions& options) {
   Branch root;
   const Bounds bounds = bounds_of(carriers);
+  grid_ = Grid(bounds.lower, bounds.upper);
   root.cell.box.lower.fill(0);
   root.cell.box.upper.fill(Grid::extent + 1);
   // Just outside: in the sense of walk.h an origin on the upper x side of everything is beyond it. A rational point may

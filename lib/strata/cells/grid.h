@@ -25,6 +25,7 @@ class Grid {
  public:
   static constexpr std::int32_t extent = 1 << 30;
 
+  Grid() = default;
   /// A grid that resolves the box [lower, upper] into `extent` steps along its longest side.
   Grid(const Carriers::Coordinates& lower, const Carriers::Coordinates& upper);
 

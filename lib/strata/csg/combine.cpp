@@ -70,10 +70,11 @@ void ensure_closed(const Mesh& result, std::span<const Operand> given, const Opt
 BooleanResult combine_here(Operation operation, std::span<const Operand> given, const Options& options) {
   BooleanResult result;
   Stopwatch watch(result.profile);
-  const Monitor monitor(options.cancel);
+  const Monitor monitor(options.cancel, &options.progress);
   monitor.check();
   const Operands operands(given, options.input, result.notes);
   watch.lap("prepare");
+  monitor.report(0.05);
   const Carriers& carriers = operands.carriers();
   const Rule rule(operation, carriers.operand_count());
   const bool self = options.input != InputClass::solid;
@@ -90,6 +91,7 @@ BooleanResult combine_here(Operation operation, std::span<const Operand> given, 
     result.exact = exact_places(carriers, boundary.vertices, result.mesh.vertices, monitor);
     output.lap("exact");
   }
+  monitor.report(1);
   return result;
 }
 

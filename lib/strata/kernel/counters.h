@@ -6,8 +6,8 @@
 namespace strata {
 
 /// The tier that made a decision.
-enum class Tier { filter, names, bits_128, bits_256, bits_512, bits_1024, unbounded };
-inline constexpr int tier_count = 7;
+enum class Tier { filter, names, twofold, bits_128, bits_256, bits_512, bits_1024, unbounded };
+inline constexpr int tier_count = 8;
 
 #ifdef STRATA_COUNTERS
 /// Decisions per tier, over the whole process: for benchmarks and tests only (build option STRATA_COUNTERS).

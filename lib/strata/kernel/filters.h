@@ -28,14 +28,15 @@ template <class Real>
 }
 
 /// ((q - p) x (r - p)) . (s - p)
-[[nodiscard]] inline Bounded bounded_orient3d(const BoundedPoint& p, const BoundedPoint& q, const BoundedPoint& r,
-                                              const BoundedPoint& s) {
-  return dot(cross(q - p, r - p), s - p);
+template <class Real>
+[[nodiscard]] Real orient3d_of(const RealPoint<Real>& p, const RealPoint<Real>& q, const RealPoint<Real>& r,
+                               const RealPoint<Real>& s) {
+  return dot<Real>(cross<Real>(q - p, r - p), s - p);
 }
 
 /// Twice the area of p, q, r seen along two axes.
-[[nodiscard]] inline Bounded bounded_turn(const BoundedPoint& p, const BoundedPoint& q, const BoundedPoint& r, int u,
-                                          int v) {
+template <class Real>
+[[nodiscard]] Real turn_of(const RealPoint<Real>& p, const RealPoint<Real>& q, const RealPoint<Real>& r, int u, int v) {
   const auto i = static_cast<std::size_t>(u), j = static_cast<std::size_t>(v);
   return (q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i]);
 }

@@ -4,6 +4,8 @@
 #include <initializer_list>
 #include <optional>
 
+#include "strata/exact/twofold.h"
+#include "strata/kernel/approximation.h"
 #include "strata/kernel/counters.h"
 #include "strata/kernel/exact_evaluation.h"
 #include "strata/kernel/filters.h"
@@ -34,6 +36,21 @@ std::optional<Sign> filtered(const Bounded& value) {
   const auto s = value.sign();
   if (s) count(Tier::filter);
   return s;
+}
+
+/// Coordinates of a point in doubles in pairs.
+RealPoint<Twofold> finer(const Carriers& carriers, const Point& p) {
+  if (p.name.kind == PointName::Kind::free) return {p.at[0], p.at[1], p.at[2]};
+  return approximate<Twofold>(carriers, p.name);
+}
+
+std::optional<Sign> filtered(const Twofold& value) {
+  const auto s = value.bounded().sign();
+  if (s && *s != Sign::zero) {
+    count(Tier::twofold);
+    return s;
+  }
+  return std::nullopt;
 }
 
 Point input_point(const Carriers& carriers, std::uint32_t v) { return make_point(carriers, PointName::input(v)); }
@@ -79,7 +96,10 @@ bool is_exact(const Point& p) { return p.at[0].error == 0 && p.at[1].error == 0 
 }  // namespace
 
 Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Point& r, const Point& s) {
-  if (const auto sign = filtered(bounded_orient3d(p.at, q.at, r.at, s.at))) return *sign;
+  if (const auto sign = filtered(orient3d_of(p.at, q.at, r.at, s.at))) return *sign;
+  if (const auto sign = filtered(orient3d_of(finer(carriers, p), finer(carriers, q), finer(carriers, r),
+                                             finer(carriers, s))))
+    return *sign;
   const auto width = [&](int b) {
     return width_of_value(width_of_plane(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b)),
                           width_of(s.name, b));
@@ -121,12 +141,13 @@ std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, con
     if (s) count(Tier::filter);
     return s;
   }
-  return filtered(bounded_turn(p.at, q.at, r.at, projection.u, projection.v));
+  return filtered(turn_of(p.at, q.at, r.at, projection.u, projection.v));
 }
 
 Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q, const Point& r) {
   if (const auto sign = filtered_orient2d(projection, p, q, r)) return *sign;
   const auto [u, v] = projection;
+  if (const auto sign = filtered(turn_of(finer(carriers, p), finer(carriers, q), finer(carriers, r), u, v))) return *sign;
   const auto width = [&](int b) {
     return width_of_turn(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b));
   };
@@ -142,6 +163,7 @@ Sign compare(const Carriers& carriers, int axis, const Point& p, const Point& q)
     count(Tier::names);
     return Sign::zero;
   }
+  if (const auto sign = filtered(finer(carriers, p)[i] - finer(carriers, q)[i])) return *sign;
   const auto width = [&](int b) {
     const PointWidth wp = width_of(p.name, b), wq = width_of(q.name, b);
     return std::max(wp.xyz + wq.w, wq.xyz + wp.w) + 1;
