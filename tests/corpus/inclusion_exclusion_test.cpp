@@ -69,6 +69,11 @@ TEST_CASE("volumes of real pairs obey inclusion and exclusion exactly", "[corpus
   check_files(*root, models + "Offset3.obj", models + "Offset4.obj");
   check_files(*root, libigl + "cheburashka.off", libigl + "decimated-knight.off");
   check_files(*root, "meshes/trimesh/models/ballA.off", "meshes/trimesh/models/ballB.off");
+}
+
+TEST_CASE("volumes of printed objects obey inclusion and exclusion exactly", "[corpus][volume][slow]") {
+  const auto root = corpus_or_skip();
+  if (!root) return;
   for (const std::string number : {"16", "84", "667"}) {
     const MeshPair pair = ember_pair(*root, number);
     check_laws("printed objects, case " + number, Solid(pair.a), Solid(pair.b));

@@ -8,6 +8,7 @@
 #include "strata/csg/check.h"
 #include "strata/io/mesh_file.h"
 #include "strata/mesh/defect.h"
+#include "strata/mesh/measure.h"
 
 namespace strata::test {
 namespace {
@@ -52,6 +53,18 @@ bool names(const std::vector<Defect>& defects, std::string_view wanted) {
   return std::any_of(defects.begin(), defects.end(), [&](const Defect& d) { return name(d.kind) == wanted; });
 }
 
+/// Vertices close to each other are no defect. The one file of this kind is inside out besides (its volume is -5, and
+/// the index flags it): that alone is refused, and repair turns it over without merging anything.
+void check_close_vertices(const Reception& reception) {
+  for (const Defect& defect : reception.defects) {
+    CAPTURE(describe(defect));
+    CHECK((defect.severity == Severity::note || defect.kind == DefectKind::inside_out));
+  }
+  const Solid solid(reception.file.mesh, InputClass::repair);
+  CHECK(within(solid.volume(), 5, Rational(1, 1'000'000)));
+  CHECK(solid.volume() == -volume(ExactMesh{reception.file.mesh, {}}));
+}
+
 /// The column `strata` says in words what is right; every wording is known here.
 void check_reception(const std::string& wanted, const Reception& reception) {
   if (wanted == "read error with line (exit 3)") {
@@ -65,8 +78,8 @@ void check_reception(const std::string& wanted, const Reception& reception) {
     const Solid solid(reception.file.mesh);
     CHECK(solid.volume() == 5);
     CHECK(solid.area() == Approx(22).epsilon(1e-12));
-  } else if (wanted.starts_with("accepted")) {
-    CHECK(reception.accepted);
+  } else if (wanted.starts_with("accepted: close is not equal")) {
+    check_close_vertices(reception);
   } else if (wanted.starts_with("refused: ")) {
     CHECK_FALSE(reception.accepted);
     CHECK(names(reception.defects, wanted.substr(9)));
