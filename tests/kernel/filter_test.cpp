@@ -65,6 +65,20 @@ TEST_CASE("the filter of orient3d gives up within its bound and decides beyond",
   CHECK(decided_by_filter(four(-0x1p-49)));
 }
 
+// value = gap, magnitude = 2, so the bound is 6 * 2^-53. Catches: the constant 3 halved (4 > 3).
+TEST_CASE("the filter of orient2d gives up within its bound and decides beyond", "[kernel]") {
+  const auto decided = [](double gap) {
+    const Carriers carriers;
+    const Point p = Point::free({0, 0, 0}), q = Point::free({1, 1 - gap, 0}), r = Point::free({1, 1, 0});
+    CHECK(orient2d(carriers, {0, 1}, p, q, r) == sign_of(gap));
+    return filtered_orient2d({0, 1}, p, q, r).has_value();
+  };
+  CHECK_FALSE(decided(0x1p-51));
+  CHECK_FALSE(decided(-0x1p-51));
+  CHECK(decided(0x1p-50));
+  CHECK(decided(-0x1p-50));
+}
+
 // uy vz = -2^-1100 vanishes; times wx = 2^1000 it is worth -2^-100, far more than the 2^-140 that is left.
 // Catches: an underflow term that is not multiplied by the third factors.
 TEST_CASE("products that vanish count when the third factor is huge", "[kernel]") {
