@@ -136,6 +136,7 @@ void check_tiers(TierTable& table) {
                                 "normal_component", "is_degenerate", "projection_of", "same_orientation"}) {
     CAPTURE(predicate);
     CHECK(table.count(predicate, Tier::filter) > 0);
+    CHECK(table.count(predicate, Tier::twofold) > 0);
     for (const Tier tier : widths) {
       CAPTURE(tier_names[static_cast<std::size_t>(tier)]);
       CHECK(table.count(predicate, tier) > 0);

@@ -29,8 +29,8 @@ class TierProbe {
   Counts before_{};
 };
 
-inline constexpr std::array<const char*, tier_count> tier_names{"filter", "names", "128",      "256",
-                                                                "512",    "1024",  "unbounded"};
+inline constexpr std::array tier_names{"filter", "names", "twofold", "128", "256", "512", "1024", "unbounded"};
+static_assert(tier_names.size() == tier_count);
 
 #ifdef STRATA_COUNTERS
 inline constexpr bool counts_tiers = true;

@@ -61,7 +61,7 @@ TEST_CASE("points whose differences from a third round alike are told apart", "[
   const double up = std::nextafter(1.0, 2.0);
   const Given g({{-4, -4, 0}, {1, 1, 0}, {1, up, 0}, {-1.7e308, -1e308, 0}, {1.7e308, 1e308, 0}, {1.6e308, 1.1e308, 0}},
                 {{0, 1, 2}, {3, 4, 5}});
-  check_tier(Tier::bits_128, Sign::positive, [&] { return normal_component(g.carriers, 0, 2); });
+  check_tier(Tier::twofold, Sign::positive, [&] { return normal_component(g.carriers, 0, 2); });
   CHECK(normal_component(g.carriers, 1, 2) == Sign::positive);
 }
 
