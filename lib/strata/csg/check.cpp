@@ -1,11 +1,11 @@
 #include "strata/csg/check.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 
 #include "strata/cells/cell_tree.h"
+#include "strata/csg/arena.h"
 #include "strata/layers/local_layers.h"
 #include "strata/mesh/defect_list.h"
 #include "strata/mesh/equal_vertices.h"
@@ -91,7 +91,7 @@ class Inspection {
 
 template <class Body>
 auto in_arena(const Options& options, const Body& body) {
-  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads));
+  tbb::task_arena arena = arena_for(options);
   return arena.execute(body);
 }
 

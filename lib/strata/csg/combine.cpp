@@ -1,12 +1,12 @@
 #include "strata/csg/combine.h"
 
-#include <tbb/task_arena.h>
 
 #include <exception>
 #include <utility>
 
 #include "strata/csg/check.h"
 #include "strata/csg/evaluate.h"
+#include "strata/csg/arena.h"
 #include "strata/csg/stopwatch.h"
 #include "strata/mesh/prepare.h"
 #include "strata/round/rounding.h"
@@ -98,7 +98,7 @@ BooleanResult combine_here(Operation operation, std::span<const Operand> given, 
 }  // namespace
 
 BooleanResult combine(Operation operation, std::span<const Operand> operands, const Options& options) {
-  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads));
+  tbb::task_arena arena = arena_for(options);
   BooleanResult result;
   arena.execute([&] { result = combine_here(operation, operands, options); });
   return result;

@@ -1,0 +1,139 @@
+#include "strata/arrange/triangulation.h"
+
+#include <catch2/catch.hpp>
+
+#include "support/random.h"
+
+using namespace strata;
+
+namespace {
+
+/// One big face in the plane z = 0, and walls that cut it, each a face of its own: trace lines through it.
+struct Plate {
+  std::vector<Carriers::Coordinates> points{{0, 0, 0}, {64, 0, 0}, {0, 64, 0}};
+  std::vector<Carriers::Indices> faces{{0, 1, 2}};
+  Carriers carriers;
+
+  /// A wall over the segment from (x0, y0) to (x1, y1): its vertices are on the plate's plane at both ends and above.
+  std::uint32_t wall(double x0, double y0, double x1, double y1) {
+    const auto v = static_cast<std::uint32_t>(points.size());
+    points.push_back({x0, y0, 0});
+    points.push_back({x1, y1, 0});
+    points.push_back({(x0 + x1) / 2, (y0 + y1) / 2, 5});
+    faces.push_back({v, v + 1, v + 2});
+    return v;
+  }
+  void build() { carriers.add(points, faces); }
+};
+
+/// Invariants of a triangulation: neighbours agree, triangles turn left, areas add up.
+void validate(const Carriers& carriers, const Triangulation& t) {
+  const Projection xy{0, 1};
+  Rational area = 0;
+  const auto triangles = t.triangles();
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& x = triangles[i];
+    const Point &p = t.points()[std::size_t(x.v[0])], &q = t.points()[std::size_t(x.v[1])], &r = t.points()[std::size_t(x.v[2])];
+    REQUIRE(orient2d(carriers, xy, p, q, r) == Sign::positive);
+    const auto a = exact_position(carriers, p), b = exact_position(carriers, q), c = exact_position(carriers, r);
+    area += (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t n = x.n[k];
+      if (n < 0) continue;
+      const auto& y = triangles[std::size_t(n)];
+      int back = 0;
+      for (std::size_t j = 0; j < 3; ++j)
+        back += y.n[j] == std::int32_t(i) && y.v[j] == x.v[(k + 1) % 3] && y.v[(j + 1) % 3] == x.v[k];
+      REQUIRE(back == 1);
+    }
+  }
+  REQUIRE(area == 64 * 64);
+}
+
+}  // namespace
+
+TEST_CASE("random segments on a lattice, with all their coincidences", "[arrange][property]") {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    Plate plate;
+    std::vector<std::uint32_t> walls;
+    const int count = random.between(1, 14), range = random.once_in(2) ? 5 : 24;
+    for (int i = 0; i < count; ++i) {
+      const double x0 = random.between(0, range), y0 = random.between(0, range), x1 = random.between(0, range),
+                   y1 = random.between(0, range);
+      if (x0 == x1 && y0 == y1) continue;
+      walls.push_back(plate.wall(x0, y0, x1, y1));
+    }
+    plate.build();
+    Triangulation t(plate.carriers);
+    t.start(0);
+    std::vector<std::pair<std::int32_t, std::int32_t>> ends;
+    for (const std::uint32_t v : walls)
+      ends.emplace_back(t.add_point(PointName::input(v)), t.add_point(PointName::input(v + 1)));
+    for (std::size_t i = 0; i < walls.size(); ++i)
+      t.add_segment(ends[i].first, ends[i].second, std::int32_t(i), ConstraintLine::along_edge(walls[i], walls[i] + 1));
+    validate(plate.carriers, t);
+    // Every segment is a chain of sides that carry it: their lengths in x and y add up.
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+      Rational dx = 0, dy = 0;
+      for (const auto& x : t.triangles())
+        for (std::size_t k = 0; k < 3; ++k)
+          for (std::int32_t n = x.c[k]; n >= 0; n = t.note(n).next) {
+            if (t.note(n).constraint != std::int32_t(i) || !t.note(n).forward) continue;
+            const auto a = exact_position(plate.carriers, t.points()[std::size_t(x.v[k])]);
+            const auto b = exact_position(plate.carriers, t.points()[std::size_t(x.v[(k + 1) % 3])]);
+            dx += b[0] - a[0];
+            dy += b[1] - a[1];
+          }
+      const auto &p = plate.points[walls[i]], &q = plate.points[walls[i] + 1];
+      // Sides on the border of the face have one triangle; a segment that runs against it is noted backwards there.
+      const bool on_border = (p[0] == 0 && q[0] == 0) || (p[1] == 0 && q[1] == 0);
+      if (!on_border) {
+        REQUIRE(dx == to_rational(q[0]) - to_rational(p[0]));
+        REQUIRE(dy == to_rational(q[1]) - to_rational(p[1]));
+      }
+    }
+  }
+}
+
+TEST_CASE("points of one place and different names become one vertex, and are noted", "[arrange][degenerate]") {
+  Plate plate;
+  const auto a = plate.wall(1, 1, 5, 5), b = plate.wall(5, 5, 9, 1);  // they touch in (5, 5) with vertices of their own
+  plate.build();
+  Triangulation t(plate.carriers);
+  t.start(0);
+  CHECK(t.add_point(PointName::input(a + 1)) == t.add_point(PointName::input(b)));
+  REQUIRE(t.equal_names().size() == 1);
+  CHECK(t.add_point(PointName::input(b)) == 3);
+}
+
+TEST_CASE("concurrent segments share one vertex", "[arrange][degenerate]") {
+  Plate plate;
+  std::vector<std::uint32_t> walls;
+  for (int k = -6; k <= 6; ++k) walls.push_back(plate.wall(10 - 7, 10 - k, 10 + 7, 10 + k));
+  plate.build();
+  Triangulation t(plate.carriers);
+  t.start(0);
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const auto p = t.add_point(PointName::input(walls[i])), q = t.add_point(PointName::input(walls[i] + 1));
+    t.add_segment(p, q, std::int32_t(i), ConstraintLine::along_edge(walls[i], walls[i] + 1));
+  }
+  CHECK(t.points().size() == 3 + 2 * walls.size() + 1);
+  validate(plate.carriers, t);
+}
+
+TEST_CASE("thousands of points in one face are located in little time", "[arrange]") {
+  Plate plate;
+  test::Random random(1);
+  for (int i = 0; i < 4000; ++i) {
+    const double x = random.between(1, 30'000) / 1024.0, y = random.between(1, 30'000) / 1024.0;
+    plate.wall(x, y, x + 0.001, y);
+  }
+  plate.build();
+  Triangulation t(plate.carriers);
+  t.start(0);
+  for (std::uint32_t v = 3; v < plate.points.size(); v += 3) t.add_point(PointName::input(v));
+  CHECK(t.points().size() > 3900);
+  validate(plate.carriers, t);
+}

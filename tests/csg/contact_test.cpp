@@ -1,0 +1,189 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "strata/strata.h"
+#include "support/shapes.h"
+
+using namespace strata;
+using test::box;
+
+namespace {
+
+/// Facts about a result that survive re-triangulation.
+struct Facts {
+  Rational volume;
+  double area;
+  std::uint64_t components;
+  std::int64_t euler;
+  std::uint64_t non_manifold_edges, non_manifold_vertices;
+};
+
+void check(const Solid& s, const Facts& expected) {
+  const Topology t = topology(s.exact_mesh());
+  CHECK(s.volume() == expected.volume);
+  CHECK(s.area() == Approx(expected.area).epsilon(1e-14));
+  CHECK(t.components == expected.components);
+  CHECK(t.euler == expected.euler);
+  CHECK(t.non_manifold_edges == expected.non_manifold_edges);
+  CHECK(t.non_manifold_vertices == expected.non_manifold_vertices);
+  CHECK(t.open_edges == 0);
+}
+
+Solid unit() { return Solid(box({0, 0, 0}, {1, 1, 1})); }
+
+}  // namespace
+
+// Sabotage these catch: a cover on the wrong side, an owner that is not the lowest face, a crossing with its sign turned,
+// a touch taken for a crossing.
+
+TEST_CASE("boxes that share a face become one box", "[csg][degenerate]") {
+  const Solid a = unit(), b(box({1, 0, 0}, {2, 1, 1}));
+  check(a | b, {2, 10, 1, 2, 0, 0});
+  CHECK((a & b).is_empty());
+  CHECK((a - b) == a);
+  CHECK((a ^ b) == (a | b));
+  CHECK((a | b).canonical().facet_count() == 6);
+}
+
+TEST_CASE("boxes that share part of a face are joined there", "[csg][degenerate]") {
+  const Solid a = unit(), b(box({1, .25, .5}, {2, .75, 1.5}));
+  check(a | b, {Rational(3, 2), 6 + 4 - 0.5, 1, 2, 0, 0});
+  CHECK((a & b).is_empty());
+}
+
+TEST_CASE("boxes that share an edge keep it once, with four triangles", "[csg][degenerate]") {
+  const Solid a = unit(), b(box({1, 1, 0}, {2, 2, 1}));
+  check(a | b, {2, 12, 1, 3, 1, 2});
+  CHECK((a & b).is_empty());
+}
+
+TEST_CASE("boxes that share part of an edge keep that part once", "[csg][degenerate]") {
+  const Solid a = unit(), b(box({1, 1, .5}, {2, 2, 2}));
+  const Topology t = topology((a | b).exact_mesh());
+  CHECK(t.non_manifold_edges == 1);
+  CHECK((a | b).volume() == Rational(5, 2));
+}
+
+TEST_CASE("boxes that share a vertex keep it once", "[csg][degenerate]") {
+  const Solid a = unit(), b(box({1, 1, 1}, {2, 2, 2}));
+  check(a | b, {2, 12, 1, 3, 0, 1});
+  CHECK((a & b).is_empty());
+}
+
+TEST_CASE("identical operands", "[csg][degenerate]") {
+  const Solid a = unit();
+  CHECK((a | a) == a);
+  CHECK((a & a) == a);
+  CHECK((a - a).is_empty());
+  CHECK((a ^ a).is_empty());
+}
+
+TEST_CASE("an enclosed operand makes a cavity", "[csg][degenerate]") {
+  const Solid a(box({0, 0, 0}, {4, 4, 4})), b(box({1, 1, 1}, {2, 2, 2}));
+  check(a - b, {63, 102, 2, 4, 0, 0});
+  CHECK((a | b) == a);
+  CHECK((a & b) == b);
+  CHECK((b - a).is_empty());
+}
+
+TEST_CASE("an operand that touches a face from inside", "[csg][degenerate]") {
+  const Solid a(box({0, 0, 0}, {4, 4, 4})), b(box({1, 1, 0}, {2, 2, 2}));
+  check(a - b, {62, 104, 1, 2, 0, 0});
+  CHECK((a | b) == a);
+  CHECK((a & b) == b);
+  CHECK((a | b).mesh().triangles.size() < 30);  // merged: no trace of the wall
+}
+
+TEST_CASE("an operand that touches an edge from inside", "[csg][degenerate]") {
+  const Solid a(box({0, 0, 0}, {4, 4, 4})), b(box({0, 0, 1}, {1, 1, 2}));
+  check(a - b, {63, 96 + 4 - 2, 1, 2, 0, 0});
+  CHECK((a | b) == a);
+}
+
+TEST_CASE("an apex on a face, from outside and from inside", "[csg][degenerate]") {
+  const Solid a(box({0, 0, 0}, {4, 4, 4}));
+  const Solid outside(test::tetrahedron({2, 2, 4}, {3, 2, 5}, {2, 3, 5}, {1, 1, 5}));
+  const Solid inside(test::tetrahedron({2, 2, 4}, {1, 1, 3}, {2, 3, 3}, {3, 2, 3}));
+  CHECK(topology((a | outside).exact_mesh()).non_manifold_vertices == 1);
+  CHECK((a & outside).is_empty());
+  CHECK((a - outside) == a);
+  CHECK((a | inside) == a);
+  CHECK((a & inside) == inside);
+  CHECK(topology((a - inside).exact_mesh()).non_manifold_vertices == 1);
+}
+
+TEST_CASE("an edge on a face, from outside", "[csg][degenerate]") {
+  const Solid a(box({0, 0, 0}, {4, 4, 4}));
+  const Solid b(test::tetrahedron({1, 2, 4}, {3, 2, 4}, {2, 3, 5}, {2, 1, 5}));
+  const Solid u = a | b;
+  CHECK(topology(u.exact_mesh()).non_manifold_edges == 2);  // the diagonal of the top side crosses it
+  CHECK(u.volume() == a.volume() + b.volume());
+  CHECK((a & b).is_empty());
+}
+
+TEST_CASE("edges that cross in a point", "[csg][degenerate]") {
+  const Solid a(test::tetrahedron({0, 2, 0}, {4, 2, 0}, {2, 0, -2}, {2, 4, -2}));
+  const Solid b(test::tetrahedron({2, 0, 0}, {2, 4, 0}, {4, 2, 2}, {0, 2, 2}));
+  const Solid u = a | b;
+  CHECK(topology(u.exact_mesh()).non_manifold_vertices == 1);
+  CHECK(u.volume() == a.volume() + b.volume());
+  CHECK((a & b).is_empty());
+}
+
+TEST_CASE("an edge that passes through a vertex of the other operand", "[csg][degenerate]") {
+  const Solid a(box({0, 0, 0}, {2, 2, 2}));
+  const Solid b(test::tetrahedron({-1, 1, 2}, {3, 3, 2}, {-1, 3, 4}, {-1, 3, 0}));
+  CHECK((a | b).volume() + (a & b).volume() == a.volume() + b.volume());
+  CHECK((a - b).volume() + (a & b).volume() == a.volume());
+}
+
+TEST_CASE("octahedra through one another meet in edges and in faces", "[csg][degenerate]") {
+  const Solid a(test::octahedron({0, 0, 0}, 2)), b(test::octahedron({1, 1, 0}, 2)), c(test::octahedron({1, 0, 1}, 2));
+  const Solid all[] = {a, b, c};
+  const Solid u = unite(all), i = intersect(all);
+  CHECK(u.volume() == a.volume() + b.volume() + c.volume() - (a & b).volume() - (b & c).volume() - (a & c).volume() +
+                          i.volume());
+}
+
+TEST_CASE("n operands through one point", "[csg][degenerate]") {
+  std::vector<Solid> all;
+  for (int i = 0; i < 8; ++i) {
+    const double x = i & 1, y = i >> 1 & 1, z = i >> 2 & 1;
+    all.emplace_back(box({x - 1, y - 1, z - 1}, {x, y, z}));
+  }
+  const Solid u = unite(all);
+  CHECK(u == Solid(box({-1, -1, -1}, {1, 1, 1})));
+  CHECK(intersect(all).is_empty());
+  CHECK(exclude(all) == u);
+}
+
+TEST_CASE("a gap of one ulp stays a gap, an overlap of one ulp an overlap", "[csg][degenerate]") {
+  const Solid a = unit();
+  const Solid apart(box({std::nextafter(1.0, 2.0), 0, 0}, {2, 1, 1})), into(box({std::nextafter(1.0, 0.0), 0, 0}, {2, 1, 1}));
+  CHECK(topology((a | apart).exact_mesh()).components == 2);
+  CHECK((a & apart).is_empty());
+  CHECK((a & into).volume() == Rational(1) - to_rational(std::nextafter(1.0, 0.0)));
+}
+
+TEST_CASE("results at the ends of the range of doubles", "[csg][degenerate]") {
+  for (const double s : {1e-300, 1e-200, 1e150}) {
+    CAPTURE(s);
+    const Solid a(box({0, 0, 0}, {s, s, s})), b(box({s / 2, s / 2, s / 2}, {2 * s, 2 * s, 2 * s}));
+    const Rational cube = to_rational(s) * to_rational(s) * to_rational(s);
+    CHECK((a & b).volume() == cube / 8);
+    CHECK((a | b).volume() + (a & b).volume() == a.volume() + b.volume());
+  }
+  const Solid thin(box({0, 0, 0}, {1e300, 1, 1e-300})), post(box({1, .25, -1}, {2, .75, 1}));
+  CHECK((thin & post).volume() == Rational(1, 2) * to_rational(1e-300));
+}
+
+TEST_CASE("empty operands and empty results", "[csg][degenerate]") {
+  const Solid a = unit(), nothing;
+  CHECK((a | nothing) == a);
+  CHECK((nothing | a) == a);
+  CHECK((a & nothing).is_empty());
+  CHECK((a - nothing) == a);
+  CHECK((nothing - a).is_empty());
+  CHECK((a ^ nothing) == a);
+  CHECK((nothing | nothing).is_empty());
+}
