@@ -63,7 +63,7 @@ enum class Verdict { equal, different, oracle_failed };
 Verdict judge(Operation operation, const std::vector<ExactMesh>& operands, const std::string& found,
               std::string& expected) {
   bool contradicted = false;
-  for (const Way way : {Way::regularize_once, Way::regularize_often, Way::backwards}) {
+  for (const Way way : {Way::in_order, Way::regularized, Way::backwards, Way::other_formula}) {
     const auto answer = answer_of_cgal(operation, operands, way);
     if (answer == found) return contradicted ? Verdict::oracle_failed : Verdict::equal;
     if (!answer) continue;

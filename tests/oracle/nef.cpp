@@ -75,7 +75,7 @@ Nef parity(const std::vector<Sheet>& sheets) {
     queue.pop_front();
     queue.pop_front();
   }
-  return queue.front().regularization();
+  return queue.front();
 }
 
 /// Not regularized: may miss or have points of a nowhere dense set.
@@ -93,6 +93,21 @@ Nef apply(Operation operation, const Nef& a, const Nef& b) {
   throw OracleFailed("unknown operation");
 }
 
+/// The same by way of other operations.
+Nef apply_otherwise(Operation operation, const Nef& a, const Nef& b) {
+  switch (operation) {
+    case Operation::unite:
+      return (a - b) + b;
+    case Operation::intersect:
+      return a - (a - b);
+    case Operation::subtract:
+      return a ^ (a * b);
+    case Operation::exclude:
+      return (a + b) - (a * b);
+  }
+  throw OracleFailed("unknown operation");
+}
+
 std::vector<RationalPoint> loop_points(Nef::SHalfedge_const_handle start) {
   std::vector<RationalPoint> loop;
   Nef::SHalfedge_around_facet_const_circulator side(start);
@@ -104,7 +119,7 @@ std::vector<RationalPoint> loop_points(Nef::SHalfedge_const_handle start) {
   return loop;
 }
 
-/// All facets with the solid behind them and nothing in front.
+/// All facets with the inside behind them and the outside in front.
 std::vector<ExactFacet> boundary_facets(const Nef& nef) {
   std::vector<ExactFacet> facets;
   for (auto f = nef.halffacets_begin(); f != nef.halffacets_end(); ++f) {
@@ -174,10 +189,11 @@ NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands, Wa
   return NefSolid(guarded([&] {
     Nef result = list.empty() ? Nef(Nef::EMPTY) : *list[0];
     for (std::size_t i = 1; i < list.size(); ++i) {
-      result = apply(operation, result, *list[i]);
-      if (way == Way::regularize_often) result = result.regularization();
+      result = way == Way::other_formula ? apply_otherwise(operation, result, *list[i])
+                                         : apply(operation, result, *list[i]);
+      if (way == Way::regularized) result = result.regularization();
     }
-    return std::make_shared<const NefSolid::Data>(NefSolid::Data{result.regularization()});
+    return std::make_shared<const NefSolid::Data>(NefSolid::Data{result});
   }));
 }
 

@@ -20,9 +20,10 @@ class OracleFailed : public std::runtime_error {
 
 /// Ways to one and the same solid. CGAL 5.5 sometimes crashes or answers wrongly on one of them.
 enum class Way {
-  regularize_once,   ///< operands in order, regularized at the end: results differ by nowhere dense sets until then
-  regularize_often,  ///< operands in order, regularized after every step
-  backwards,         ///< the operands in reverse (a difference: what is taken away in reverse)
+  in_order,       ///< operands in order, never regularized: the facets between inside and outside are the same
+  regularized,    ///< operands in order, CGAL's regularization after every step
+  backwards,      ///< the operands in reverse (a difference: what is taken away in reverse)
+  other_formula,  ///< every step by two operations that come to the same: a - b as a ^ (a & b), and so on
 };
 
 /// A regular solid as a CGAL Nef polyhedron.
@@ -40,10 +41,11 @@ class NefSolid {
   /// The same solid by parity of tetrahedra alone; slow, an independent second way. Throws OracleFailed.
   [[nodiscard]] static NefSolid from_tetrahedra(const ExactMesh& mesh);
 
-  /// Boundary facets, outwards, interior on the left. Throws OracleFailed.
+  /// The facets with the inside behind them and the outside in front, outwards, interior on the left: walls and whatever
+  /// dangles have the same on both sides and are left out. Throws OracleFailed.
   [[nodiscard]] std::vector<ExactFacet> facets() const;
 
-  /// Regularized: the closure of the interior. Throws OracleFailed.
+  /// As a regular solid: facets() gives the boundary of the closure of the interior. Throws OracleFailed.
   friend NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands, Way way);
 
  private:
@@ -53,11 +55,11 @@ class NefSolid {
 };
 
 [[nodiscard]] NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands,
-                                   Way way = Way::regularize_once);
+                                   Way way = Way::in_order);
 
 /// Canonical form of the regularized Boolean, by CGAL. Throws OracleFailed.
 [[nodiscard]] CanonicalForm nef_boolean(Operation operation, std::span<const ExactMesh> operands,
-                                        Way way = Way::regularize_once);
+                                        Way way = Way::in_order);
 
 /// Signed volume enclosed by facets: sum over the triangles of a fan of every loop. Exact.
 [[nodiscard]] Rational facet_volume(const std::vector<ExactFacet>& facets);

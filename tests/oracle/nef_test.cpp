@@ -61,4 +61,19 @@ TEST_CASE("the oracle builds random solids in two ways that agree", "[oracle][pr
   }
 }
 
+TEST_CASE("all ways of the oracle come to the same", "[oracle][property]") {
+  for (std::uint64_t seed = 0; seed < 25; ++seed) {
+    CAPTURE(seed);
+    std::vector<ExactMesh> operands;
+    for (const Mesh& mesh : test::touching_pair(seed).meshes) operands.push_back(test::exact(mesh));
+    for (const Operation operation :
+         {Operation::unite, Operation::intersect, Operation::subtract, Operation::exclude}) {
+      const CanonicalForm expected = nef_boolean(operation, operands);
+      for (const Way way : {Way::regularized, Way::backwards, Way::other_formula}) {
+        CHECK(nef_boolean(operation, operands, way) == expected);
+      }
+    }
+  }
+}
+
 }  // namespace strata::oracle

@@ -1,75 +1,19 @@
 #include "strata/cells/cell_tree.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include <tbb/concurrent_vector.h>
 #include <tbb/parallel_invoke.h>
-#include <tbb/parallel_reduce.h>
 
-#include <cmath>
 #include <limits>
 #include <optional>
 
+#include "strata/cells/root_faces.h"
 #include "strata/cells/walk.h"
 
 namespace strata {
-
-/// A node while the tree grows: pointers, so that subtrees grow independently.
-struct CellTree::Branch {
-  Cell cell;
-  int axis = -1;
-  std::int32_t split = 0;
-  std::unique_ptr<Branch> below, above;
-};
-
 namespace {
 
 constexpr std::size_t parallel_threshold = 4096;
 constexpr int deepest = 64;
-
-struct Bounds {
-  Carriers::Coordinates lower, upper;
-
-  Bounds() {
-    lower.fill(std::numeric_limits<double>::infinity());
-    upper.fill(-std::numeric_limits<double>::infinity());
-  }
-  void add(const Carriers::Coordinates& p) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      lower[i] = std::min(lower[i], p[i]);
-      upper[i] = std::max(upper[i], p[i]);
-    }
-  }
-  void add(const Bounds& b) {
-    add(b.lower);
-    add(b.upper);
-  }
-};
-
-/// Bounds of the vertices that faces use. A rational vertex counts by its nearest doubles: rounding is monotone too, so
-/// the grid's argument holds for the composition.
-Bounds bounds_of(const Carriers& carriers, std::uint32_t operand) {
-  const auto points = carriers.points(operand);
-  const auto faces = carriers.faces(operand);
-  return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, faces.size(), 1 << 14), Bounds{},
-      [&](const auto& range, Bounds b) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-          for (const std::uint32_t v : faces[i]) b.add(points[v]);
-        return b;
-      },
-      [](Bounds a, const Bounds& b) {
-        a.add(b);
-        return a;
-      });
-}
-
-Bounds bounds_of(const Carriers& carriers) {
-  Bounds all;
-  for (std::uint32_t o = 0; o < carriers.operand_count(); ++o)
-    if (carriers.face_count(o) != 0) all.add(bounds_of(carriers, o));
-  if (!(all.lower[0] <= all.upper[0])) all.lower = all.upper = {0, 0, 0};
-  return all;
-}
 
 void include(GridBox& a, const GridBox& b) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -110,209 +54,257 @@ struct Cut {
   std::int32_t split = 0;
 };
 
-/// Grows the tree below one branch.
-class Grower {
- public:
-  Grower(const Carriers& carriers, const Grid& grid, const CellOptions& options)
-      : carriers_(carriers), grid_(grid), options_(options) {}
+/// What the faces of a cell fill: the boxes of the faces up to a certain one, and of those after it.
+struct Content {
+  GridBox first = empty_box(), rest = empty_box();
+};
 
-  template <class Branch>
-  void grow(Branch& branch, int depth) const {
-    Cell& cell = branch.cell;
-    cell.mixed = is_mixed(cell.faces);
-    if (!cell.mixed || cell.faces.size() <= options_.leaf_faces || depth >= deepest) return;
-    for (const Cut& cut : cuts(cell)) {
-      if (!divide(branch, cut)) continue;
-      const auto below = [&] { grow(*branch.below, depth + 1); };
-      const auto above = [&] { grow(*branch.above, depth + 1); };
-      if (branch.below->cell.faces.size() + branch.above->cell.faces.size() > parallel_threshold) {
-        tbb::parallel_invoke(below, above);
-      } else {
-        below();
-        above();
+}  // namespace
+
+/// A node while the tree grows: pointers, so that subtrees grow independently.
+struct CellTree::Branch {
+  GridBox box;
+  Carriers::Coordinates origin{};
+  std::shared_ptr<const Windings> windings;
+  FaceList faces;
+  Content content;
+  int axis = -1;
+  std::int32_t split = 0;
+  std::uint32_t cell = 0;  ///< of a leaf
+  std::unique_ptr<Branch> below, above;
+};
+
+/// Grows the tree below one branch.
+class CellTree::Grower {
+ public:
+  Grower(const Carriers& carriers, const CellOptions& options, const Grid& grid, std::vector<std::uint32_t>& cell_of_face)
+      : carriers_(carriers), options_(options), grid_(grid), cell_of_face_(cell_of_face) {
+    cells_.push_back(outside());
+  }
+
+  /// Space outside of the root is the first cell: no operand is met there by another.
+  [[nodiscard]] static Cell outside() { return {{}, {}, std::make_shared<const Windings>(), {}, false}; }
+
+  void grow(Branch& branch, int depth) {
+    if (is_mixed(branch.faces) && branch.faces.size() > options_.leaf_faces && depth < deepest) {
+      for (const Cut& cut : cuts(branch)) {
+        if (!divide(branch, cut)) continue;
+        const auto below = [&] { grow(*branch.below, depth + 1); };
+        const auto above = [&] { grow(*branch.above, depth + 1); };
+        if (branch.below->faces.size() + branch.above->faces.size() > parallel_threshold) {
+          tbb::parallel_invoke(below, above);
+        } else {
+          below();
+          above();
+        }
+        return;
       }
-      return;
     }
+    finish(branch);
+  }
+
+  /// Finds what the faces of a branch fill.
+  void measure(Branch& branch) const {
+    branch.content = {};
+    if (branch.faces.size() == 0) return;
+    const std::uint32_t end = end_of_operand(branch.faces.begin()->face);
+    for (const CellFace& f : branch.faces)
+      include(f.face < end ? branch.content.first : branch.content.rest, common(f.box, closed(branch.box)));
+  }
+
+  [[nodiscard]] std::vector<Cell> take_cells() {
+    std::vector<Cell> cells;
+    cells.reserve(cells_.size());
+    for (Cell& c : cells_) cells.push_back(std::move(c));
+    return cells;
   }
 
  private:
-  [[nodiscard]] bool is_mixed(const std::vector<CellFace>& faces) const {
-    if (faces.empty()) return false;
-    return options_.self ||
-           carriers_.operand_of_face(faces.front().face) != carriers_.operand_of_face(faces.back().face);
+  [[nodiscard]] std::uint32_t end_of_operand(std::uint32_t face) const {
+    const std::uint32_t o = carriers_.operand_of_face(face);
+    return carriers_.first_face(o) + carriers_.face_count(o);
+  }
+  [[nodiscard]] bool is_mixed(const FaceList& faces) const {
+    if (faces.size() == 0) return false;
+    return options_.self || (faces.end() - 1)->face >= end_of_operand(faces.begin()->face);
   }
 
-  /// The box in which faces of different operands can meet: exact for two operands, the whole content otherwise.
-  [[nodiscard]] std::pair<GridBox, bool> interest(const Cell& cell) const {
-    const std::uint32_t first = carriers_.operand_of_face(cell.faces.front().face);
-    const std::uint32_t last = carriers_.operand_of_face(cell.faces.back().face);
-    const std::uint32_t end_of_first = carriers_.first_face(first) + carriers_.face_count(first);
-    GridBox a = empty_box(), b = empty_box();
-    bool two = !options_.self;
-    for (const CellFace& f : cell.faces) {
-      const GridBox part = common(f.box, closed(cell.box));
-      if (f.face < end_of_first) {
-        include(a, part);
-      } else {
-        include(b, part);
-        two = two && f.face >= carriers_.first_face(last);
+  /// Makes a leaf: its faces are told the cell that holds their first vertex.
+  void finish(Branch& branch) {
+    const auto cell = cells_.push_back({branch.box, branch.origin, std::move(branch.windings), {}, is_mixed(branch.faces)});
+    branch.cell = static_cast<std::uint32_t>(cell - cells_.begin());
+    std::uint32_t operand = 0, end = 0;
+    for (const CellFace& f : branch.faces) {
+      if (f.face >= end) {
+        operand = carriers_.operand_of_face(f.face);
+        end = carriers_.first_face(operand) + carriers_.face_count(operand);
       }
+      const std::uint32_t v = carriers_.faces(operand)[f.face - carriers_.first_face(operand)][0];
+      if (holds(branch.box, f.box) || holds(branch.box, carriers_.points(operand)[v])) cell_of_face_[f.face] = branch.cell;
     }
-    if (two) return {common(a, b), true};
-    include(a, b);
-    return {a, false};
+    if (cell->mixed) cell->faces.assign(branch.faces.begin(), branch.faces.end());
+    branch.faces.clear();
+  }
+  [[nodiscard]] static bool holds(const GridBox& cell, const GridBox& b) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (b.lower[i] < cell.lower[i] || b.upper[i] >= cell.upper[i]) return false;
+    return true;
+  }
+  [[nodiscard]] bool holds(const GridBox& cell, const Carriers::Coordinates& p) const {
+    const auto g = grid_.at(p);
+    return holds(cell, GridBox{g, g});
   }
 
-  /// Candidates, best first: a plane that separates the operands; a plane that cuts off space where nothing can meet;
+  /// Candidates, best first: a plane that separates two operands; a plane that cuts off space where nothing can meet;
   /// the middles of the sides, longest first.
-  [[nodiscard]] std::vector<Cut> cuts(const Cell& cell) const {
-    const auto [box, two] = interest(cell);
+  [[nodiscard]] std::vector<Cut> cuts(const Branch& branch) const {
+    const bool two = !options_.self && carriers_.operand_of_face(branch.faces.begin()->face) + 1 ==
+                                           carriers_.operand_of_face((branch.faces.end() - 1)->face);
+    GridBox box = branch.content.first;
     std::vector<Cut> r;
-    if (two)
-      for (int i = 0; i < 3; ++i) {
-        const auto a = static_cast<std::size_t>(i);
-        if (box.lower[a] > box.upper[a]) r.push_back({i, box.lower[a]});
-      }
-    if (is_empty(box)) return r;
+    if (two) {
+      box = common(branch.content.first, branch.content.rest);
+      for (int i = 0; i < 3; ++i)
+        if (box.lower[at(i)] > box.upper[at(i)]) r.push_back({i, box.lower[at(i)]});
+      if (is_empty(box)) return r;
+    } else {
+      include(box, branch.content.rest);
+    }
     double best = 0.25;
     for (int i = 0; i < 3; ++i) {
-      const auto a = static_cast<std::size_t>(i);
-      const double side = static_cast<double>(cell.box.upper[a]) - cell.box.lower[a];
-      const double low = (box.lower[a] - static_cast<double>(cell.box.lower[a])) / side;
-      const double high = (cell.box.upper[a] - static_cast<double>(box.upper[a])) / side;
+      const double side = static_cast<double>(branch.box.upper[at(i)]) - branch.box.lower[at(i)];
+      const double low = (box.lower[at(i)] - static_cast<double>(branch.box.lower[at(i)])) / side;
+      const double high = (branch.box.upper[at(i)] - static_cast<double>(box.upper[at(i)])) / side;
       if (std::max(low, high) <= best) continue;
       best = std::max(low, high);
-      r.assign(1, low >= high ? Cut{i, box.lower[a]} : Cut{i, box.upper[a] + 1});
+      r.assign(1, low >= high ? Cut{i, box.lower[at(i)]} : Cut{i, box.upper[at(i)] + 1});
     }
     std::array<int, 3> order{0, 1, 2};
-    const auto length = [&](int i) {
-      return box.upper[static_cast<std::size_t>(i)] - box.lower[static_cast<std::size_t>(i)];
-    };
+    const auto length = [&](int i) { return box.upper[at(i)] - box.lower[at(i)]; };
     std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return length(i) > length(j); });
     for (const int i : order)
-      r.push_back({i, static_cast<std::int32_t>(box.lower[static_cast<std::size_t>(i)] + (length(i) + 1) / 2)});
+      r.push_back({i, static_cast<std::int32_t>(box.lower[at(i)] + (length(i) + 1) / 2)});
     return r;
   }
 
   /// Cuts a cell in two. False, and nothing changed, when the cut would not help or no origin can be placed.
-  template <class Branch>
   [[nodiscard]] bool divide(Branch& branch, const Cut& cut) const {
-    Cell& cell = branch.cell;
-    const auto a = static_cast<std::size_t>(cut.axis);
-    if (cut.split <= cell.box.lower[a] || cut.split >= cell.box.upper[a]) return false;
-    std::size_t below = 0, above = 0;
-    for (const CellFace& f : cell.faces) {
-      below += f.box.lower[a] < cut.split;
-      above += f.box.upper[a] >= cut.split;
-    }
-    const std::size_t n = cell.faces.size();
-    if (std::max(below, above) == n && std::min(below, above) * 4 > n * 3) return false;
-    const bool origin_below = grid_.at(cut.axis, cell.origin[a]) < cut.split;
-    GridBox other = cell.box;
+    const std::size_t a = at(cut.axis), n = branch.faces.size();
+    options_.monitor.check();
+    if (cut.split <= branch.box.lower[a] || cut.split >= branch.box.upper[a]) return false;
+    const bool origin_below = grid_.at(cut.axis, branch.origin[a]) < cut.split;
+    GridBox other = branch.box;
     (origin_below ? other.lower : other.upper)[a] = cut.split;
-    const auto moved = place_origin(cell.origin, other, cut.axis);
+    const auto moved = place_origin(branch.origin, other, cut.axis);
     if (!moved) return false;
 
-    branch.below = std::make_unique<Branch>();
-    branch.above = std::make_unique<Branch>();
-    Cell& low = branch.below->cell;
-    Cell& high = branch.above->cell;
-    low.box = high.box = cell.box;
-    low.box.upper[a] = high.box.lower[a] = cut.split;
-    low.faces.reserve(below);
-    high.faces.reserve(above);
-    for (const CellFace& f : cell.faces) {
-      if (f.box.lower[a] < cut.split) low.faces.push_back(f);
-      if (f.box.upper[a] >= cut.split) high.faces.push_back(f);
-    }
-    Cell& stays = origin_below ? low : high;
-    Cell& moves = origin_below ? high : low;
-    stays.origin = cell.origin;
-    stays.windings = cell.windings;
+    auto low = std::make_unique<Branch>(), high = std::make_unique<Branch>();
+    low->box = high->box = branch.box;
+    low->box.upper[a] = high->box.lower[a] = cut.split;
+    low->faces = FaceList(n);
+    high->faces = FaceList(n);
+    const Windings windings = share(branch, cut, *moved, *low, *high);
+    for (Branch* half : {low.get(), high.get()})  // whose first operand is another one now
+      if (half->faces.size() > 0 && half->faces.begin()->face >= end_of_operand(branch.faces.begin()->face)) measure(*half);
+    if (!is_worthwhile(n, low->faces, high->faces)) return false;
+
+    Branch& stays = origin_below ? *low : *high;
+    Branch& moves = origin_below ? *high : *low;
+    stays.origin = branch.origin;
+    stays.windings = branch.windings;
     moves.origin = *moved;
-    moves.windings = walk(cell, *moved, cut.axis);
+    moves.windings = windings == *branch.windings ? branch.windings : std::make_shared<const Windings>(windings);
+    branch.below = std::move(low);
+    branch.above = std::move(high);
     branch.axis = cut.axis;
     branch.split = cut.split;
-    cell.faces = {};
-    cell.windings.reset();
+    branch.faces.clear();
+    branch.windings.reset();
     return true;
+  }
+
+  /// A cut of a large cell is good when it takes faces away from either side or many from one. Small cells are about to
+  /// be compared pair by pair: there a cut is good when it leaves clearly fewer pairs, which it does not where many
+  /// sheets lie on one another.
+  [[nodiscard]] bool is_worthwhile(std::size_t n, const FaceList& low, const FaceList& high) const {
+    const std::size_t most = std::max(low.size(), high.size()), least = std::min(low.size(), high.size());
+    if (n > 1024) return most < n || least * 4 <= n * 3;
+    const auto pairs = [&](const FaceList& faces) {
+      return is_mixed(faces) ? static_cast<double>(faces.size()) * static_cast<double>(faces.size()) : 0;
+    };
+    return pairs(low) + pairs(high) < 0.9 * static_cast<double>(n) * static_cast<double>(n);
+  }
+
+  /// One pass over the faces of a cell: hands them down to the halves, measures what fills those, and walks from the
+  /// cell's origin to a new one. Returns the winding numbers there.
+  [[nodiscard]] Windings share(const Branch& branch, const Cut& cut, const Carriers::Coordinates& to, Branch& low,
+                               Branch& high) const {
+    const std::size_t a = at(cut.axis);
+    const GridBox low_box = closed(low.box), high_box = closed(high.box);
+    const auto from_grid = grid_.at(branch.origin), to_grid = grid_.at(to);
+    const GridBox way = {{std::min(from_grid[0], to_grid[0]), std::min(from_grid[1], to_grid[1]), std::min(from_grid[2], to_grid[2])},
+                         {std::max(from_grid[0], to_grid[0]), std::max(from_grid[1], to_grid[1]), std::max(from_grid[2], to_grid[2])}};
+    const std::uint32_t first_low = end_of_operand(branch.faces.begin()->face);
+    Windings windings = *branch.windings;
+    for (const CellFace& f : branch.faces) {
+      const bool is_first = f.face < first_low;
+      if (f.box.lower[a] < cut.split) {
+        low.faces.push_back(f);
+        include(is_first ? low.content.first : low.content.rest, common(f.box, low_box));
+      }
+      if (f.box.upper[a] >= cut.split) {
+        high.faces.push_back(f);
+        include(is_first ? high.content.first : high.content.rest, common(f.box, high_box));
+      }
+      if (f.box.overlaps(way))
+        windings.add(carriers_.operand_of_face(f.face),
+                     crossing_along_axis(carriers_, f.face, branch.origin, to, cut.axis));
+    }
+    return windings;
   }
 
   /// The origin moved along one axis well into a box, unless doubles are too coarse there.
   [[nodiscard]] std::optional<Carriers::Coordinates> place_origin(Carriers::Coordinates origin, const GridBox& box,
                                                                   int axis) const {
-    const auto a = static_cast<std::size_t>(axis);
+    const std::size_t a = at(axis);
     // Off the middle: inputs are often symmetric, and an origin in a face's plane costs an exact evaluation.
-    const double at = box.lower[a] + (static_cast<double>(box.upper[a]) - box.lower[a]) * 0.4638;
-    origin[a] = grid_.inverse(axis, static_cast<std::int32_t>(at));
-    const std::int32_t g = grid_.at(axis, origin[a]);
-    if (g < box.lower[a] || g >= box.upper[a]) return std::nullopt;
+    const double g = box.lower[a] + (static_cast<double>(box.upper[a]) - box.lower[a]) * 0.4638;
+    origin[a] = grid_.inverse(axis, static_cast<std::int32_t>(g));
+    const std::int32_t placed = grid_.at(axis, origin[a]);
+    if (placed < box.lower[a] || placed >= box.upper[a]) return std::nullopt;
     return origin;
   }
 
-  /// Winding numbers after a walk from a cell's origin along one axis inside the cell.
-  [[nodiscard]] std::shared_ptr<const Windings> walk(const Cell& cell, const Carriers::Coordinates& to, int axis) const {
-    const auto from_grid = grid_.at(cell.origin), to_grid = grid_.at(to);
-    GridBox way;
-    for (std::size_t i = 0; i < 3; ++i) {
-      way.lower[i] = std::min(from_grid[i], to_grid[i]);
-      way.upper[i] = std::max(from_grid[i], to_grid[i]);
-    }
-    std::shared_ptr<Windings> changed;
-    for (const CellFace& f : cell.faces) {
-      if (!f.box.overlaps(way)) continue;
-      const int change = crossing_along_axis(carriers_, f.face, cell.origin, to, axis);
-      if (change == 0) continue;
-      if (!changed) changed = std::make_shared<Windings>(*cell.windings);
-      changed->add(carriers_.operand_of_face(f.face), change);
-    }
-    if (changed) return changed;
-    return cell.windings;
-  }
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   const Carriers& carriers_;
-  const Grid& grid_;
   const CellOptions& options_;
+  const Grid& grid_;
+  std::vector<std::uint32_t>& cell_of_face_;
+  tbb::concurrent_vector<Cell> cells_;
 };
 
-}  // namespace
-
 CellTree::CellTree(const Carriers& carriers, const CellOptions& options) {
+  Root found = find_root(carriers, options.self);
+  grid_ = found.grid;
+  box_ = found.box;
   Branch root;
-  const Bounds bounds = bounds_of(carriers);
-  grid_ = Grid(bounds.lower, bounds.upper);
-  root.cell.box.lower.fill(0);
-  root.cell.box.upper.fill(Grid::extent + 1);
-  // Just outside: in the sense of walk.h an origin on the upper x side of everything is beyond it. A rational point may
-  // lie above its nearest double, but below the next one.
-  const double beyond = carriers.has_rationals() ? std::nextafter(bounds.upper[0], HUGE_VAL) : bounds.upper[0];
-  root.cell.origin = {beyond, bounds.lower[1] * 0.5 + bounds.upper[1] * 0.5,
-                      bounds.lower[2] * 0.5 + bounds.upper[2] * 0.5};
-  root.cell.windings = std::make_shared<const Windings>();
-  root.cell.faces.resize(carriers.face_count());
-  for (std::uint32_t o = 0; o < carriers.operand_count(); ++o) {
-    const auto points = carriers.points(o);
-    const auto faces = carriers.faces(o);
-    const std::uint32_t first = carriers.first_face(o);
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, carriers.face_count(o), 1 << 14), [&](const auto& range) {
-      for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
-        const auto& t = faces[i];
-        root.cell.faces[first + i] = {grid_.box(points[t[0]], points[t[1]], points[t[2]]), first + i};
-      }
-    });
-  }
-  Grower(carriers, grid_, options).grow(root, 0);
+  root.box = found.box;
+  root.origin = found.origin;
+  root.windings = std::make_shared<const Windings>(std::move(found.windings));
+  root.faces = std::move(found.faces);
+  cell_of_face_.assign(carriers.face_count(), outside_cell);
+  Grower grower(carriers, options, grid_, cell_of_face_);
+  grower.measure(root);
+  grower.grow(root, 0);
+  cells_ = grower.take_cells();
   collect(root);
 }
 
 std::uint32_t CellTree::collect(Branch& branch) {
   const auto index = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.push_back({branch.axis, branch.split, 0, 0});
-  if (branch.axis < 0) {
-    nodes_[index].below = static_cast<std::uint32_t>(cells_.size());
-    cells_.push_back(std::move(branch.cell));
-    return index;
-  }
+  nodes_.push_back({branch.axis, branch.split, branch.cell, 0});
+  if (branch.axis < 0) return index;
   const std::uint32_t below = collect(*branch.below);
   branch.below.reset();
   const std::uint32_t above = collect(*branch.above);
@@ -324,6 +316,9 @@ std::uint32_t CellTree::collect(Branch& branch) {
 
 std::uint32_t CellTree::cell_at(const std::array<std::int32_t, 3>& g) const {
   std::uint32_t i = 0;
+  const GridBox& all = box_;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (g[k] < all.lower[k] || g[k] >= all.upper[k]) return outside_cell;
   while (nodes_[i].axis >= 0)
     i = g[static_cast<std::size_t>(nodes_[i].axis)] < nodes_[i].split ? nodes_[i].below : nodes_[i].above;
   return nodes_[i].below;

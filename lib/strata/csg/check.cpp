@@ -34,7 +34,7 @@ class Inspection {
   }
 
   [[nodiscard]] std::vector<Defect> find() {
-    const CellTree cells(carriers_, {.self = true});
+    const CellTree cells(carriers_, {.self = true, .monitor = monitor_});
     std::vector<Defect> defects = intersections(find_meetings(carriers_, cells, true, monitor_));
     if (defects.empty()) defects = wrong_shells(cells);
     return defects;
@@ -121,7 +121,7 @@ bool is_embedded(MeshView mesh, const Options& options) {
     Carriers carriers;
     const std::vector<Triangle> triangles = on_first_vertices(mesh);
     carriers.add(mesh.vertices, triangles);
-    const CellTree cells(carriers, {.self = true});
+    const CellTree cells(carriers, {.self = true, .monitor = monitor});
     return find_meetings(carriers, cells, true, monitor).pairs_meeting == 0;
   });
 }

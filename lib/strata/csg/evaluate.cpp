@@ -22,7 +22,7 @@ std::vector<std::uint8_t> touched_faces(const Carriers& carriers, const Meetings
 
 Boundary evaluate(const Carriers& carriers, const Rule& rule, bool self, const Monitor& monitor, Profile& profile) {
   Stopwatch watch(profile);
-  const CellTree cells(carriers, {.self = self});
+  const CellTree cells(carriers, {.self = self, .monitor = monitor});
   watch.lap("cells");
   monitor.report(0.3);
   monitor.check();

@@ -8,9 +8,9 @@
 
 namespace strata {
 
-/// All decisions of the engine. Each is exact for every finite input, at any scale, in four tiers: running errors in
-/// doubles; zeros that follow from names; integers of fixed width on the lattice of the coordinates concerned;
-/// unbounded integers. Degrees, widths and bounds: theory.md. O(1); thread-safe.
+/// All decisions of the engine. Each is exact for every finite input, at any scale, in five tiers: running errors in
+/// doubles; zeros that follow from names; running errors in doubles in pairs; integers of fixed width on the lattice of
+/// the coordinates concerned; unbounded integers. Degrees, widths and bounds: theory.md. O(1); thread-safe.
 
 /// Two coordinate axes in which a plane is seen without being foreshortened to a line, in the order that shows a
 /// given face counter-clockwise.

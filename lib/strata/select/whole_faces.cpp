@@ -1,56 +1,44 @@
 #include "strata/select/whole_faces.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+
+#include <utility>
 
 namespace strata {
 namespace {
 
-/// Judges the faces whose first vertex is in one cell.
-class CellJudge {
+/// Judges faces one after the other; neighbours in number are often neighbours in space.
+class FaceJudge {
  public:
-  CellJudge(const Carriers& carriers, const CellTree& cells, const Cell& cell, const Rule& rule, bool self)
-      : carriers_(carriers), layers_(carriers, cells), grid_(cells.grid()), cell_(cell), rule_(rule), self_(self) {}
+  FaceJudge(const Carriers& carriers, const CellTree& cells, const Rule& rule, bool self)
+      : carriers_(carriers), layers_(carriers, cells), cells_(cells), rule_(rule), self_(self) {}
 
-  void judge(const std::vector<std::uint8_t>& touched, std::vector<Verdict>& verdicts) {
-    std::uint32_t operand = 0, end = 0;
-    std::uint32_t known_vertex = nobody;
-    Verdict known{};
-    for (const CellFace& f : cell_.faces) {
-      if (touched[f.face]) continue;
-      if (f.face >= end) {
-        operand = carriers_.operand_of_face(f.face);
-        end = carriers_.first_face(operand) + carriers_.face_count(operand);
-        known_vertex = nobody;
-      }
-      const std::uint32_t v = carriers_.faces(operand)[f.face - carriers_.first_face(operand)][0];
-      if (!owns(carriers_.points(operand)[v])) continue;
-      const bool reuse = !self_ && (v == known_vertex || (!cell_.mixed && known_vertex != nobody));
-      if (!reuse) known = judge_face(f.face, operand, v);
-      known_vertex = v;
-      verdicts[f.face] = known;
+  /// Local face number `i` of an operand.
+  [[nodiscard]] Verdict judge(std::uint32_t operand, std::uint32_t i) {
+    const std::uint32_t face = carriers_.first_face(operand) + i, cell = cells_.cell_of_face(face);
+    const std::uint32_t vertex = carriers_.faces(operand)[i][0];
+    const bool mixed = cells_.cells()[cell].mixed;
+    if (self_) return verdict_of(layers_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1}), operand);
+    if (operand == known_operand_ && cell == known_cell_ && (!mixed || vertex == known_vertex_)) return known_;
+    if (mixed) {
+      const auto name = PointName::input(carriers_.first_vertex(operand) + vertex);
+      known_ = verdict_of(layers_.around(make_point(carriers_, name), operand), operand);
+    } else {
+      Windings w = *cells_.cells()[cell].windings;
+      w.set(operand, 0);
+      known_ = verdict_of(std::move(w), operand);
     }
+    known_operand_ = operand;
+    known_cell_ = cell;
+    known_vertex_ = vertex;
+    return known_;
   }
 
  private:
   static constexpr std::uint32_t nobody = 0xffffffffu;
 
-  [[nodiscard]] bool owns(const Carriers::Coordinates& p) const {
-    for (int i = 0; i < 3; ++i) {
-      const auto a = static_cast<std::size_t>(i);
-      const std::int32_t g = grid_.at(i, p[a]);
-      if (g < cell_.box.lower[a] || g >= cell_.box.upper[a]) return false;
-    }
-    return true;
-  }
-
-  [[nodiscard]] Verdict judge_face(std::uint32_t face, std::uint32_t operand, std::uint32_t local_vertex) const {
-    Windings w;
-    if (self_) {
-      w = layers_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1});
-    } else {
-      const auto name = PointName::input(carriers_.first_vertex(operand) + local_vertex);
-      w = layers_.around(make_point(carriers_, name), operand);
-    }
+  [[nodiscard]] Verdict verdict_of(Windings w, std::uint32_t operand) const {
     const bool above = rule_.inside(w);
     w.add(operand, 1);
     return verdict(above, rule_.inside(w));
@@ -58,10 +46,11 @@ class CellJudge {
 
   const Carriers& carriers_;
   const LocalLayers layers_;
-  const Grid& grid_;
-  const Cell& cell_;
+  const CellTree& cells_;
   const Rule& rule_;
   bool self_;
+  std::uint32_t known_operand_ = nobody, known_cell_ = nobody, known_vertex_ = nobody;
+  Verdict known_{};
 };
 
 }  // namespace
@@ -69,12 +58,15 @@ class CellJudge {
 std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
                                        const std::vector<std::uint8_t>& touched, bool self, const Monitor& monitor) {
   std::vector<Verdict> verdicts(carriers.face_count(), Verdict::drop);
-  tbb::parallel_for(std::size_t{0}, cells.cells().size(), [&](std::size_t i) {
-    const Cell& cell = cells.cells()[i];
-    if (cell.faces.empty()) return;
-    monitor.check();
-    CellJudge(carriers, cells, cell, rule, self).judge(touched, verdicts);
-  });
+  for (std::uint32_t operand = 0; operand < carriers.operand_count(); ++operand) {
+    const std::uint32_t first = carriers.first_face(operand);
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, carriers.face_count(operand), 1 << 12), [&](const auto& range) {
+      monitor.check();
+      FaceJudge judge(carriers, cells, rule, self);
+      for (std::uint32_t i = range.begin(); i != range.end(); ++i)
+        if (!touched[first + i]) verdicts[first + i] = judge.judge(operand, i);
+    });
+  }
   return verdicts;
 }
 
