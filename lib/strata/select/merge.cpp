@@ -121,32 +121,25 @@ class FaceMerger {
           sides.push_back({a, b, Verdict::drop});
         }
       }
-    std::unordered_map<std::uint64_t, Id> onward;  // per redundant vertex and verdict: where its side goes
-    const auto key = [](Id v, Verdict left) { return std::uint64_t{v} << 2 | static_cast<std::uint64_t>(left); };
-    // A dividing side is met once from either triangle: both directions, one run each.
-    const auto is_start = [&](const Run& s) { return !outlines_.is_redundant(s.from); };
-    std::unordered_map<std::uint64_t, std::vector<Id>> dividing;
-    for (const Run& s : sides) {
-      if (is_start(s)) continue;
-      if (s.left == Verdict::drop) {
-        dividing[s.from].push_back(s.to);
-      } else {
-        onward.emplace(key(s.from, s.left), s.to);
-      }
-    }
+    join(sides, face.face);
+  }
+
+  /// Runs through redundant vertices are joined. Two sides meet in such a vertex, and each face that has one of them has
+  /// both; a dividing side is met from either triangle, once in each direction.
+  void join(const std::vector<Run>& sides, std::uint32_t face) {
+    std::unordered_map<Id, std::vector<Run>> leaving;  // per redundant vertex
+    for (const Run& s : sides)
+      if (outlines_.is_redundant(s.from)) leaving[s.from].push_back(s);
     runs_.clear();
     for (Run s : sides) {
-      if (!is_start(s)) continue;
-      Id before = s.from;
-      while (outlines_.is_redundant(s.to)) {
-        const Id here = s.to;
-        if (s.left == Verdict::drop) {
-          const auto& ways = dividing.at(here);
-          s.to = ways[0] == before ? ways.at(1) : ways[0];
-        } else {
-          s.to = onward.at(key(here, s.left));
-        }
-        before = here;
+      if (outlines_.is_redundant(s.from)) continue;
+      for (Id before = s.from; outlines_.is_redundant(s.to);) {
+        const auto& ways = leaving[s.to];
+        const auto onward = std::find_if(ways.begin(), ways.end(),
+                                         [&](const Run& w) { return w.left == s.left && w.to != before; });
+        if (onward == ways.end()) fail("an outline ends at a redundant vertex", face);
+        before = s.to;
+        s.to = onward->to;
       }
       runs_.push_back(s);
     }
