@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "strata/overlap/meeting.h"
 
@@ -57,6 +58,33 @@ class CellPairs {
   Meetings& meetings_;
 };
 
+/// What all cells found, constraints sorted by face and other face. All constraints of a pair come from one cell, in one
+/// run; so their order does not depend on the order of the cells.
+Meetings gathered(std::vector<Meetings> per_cell) {
+  struct Key {
+    std::uint64_t faces;
+    std::uint32_t cell, index;
+  };
+  Meetings all;
+  std::vector<Key> keys;
+  for (std::uint32_t c = 0; c < per_cell.size(); ++c) {
+    const Meetings& m = per_cell[c];
+    for (std::uint32_t i = 0; i < m.constraints.size(); ++i)
+      keys.push_back({std::uint64_t{m.constraints[i].face} << 32 | m.constraints[i].other, c, i});
+    all.equal.insert(all.equal.end(), m.equal.begin(), m.equal.end());
+    all.pairs_tested += m.pairs_tested;
+    all.pairs_meeting += m.pairs_meeting;
+  }
+  tbb::parallel_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
+    return std::tie(a.faces, a.cell, a.index) < std::tie(b.faces, b.cell, b.index);
+  });
+  all.constraints.resize(keys.size());
+  tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
+    all.constraints[i] = per_cell[keys[i].cell].constraints[keys[i].index];
+  });
+  return all;
+}
+
 }  // namespace
 
 Meetings find_meetings(const Carriers& carriers, const CellTree& cells, bool self, const Monitor& monitor) {
@@ -67,22 +95,7 @@ Meetings find_meetings(const Carriers& carriers, const CellTree& cells, bool sel
     monitor.check();
     CellPairs(carriers, cell, self, per_cell[i]).find();
   });
-  Meetings all;
-  std::size_t constraints = 0;
-  for (const Meetings& m : per_cell) constraints += m.constraints.size();
-  all.constraints.reserve(constraints);
-  for (Meetings& m : per_cell) {
-    all.constraints.insert(all.constraints.end(), m.constraints.begin(), m.constraints.end());
-    all.equal.insert(all.equal.end(), m.equal.begin(), m.equal.end());
-    all.pairs_tested += m.pairs_tested;
-    all.pairs_meeting += m.pairs_meeting;
-    m = {};
-  }
-  tbb::parallel_sort(all.constraints.begin(), all.constraints.end(), [](const Constraint& a, const Constraint& b) {
-    return std::tie(a.face, a.other, a.kind, a.line, a.tail, a.head) <
-           std::tie(b.face, b.other, b.kind, b.line, b.tail, b.head);
-  });
-  return all;
+  return gathered(std::move(per_cell));
 }
 
 }  // namespace strata
