@@ -12,7 +12,8 @@ const Rational last_digits(1, Integer("1000000000000"));
 
 /// The volume on the doubles in the files, which the exact kernel of the table rounded to 15 digits.
 void check_volume(const Row& row, const Rational& found) {
-  const std::string& column = row.at("volume_igl_exact_kernel").empty() ? "volume_manifold3d" : "volume_igl_exact_kernel";
+  const std::string& column =
+      row.at("volume_igl_exact_kernel").empty() ? "volume_manifold3d" : "volume_igl_exact_kernel";
   if (const auto rounded = exact_number(row.at(column))) {
     CAPTURE(to_nearest_double(found));
     CHECK(within(found, *rounded, last_digits));

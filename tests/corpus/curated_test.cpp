@@ -113,9 +113,7 @@ Cases curated_cases(const std::filesystem::path& root) {
   add_volume_identities(cases);
   add_unit_cubes(cases);
   cases["mf-tetra"] = [] { return sponge_tetrahedron({0.5, 0.5, 0.5}) - sponge_tetrahedron({0, 0, 0}); };
-  cases["mf-mirrored"] = [] {
-    return block({0, -1, 0}, {1, 0, 1}) - block({0, -1, 0}, point("0.5", "0", "0.5"));
-  };
+  cases["mf-mirrored"] = [] { return block({0, -1, 0}, {1, 0, 1}) - block({0, -1, 0}, point("0.5", "0", "0.5")); };
   cases["mf-cubes"] = [] {
     return unite(std::array{block(point("-0.6", "-1", "0"), point("0.6", "0", "1")),
                             block(point("-0.5", "0", "0.5"), point("0.5", "0.8", "1")),
@@ -127,8 +125,9 @@ Cases curated_cases(const std::filesystem::path& root) {
   };
   cases["hp-tetra"] = [] { return Solid(tetrahedron({1, 2, 3}, {2, 2, 4}, {2, 3, 3}, {1, 3, 4})); };
   cases["hp-pentomino"] = [root] {
-    return Solid(load(root, "csg/hipparchus/hipparchus-geometry/src/test/resources/org/hipparchus/geometry/euclidean/"
-                            "threed/pentomino-N.ply"));
+    return Solid(load(root,
+                      "csg/hipparchus/hipparchus-geometry/src/test/resources/org/hipparchus/geometry/euclidean/"
+                      "threed/pentomino-N.ply"));
   };
   cases["mf-menger1"] = [] { return menger_sponge(1); };
   cases["mf-menger2"] = [] { return menger_sponge(2); };

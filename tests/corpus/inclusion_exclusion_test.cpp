@@ -51,9 +51,9 @@ void check_scaled(const std::string& name, const MeshPair& pair, int exponent) {
 TEST_CASE("volumes of the coplanar cases obey inclusion and exclusion exactly", "[corpus][volume]") {
   const auto root = corpus_or_skip();
   if (!root) return;
-  for (const std::string partner : {"coplanar_with_cube", "coplanar_with_cube1", "coplanar_with_cube2",
-                                    "coplanar_with_cube3", "coplanar_with_cube4", "cube_on_cube_edge",
-                                    "cube_on_cube_corner", "with_cube", "cube_interior_tgt"}) {
+  for (const std::string partner :
+       {"coplanar_with_cube", "coplanar_with_cube1", "coplanar_with_cube2", "coplanar_with_cube3",
+        "coplanar_with_cube4", "cube_on_cube_edge", "cube_on_cube_corner", "with_cube", "cube_interior_tgt"}) {
     check_files(*root, coref + "cube.off", coref + partner + ".off");
   }
   const ExactMesh octahedron = exact(load(*root, "csg/cgal-tests/Nef_3/test/Nef_3/data/octa.off"));
@@ -83,7 +83,8 @@ TEST_CASE("volumes of printed objects obey inclusion and exclusion exactly", "[c
 TEST_CASE("classic meshes and their rotated copies obey inclusion and exclusion exactly", "[corpus][volume]") {
   const auto root = corpus_or_skip();
   if (!root) return;
-  for (const std::string& path : {classics + "cheburashka.obj", classics + "fandisk.obj", classics + "rocker-arm.obj"}) {
+  for (const std::string& path :
+       {classics + "cheburashka.obj", classics + "fandisk.obj", classics + "rocker-arm.obj"}) {
     check_rotated_copy(*root, path);
   }
 }

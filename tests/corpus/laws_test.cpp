@@ -67,7 +67,8 @@ bool crosses_itself(const InputError& error) {
 void check_volume(const Row& row, const Solid& x, InputClass input) {
   const Rational expected = *exact_number(row.at("volume"));
   CHECK(x.is_empty() == (expected == 0));
-  if (input == InputClass::solid && row.at("tri_only") == "1") CHECK(within(x.volume(), expected, Rational(1, 1'000'000)));
+  if (input == InputClass::solid && row.at("tri_only") == "1")
+    CHECK(within(x.volume(), expected, Rational(1, 1'000'000)));
 }
 
 void check_mesh(const Row& row, const Mesh& mesh, InputClass input) {
@@ -120,9 +121,9 @@ void run(std::size_t lowest, std::size_t highest) {
     const bool resolve = crossing || overlapping.contains(row.at("path"));
     run_row(*root, row, resolve ? InputClass::overlapping : InputClass::solid, outcome);
   }
-  std::cout << "solids of " << lowest << " to " << highest << " faces: " << outcome.ran << " ran ("
-            << outcome.crossing << " as overlapping after a crossing was found), " << outcome.refused
-            << " refused, " << outcome.unreadable << " unreadable\n";
+  std::cout << "solids of " << lowest << " to " << highest << " faces: " << outcome.ran << " ran (" << outcome.crossing
+            << " as overlapping after a crossing was found), " << outcome.refused << " refused, " << outcome.unreadable
+            << " unreadable\n";
 }
 
 }  // namespace
@@ -130,8 +131,6 @@ void run(std::size_t lowest, std::size_t highest) {
 // Catches: coincident faces that are kept, dropped or doubled, on every kind of real mesh.
 TEST_CASE("X - X and X ^ X are empty and X | X is X, for small solids", "[corpus][laws]") { run(0, 5'000); }
 
-TEST_CASE("X - X and X ^ X are empty and X | X is X, for large solids", "[corpus][laws][slow]") {
-  run(5'000, 200'001);
-}
+TEST_CASE("X - X and X ^ X are empty and X | X is X, for large solids", "[corpus][laws][slow]") { run(5'000, 200'001); }
 
 }  // namespace strata::test

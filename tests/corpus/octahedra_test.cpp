@@ -36,7 +36,8 @@ TEST_CASE("octahedron xor octahedron shifted by (3,4,5)/9 has the 24 rational ve
   const ExactMesh octahedron = exact(load(*root, "csg/cgal-tests/Nef_3/test/Nef_3/data/octa.off"));
   const RationalPoint by{Rational(3, 9), Rational(4, 9), Rational(5, 9)};
   const Solid result = Solid(octahedron) ^ Solid(translated(octahedron, by));
-  const auto expected = points_of(vertices_of_row(*root / "expected/cgal_nef3_reference_files.csv", "octa_ref.nef3.SH"));
+  const auto expected =
+      points_of(vertices_of_row(*root / "expected/cgal_nef3_reference_files.csv", "octa_ref.nef3.SH"));
   REQUIRE(expected.size() == 24);
   CHECK(result.canonical().vertices == expected);
 }

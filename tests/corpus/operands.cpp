@@ -73,7 +73,8 @@ Mesh rotated_copy(const Mesh& mesh) {
     const double y = v[1] - c[1];
     const double z = v[2] - c[2];
     const Vertex about_z{0.6 * x - 0.8 * y, 0.8 * x + 0.6 * y, z};
-    v = {c[0] + about_z[0] + step, c[1] + 0.8 * about_z[1] - 0.6 * about_z[2], c[2] + 0.6 * about_z[1] + 0.8 * about_z[2]};
+    v = {c[0] + about_z[0] + step, c[1] + 0.8 * about_z[1] - 0.6 * about_z[2],
+         c[2] + 0.6 * about_z[1] + 0.8 * about_z[2]};
   }
   return copy;
 }

@@ -18,10 +18,14 @@ namespace {
 
 std::string_view operation_name(Operation operation) {
   switch (operation) {
-    case Operation::unite: return "union";
-    case Operation::intersect: return "intersection";
-    case Operation::subtract: return "difference";
-    case Operation::exclude: return "xor";
+    case Operation::unite:
+      return "union";
+    case Operation::intersect:
+      return "intersection";
+    case Operation::subtract:
+      return "difference";
+    case Operation::exclude:
+      return "xor";
   }
   return {};
 }
@@ -78,7 +82,8 @@ void report(const test::Operands& operands, std::uint64_t seed, Operation operat
   std::string files;
   for (std::size_t i = 0; i < operands.meshes.size(); ++i) {
     meshes += "\noperand " + std::to_string(i) + ":\n" + test::off_text(operands.meshes[i]);
-    files += ' ' + test::dump_off("seed-" + std::to_string(seed) + "-operand-" + std::to_string(i), {&operands.meshes[i]});
+    files +=
+        ' ' + test::dump_off("seed-" + std::to_string(seed) + "-operand-" + std::to_string(i), {&operands.meshes[i]});
   }
   FAIL_CHECK("seed " << seed << " (" << operands.kind << "), " << operation_name(operation) << ": " << problem
                      << "\nwritten to" << files << meshes);
@@ -117,8 +122,7 @@ SeedRange seeds(SeedRange usual) {
 
 void compare_with_nef(const test::Operands& operands, std::uint64_t seed, Tally& tally) {
   CAPTURE(seed, operands.kind);
-  for (const Operation operation :
-       {Operation::unite, Operation::intersect, Operation::subtract, Operation::exclude}) {
+  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract, Operation::exclude}) {
     compare_operation(operation, operands, seed, tally);
   }
 }

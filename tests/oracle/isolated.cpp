@@ -29,7 +29,8 @@ std::string read_all(int pipe) {
   return text;
 }
 
-/// The child's life: 0 and a result, or 1 and a complaint. A crash must end it, not reach the test framework's handlers.
+/// The child's life: 0 and a result, or 1 and a complaint. A crash must end it, not reach the test framework's
+/// handlers.
 [[noreturn]] void work_in_child(int pipe, const std::function<std::string()>& work) {
   for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS}) std::signal(signal, SIG_DFL);
   alarm(60);

@@ -189,8 +189,8 @@ NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands, Wa
   return NefSolid(guarded([&] {
     Nef result = list.empty() ? Nef(Nef::EMPTY) : *list[0];
     for (std::size_t i = 1; i < list.size(); ++i) {
-      result = way == Way::other_formula ? apply_otherwise(operation, result, *list[i])
-                                         : apply(operation, result, *list[i]);
+      result =
+          way == Way::other_formula ? apply_otherwise(operation, result, *list[i]) : apply(operation, result, *list[i]);
       if (way == Way::regularized) result = result.regularization();
     }
     return std::make_shared<const NefSolid::Data>(NefSolid::Data{result});

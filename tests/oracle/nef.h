@@ -41,8 +41,8 @@ class NefSolid {
   /// The same solid by parity of tetrahedra alone; slow, an independent second way. Throws OracleFailed.
   [[nodiscard]] static NefSolid from_tetrahedra(const ExactMesh& mesh);
 
-  /// The facets with the inside behind them and the outside in front, outwards, interior on the left: walls and whatever
-  /// dangles have the same on both sides and are left out. Throws OracleFailed.
+  /// The facets with the inside behind them and the outside in front, outwards, interior on the left: walls and
+  /// whatever dangles have the same on both sides and are left out. Throws OracleFailed.
   [[nodiscard]] std::vector<ExactFacet> facets() const;
 
   /// As a regular solid: facets() gives the boundary of the closure of the interior. Throws OracleFailed.
@@ -54,8 +54,7 @@ class NefSolid {
   std::shared_ptr<const Data> data_;
 };
 
-[[nodiscard]] NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands,
-                                   Way way = Way::in_order);
+[[nodiscard]] NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands, Way way = Way::in_order);
 
 /// Canonical form of the regularized Boolean, by CGAL. Throws OracleFailed.
 [[nodiscard]] CanonicalForm nef_boolean(Operation operation, std::span<const ExactMesh> operands,

@@ -19,8 +19,7 @@ Welded weld(const ExactMesh& mesh) {
   std::map<RationalPoint, std::uint32_t> numbers;
   std::vector<std::uint32_t> renamed;
   for (std::uint32_t v = 0; v < mesh.mesh.vertices.size(); ++v) {
-    const auto [place, fresh] =
-        numbers.try_emplace(mesh.position(v), static_cast<std::uint32_t>(welded.points.size()));
+    const auto [place, fresh] = numbers.try_emplace(mesh.position(v), static_cast<std::uint32_t>(welded.points.size()));
     if (fresh) welded.points.push_back(place->first);
     renamed.push_back(place->second);
   }
@@ -55,9 +54,7 @@ std::size_t root(std::vector<std::size_t>& parent, std::size_t i) {
   return i;
 }
 
-void join(std::vector<std::size_t>& parent, std::size_t a, std::size_t b) {
-  parent[root(parent, a)] = root(parent, b);
-}
+void join(std::vector<std::size_t>& parent, std::size_t a, std::size_t b) { parent[root(parent, a)] = root(parent, b); }
 
 using EdgeSides = std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<std::vector<std::size_t>, 2>>;
 

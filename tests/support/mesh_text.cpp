@@ -32,7 +32,8 @@ void read_line(Mesh& mesh, const std::string& line) {
 }  // namespace
 
 std::string off_text(const Mesh& mesh) {
-  std::string text = "OFF\n" + std::to_string(mesh.vertices.size()) + ' ' + std::to_string(mesh.triangles.size()) + " 0\n";
+  std::string text =
+      "OFF\n" + std::to_string(mesh.vertices.size()) + ' ' + std::to_string(mesh.triangles.size()) + " 0\n";
   for (const Vertex& v : mesh.vertices) {
     for (int k = 0; k < 3; ++k) {
       append(text, v[k]);

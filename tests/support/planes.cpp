@@ -38,8 +38,8 @@ std::string wrong_sources(const ExactMesh& result, const std::vector<Source>& so
     const auto [operand, face] = sources[i];
     if (operand >= operands.size() || face >= operands[operand].triangles.size() ||
         !lies_in_source(result, triangles[i], operands[operand], face)) {
-      return "triangle " + std::to_string(i) + " is not in the plane of operand " + std::to_string(operand) + ", face " +
-             std::to_string(face);
+      return "triangle " + std::to_string(i) + " is not in the plane of operand " + std::to_string(operand) +
+             ", face " + std::to_string(face);
     }
   }
   return {};

@@ -106,7 +106,8 @@ Mesh subdivided(const Mesh& mesh) {
     const std::uint32_t ab = middle(a, b);
     const std::uint32_t bc = middle(b, c);
     const std::uint32_t ca = middle(c, a);
-    for (const Triangle& t : {Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) finer.triangles.push_back(t);
+    for (const Triangle& t : {Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+      finer.triangles.push_back(t);
   }
   return finer;
 }

@@ -46,21 +46,30 @@ Mesh random_cells(Random& random) {
 }
 
 Mesh separate_parts(Random& random) {
-  const Mesh parts[] = {lattice_hull(random, 6), translated(lattice_hull(random, 6), {5, 0, random.between(-2, 2) * 1.0})};
+  const Mesh parts[] = {lattice_hull(random, 6),
+                        translated(lattice_hull(random, 6), {5, 0, random.between(-2, 2) * 1.0})};
   return merged(parts);
 }
 
 Mesh fixed_shape(Random& random) {
   static constexpr std::array<std::array<double, 2>, 5> pentagon{{{0, 1}, {1, 0}, {3, 0}, {4, 2}, {1, 3}}};
   switch (random.below(8)) {
-    case 0: return octahedron({2, 2, 2}, random.between(1, 2));
-    case 1: return box_with_hole();
-    case 2: return l_shape();
-    case 3: return edge_sharing_cells();
-    case 4: return vertex_sharing_cells();
-    case 5: return box_with_cavity(random.between(1, 3));
-    case 6: return prism(pentagon, 0, random.between(1, 3));
-    default: return pyramid(pentagon, 0, {random.between(0, 4) * 1.0, random.between(0, 4) * 1.0, 2});
+    case 0:
+      return octahedron({2, 2, 2}, random.between(1, 2));
+    case 1:
+      return box_with_hole();
+    case 2:
+      return l_shape();
+    case 3:
+      return edge_sharing_cells();
+    case 4:
+      return vertex_sharing_cells();
+    case 5:
+      return box_with_cavity(random.between(1, 3));
+    case 6:
+      return prism(pentagon, 0, random.between(1, 3));
+    default:
+      return pyramid(pentagon, 0, {random.between(0, 4) * 1.0, random.between(0, 4) * 1.0, 2});
   }
 }
 
@@ -76,9 +85,12 @@ Vertex feature_point(Random& random, const Mesh& mesh) {
   const Vertex& p = mesh.vertices[a];
   const Vertex q = middle(mesh.vertices[b], mesh.vertices[c]);
   switch (random.below(3)) {
-    case 0: return p;
-    case 1: return q;
-    default: return middle(p, q);
+    case 0:
+      return p;
+    case 1:
+      return q;
+    default:
+      return middle(p, q);
   }
 }
 
@@ -128,21 +140,26 @@ Operands awkward_pair(Random& random) {
   const Vertex centre{random.unit(), random.unit(), random.unit()};
   const Mesh ball = icosphere(centre, 1 + random.unit(), 0);
   switch (random.below(4)) {
-    case 0: return {"icosahedron, hull of its vertices", {ball, [&] {
-      Mesh hull;
-      while (hull.triangles.empty()) {
-        std::vector<Vertex> points;
-        for (int i = 0; i < 6; ++i) points.push_back(random.pick(ball.vertices));
-        hull = convex_hull(points);
-      }
-      return hull;
-    }()}};
-    case 1: return {"icosahedron, turned copy", {ball, turned(ball, random.between(1, 47))}};
-    case 2: return {"icosahedron, ball inside the vertices", {ball, icosphere(centre, 1, 1)}};
+    case 0:
+      return {"icosahedron, hull of its vertices", {ball, [&] {
+                                                      Mesh hull;
+                                                      while (hull.triangles.empty()) {
+                                                        std::vector<Vertex> points;
+                                                        for (int i = 0; i < 6; ++i)
+                                                          points.push_back(random.pick(ball.vertices));
+                                                        hull = convex_hull(points);
+                                                      }
+                                                      return hull;
+                                                    }()}};
+    case 1:
+      return {"icosahedron, turned copy", {ball, turned(ball, random.between(1, 47))}};
+    case 2:
+      return {"icosahedron, ball inside the vertices", {ball, icosphere(centre, 1, 1)}};
     default: {
       const Mesh a = box(centre, {centre[0] + random.unit(), centre[1] + 1, centre[2] + random.unit()});
       const Vertex& corner = a.vertices[random.below(a.vertices.size())];
-      return {"boxes with a common corner", {a, box(difference(corner, {0.5, 0.25, 0.3}), {corner[0] + 0.1, corner[1], corner[2] + 0.7})}};
+      return {"boxes with a common corner",
+              {a, box(difference(corner, {0.5, 0.25, 0.3}), {corner[0] + 0.1, corner[1], corner[2] + 0.7})}};
     }
   }
 }
@@ -164,15 +181,23 @@ void stretch(Random& random, Operands& operands) {
 Operands unscaled_pair(Random& random) {
   const Mesh a = turned(lattice_solid(random), random.between(0, 47));
   switch (random.below(9)) {
-    case 0: return {"same lattice", {a, lattice_solid(random)}};
-    case 1: return {"shifted copy", {a, shifted_copy(random, a)}};
-    case 2: return {"turned copy", {a, shifted_copy(random, turned(a, random.between(0, 47)))}};
-    case 3: return {"identical", {a, relisted(a)}};
+    case 0:
+      return {"same lattice", {a, lattice_solid(random)}};
+    case 1:
+      return {"shifted copy", {a, shifted_copy(random, a)}};
+    case 2:
+      return {"turned copy", {a, shifted_copy(random, turned(a, random.between(0, 47)))}};
+    case 3:
+      return {"identical", {a, relisted(a)}};
     case 4:
-    case 5: return {"feature on feature", {a, placed_on(random, a, turned(lattice_solid(random), random.between(0, 47)))}};
-    case 6: return {"solid on a face", {a, solid_on_face(random, a)}};
-    case 7: return {"hull of features", {a, hull_of_features(random, a)}};
-    default: return awkward_pair(random);
+    case 5:
+      return {"feature on feature", {a, placed_on(random, a, turned(lattice_solid(random), random.between(0, 47)))}};
+    case 6:
+      return {"solid on a face", {a, solid_on_face(random, a)}};
+    case 7:
+      return {"hull of features", {a, hull_of_features(random, a)}};
+    default:
+      return awkward_pair(random);
   }
 }
 
@@ -180,14 +205,21 @@ Operands unscaled_pair(Random& random) {
 
 Mesh lattice_solid(Random& random) {
   switch (random.below(8)) {
-    case 0: return lattice_box(random);
+    case 0:
+      return lattice_box(random);
     case 1:
-    case 2: return lattice_hull(random, 8);
-    case 3: return kuhn_solid(random, {1, 1, 1}, 2);
-    case 4: return kuhn_solid(random, {2, 1, random.between(1, 2)}, 3);
-    case 5: return random_cells(random);
-    case 6: return random.once_in(2) ? separate_parts(random) : lattice_hull(random, 5);
-    default: return fixed_shape(random);
+    case 2:
+      return lattice_hull(random, 8);
+    case 3:
+      return kuhn_solid(random, {1, 1, 1}, 2);
+    case 4:
+      return kuhn_solid(random, {2, 1, random.between(1, 2)}, 3);
+    case 5:
+      return random_cells(random);
+    case 6:
+      return random.once_in(2) ? separate_parts(random) : lattice_hull(random, 5);
+    default:
+      return fixed_shape(random);
   }
 }
 

@@ -79,7 +79,8 @@ ExactMesh exact_mesh(std::span<const RationalPoint> points, std::span<const Tria
     const RationalPoint& p = points[i];
     const Vertex rounded{to_nearest_double(p[0]), to_nearest_double(p[1]), to_nearest_double(p[2])};
     result.mesh.vertices.push_back(rounded);
-    const bool same = to_rational(rounded[0]) == p[0] && to_rational(rounded[1]) == p[1] && to_rational(rounded[2]) == p[2];
+    const bool same =
+        to_rational(rounded[0]) == p[0] && to_rational(rounded[1]) == p[1] && to_rational(rounded[2]) == p[2];
     if (!same) result.exact.push_back({i, p});
   }
   return result;
