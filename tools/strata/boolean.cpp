@@ -86,6 +86,9 @@ ExitCode run_boolean(strata::Operation operation, const char* name, const Settin
   } catch (const strata::InputError& error) {
     if (!settings.report.empty()) report_refusal(name, operands, error, settings);
     throw;
+  } catch (const strata::Cancelled&) {
+    watch.on_stop(OnStop::leave);  // says why
+    throw;
   }
   report["seconds"]["evaluate"] = stopwatch.lap();
   std::optional<bool> rounded_valid;

@@ -39,7 +39,13 @@ ExitCode run_check(const Settings& settings) {
   report["seconds"]["read"] = stopwatch.lap();
 
   watch.on_stop(OnStop::ask);
-  const std::vector<strata::Defect> defects = diagnose(operand.mesh.mesh, settings, watch);
+  std::vector<strata::Defect> defects;
+  try {
+    defects = diagnose(operand.mesh.mesh, settings, watch);
+  } catch (const strata::Cancelled&) {
+    watch.on_stop(OnStop::leave);  // says why
+    throw;
+  }
   report["seconds"]["evaluate"] = stopwatch.lap();
   report["peak_bytes"] = peak_bytes();
   const bool solid = std::none_of(defects.begin(), defects.end(), [](const strata::Defect& defect) {

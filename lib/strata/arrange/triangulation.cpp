@@ -1,5 +1,6 @@
 #include "strata/arrange/triangulation.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "strata/exact/failure.h"
@@ -404,17 +405,62 @@ void Triangulation::open_way(std::int32_t from, std::int32_t to,
   }
 }
 
+PointName Triangulation::name_of_crossing(const ConstraintLine& a, const ConstraintLine& b) const {
+  if (a.edge && b.edge) return PointName::edge_edge(a.a, a.b, b.a, b.b);
+  if (a.edge) return PointName::edge_face(a.a, a.b, b.a);
+  if (b.edge) return PointName::edge_face(b.a, b.b, a.a);
+  return PointName::three_faces(face_, a.a, b.a);
+}
+
+std::uint32_t Triangulation::operand_of(const ConstraintLine& line) const {
+  return line.edge ? carriers_.operand_of_vertex(line.a) : carriers_.operand_of_face(line.a);
+}
+
+void Triangulation::connect_names(bool same_operand) {
+  struct Arm {
+    std::int32_t end;
+    ConstraintLine line;
+    std::uint32_t operand;
+  };
+  std::vector<std::pair<std::int32_t, Arm>> arms;  // at a vertex
+  const auto add = [&](std::int32_t v, std::int32_t end, const ConstraintLine& line) {
+    arms.push_back({v, {end, line, operand_of(line)}});
+  };
+  for (const Triangle& t : triangles_)
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t a = t.v[at(i)], b = t.v[at(next(i))];
+      for (std::int32_t n = t.c[at(i)]; n >= 0; n = note(n).next) {
+        if (t.n[at(i)] >= 0 && !note(n).forward) continue;  // met from the other side
+        add(a, b, lines_[at(note(n).constraint)]);
+        add(b, a, lines_[at(note(n).constraint)]);
+      }
+      for (int k = 0; k < 3 && t.n[at(i)] < 0; ++k) {  // the face's own edges
+        const std::uint32_t u = corners_[at(k)], v = corners_[at(next(k))];
+        if (!named_on_edge(points_[at(a)].name, u, v) || !named_on_edge(points_[at(b)].name, u, v)) continue;
+        add(a, b, ConstraintLine::along_edge(u, v));
+        add(b, a, ConstraintLine::along_edge(u, v));
+      }
+    }
+  std::stable_sort(arms.begin(), arms.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+  for (std::size_t first = 0, last = 0; first < arms.size(); first = last) {
+    const std::int32_t v = arms[first].first;
+    while (last < arms.size() && arms[last].first == v) ++last;
+    for (std::size_t i = first; i < last; ++i)
+      for (std::size_t j = first; j < i; ++j) {
+        const Arm &x = arms[i].second, &y = arms[j].second;
+        if (x.line == y.line || (!same_operand && x.operand == y.operand)) continue;
+        const PointName name = name_of_crossing(x.line, y.line);
+        if (name == points_[at(v)].name || turn(v, x.end, y.end) == Sign::zero) continue;
+        equal_.emplace_back(name, points_[at(v)].name);
+      }
+  }
+}
+
 /// Names the point where a segment on `line` crosses a constrained side, and splits the side there.
 std::int32_t Triangulation::cross_constraint(Side s, const ConstraintLine& line) {
-  const auto name_with = [&](const ConstraintLine& other) {
-    if (line.edge && other.edge) return PointName::edge_edge(line.a, line.b, other.a, other.b);
-    if (line.edge) return PointName::edge_face(line.a, line.b, other.a);
-    if (other.edge) return PointName::edge_face(other.a, other.b, line.a);
-    return PointName::three_faces(face_, line.a, other.a);
-  };
   std::int32_t v = -1;
   for (std::int32_t n = tri(s.triangle).c[at(s.index)]; n >= 0; n = note(n).next) {
-    const PointName name = name_with(lines_[at(note(n).constraint)]);
+    const PointName name = name_of_crossing(line, lines_[at(note(n).constraint)]);
     if (v < 0) {
       v = new_vertex(make_point(carriers_, name));
       remember(name, v);

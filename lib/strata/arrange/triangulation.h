@@ -49,6 +49,11 @@ class Triangulation {
   /// Inserts a segment between two local vertices as constraint number `constraint`, carried by `line`.
   void add_segment(std::int32_t tail, std::int32_t head, std::int32_t constraint, const ConstraintLine& line);
 
+  /// Notes, for every vertex in which lines of different faces' operands meet, the names that those lines give it. A point
+  /// that was found under one name here may be known by another to the faces that carry those lines.
+  /// `same_operand`: lines of one operand count as well.
+  void connect_names(bool same_operand);
+
   /// Where a point of the closed face lies.
   [[nodiscard]] Location locate(const Point& p);
 
@@ -97,6 +102,8 @@ class Triangulation {
   std::int32_t advance(std::int32_t from, std::int32_t to, const ConstraintLine& line);
   void open_way(std::int32_t from, std::int32_t to, std::vector<std::pair<std::int32_t, std::int32_t>>& crossed);
   std::int32_t cross_constraint(Side s, const ConstraintLine& line);
+  [[nodiscard]] PointName name_of_crossing(const ConstraintLine& a, const ConstraintLine& b) const;
+  [[nodiscard]] std::uint32_t operand_of(const ConstraintLine& line) const;
   void mark(std::int32_t from, std::int32_t to, std::int32_t constraint);
   void add_note(Side s, std::int32_t constraint, bool forward);
 

@@ -15,7 +15,8 @@ class LocalLayers {
  public:
   LocalLayers(const Carriers& carriers, const CellTree& cells) : carriers_(carriers), cells_(cells) {}
 
-  /// Winding numbers about all operands but `own`, whose entry is left out, at a point on none of their faces.
+  /// Winding numbers about all operands but `own`, whose entry is left out, at a point of a face of `own` that is on no
+  /// face of theirs.
   [[nodiscard]] Windings around(const Point& q, std::uint32_t own) const;
 
   /// Winding numbers about all operands just above `face` (on its outer side) at a point of it. `covering` are the faces

@@ -33,6 +33,7 @@ class FaceSplitter {
     operand_ = carriers_.operand_of_face(face_);
     constraints_ = constraints;
     triangulate();
+    if (self_ || carriers_.operand_count() > 2) triangulation_.connect_names(self_);
     spread(start());
     judge();
     collect(result);
