@@ -114,6 +114,7 @@ TEST_CASE("what is no solid is refused with its defects", "[csg]") {
   Mesh inside_out = box({0, 0, 0}, {1, 1, 1});
   for (Triangle& t : inside_out.triangles) std::swap(t[0], t[1]);
   CHECK_THROWS_AS(Solid(inside_out), InputError);
+  CHECK_THROWS_AS(Solid(inside_out, InputClass::overlapping), InputError);  // not silently the empty solid
   Mesh wild = box({0, 0, 0}, {1, 1, 1});
   wild.vertices[3][1] = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(Solid(wild), InputError);

@@ -41,9 +41,8 @@ class Operands {
     if (!operand.exact.empty()) return {};  // a result of ours
     switch (input) {
       case InputClass::solid:
-        return prepare_closed(operand.mesh, false, index);
       case InputClass::overlapping:
-        return prepare_closed(operand.mesh, true, index);
+        return prepare_closed(operand.mesh, false, index);
       case InputClass::repair:
         return prepare_soup(operand.mesh, index);
     }

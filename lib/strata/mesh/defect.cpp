@@ -1,5 +1,6 @@
 #include "strata/mesh/defect.h"
 
+#include <algorithm>
 #include <charconv>
 #include <utility>
 
@@ -10,6 +11,12 @@ std::string shortest(double x) {
   char buffer[32];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, x).ptr;
   return {buffer, end};
+}
+
+/// What refuses the mesh before what was resolved.
+std::vector<Defect>& errors_first(std::vector<Defect>& defects) {
+  std::stable_partition(defects.begin(), defects.end(), [](const Defect& d) { return d.severity == Severity::error; });
+  return defects;
 }
 
 std::string summary(const std::vector<Defect>& defects, std::size_t operand) {
@@ -72,6 +79,6 @@ std::string describe(const Defect& defect) {
 }
 
 InputError::InputError(std::vector<Defect> defects, std::size_t operand)
-    : std::runtime_error(summary(defects, operand)), defects_(std::move(defects)), operand_(operand) {}
+    : std::runtime_error(summary(errors_first(defects), operand)), defects_(std::move(defects)), operand_(operand) {}
 
 }  // namespace strata
