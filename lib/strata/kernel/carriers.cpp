@@ -14,6 +14,9 @@ void Carriers::add(std::span<const Coordinates> points, std::span<const Indices>
   blocks_.push_back({points, faces, exact, vertex_end_, face_end_});
   vertex_end_ += static_cast<std::uint32_t>(points.size());
   face_end_ += static_cast<std::uint32_t>(faces.size());
+  const std::uint32_t operand = operand_count() - 1;
+  while (operand_at_vertex_.size() << stride < vertex_end_) operand_at_vertex_.push_back(operand);
+  while (operand_at_face_.size() << stride < face_end_) operand_at_face_.push_back(operand);
   has_rationals_ = has_rationals_ || !exact.empty();
 }
 

@@ -59,18 +59,19 @@ class Carriers {
     std::uint32_t first_face = 0;
   };
 
+  /// Operands at every 64th number: where a search starts.
+  static constexpr int stride = 6;
+
   template <bool Vertex>
   [[nodiscard]] std::uint32_t find(std::uint32_t id) const {
-    std::uint32_t low = 0, high = static_cast<std::uint32_t>(blocks_.size());
-    while (high - low > 1) {
-      const std::uint32_t middle = (low + high) / 2;
-      const std::uint32_t first = Vertex ? blocks_[middle].first_vertex : blocks_[middle].first_face;
-      (id < first ? high : low) = middle;
-    }
-    return low;
+    const auto first = [&](std::uint32_t o) { return Vertex ? blocks_[o].first_vertex : blocks_[o].first_face; };
+    std::uint32_t o = (Vertex ? operand_at_vertex_ : operand_at_face_)[id >> stride];
+    while (o + 1 < blocks_.size() && first(o + 1) <= id) ++o;
+    return o;
   }
 
   std::vector<Block> blocks_;
+  std::vector<std::uint32_t> operand_at_vertex_, operand_at_face_;
   std::uint32_t vertex_end_ = 0;
   std::uint32_t face_end_ = 0;
   bool has_rationals_ = false;

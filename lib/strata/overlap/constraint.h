@@ -39,6 +39,7 @@ struct Constraint {
 /// Two input vertices at the same place.
 struct EqualVertices {
   std::uint32_t a = 0, b = 0;
+  friend auto operator<=>(const EqualVertices&, const EqualVertices&) = default;
 };
 
 /// Everything found between pairs of faces.

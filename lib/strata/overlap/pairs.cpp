@@ -75,6 +75,9 @@ Meetings gathered(std::vector<Meetings> per_cell) {
     all.pairs_tested += m.pairs_tested;
     all.pairs_meeting += m.pairs_meeting;
   }
+  // The same two vertices meet in many pairs of faces.
+  tbb::parallel_sort(all.equal.begin(), all.equal.end());
+  all.equal.erase(std::unique(all.equal.begin(), all.equal.end()), all.equal.end());
   tbb::parallel_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
     return std::tie(a.faces, a.cell, a.index) < std::tie(b.faces, b.cell, b.index);
   });
