@@ -73,7 +73,7 @@ std::optional<Sign> filtered_orient3d(const Carriers::Coordinates& a, const Carr
   // Differences of doubles are zero only when they are exactly: equal points, and planes across an axis.
   const auto flat = [](double x, double y, double z) { return x == 0 && y == 0 && z == 0; };
   if (flat(ux, vx, wx) || flat(uy, vy, wy) || flat(uz, vz, wz) || flat(wx, wy, wz)) return Sign::zero;
-  if (b == d || c == d) return Sign::zero;
+  if (b == d || c == d || a == c || b == c || a == b) return Sign::zero;
   return std::nullopt;
 }
 
