@@ -77,7 +77,8 @@ Triangulation::Location Triangulation::locate(const Point& p) {
     int zeros = 0, zero = 0, other = 0, beyond = -1;
     for (int k = 0; k < 3 && beyond < 0; ++k) {
       const int i = static_cast<int>((static_cast<std::size_t>(k) + step) % 3);
-      const Sign s = turn(points_[at(tri(t).v[at(i)])], points_[at(tri(t).v[at(next(i))])], p);
+      const Sign s = tri(t).n[at(i)] < 0 ? inner_side({t, i}, p)
+                                         : turn(points_[at(tri(t).v[at(i)])], points_[at(tri(t).v[at(next(i))])], p);
       if (s == Sign::negative) beyond = i;
       if (s == Sign::zero) {
         ++zeros;
@@ -96,6 +97,23 @@ Triangulation::Location Triangulation::locate(const Point& p) {
     return {t, Location::On::vertex, previous(other)};
   }
   fail("a point of a face lies outside its triangulation", face_);
+}
+
+/// Turn of a side on the border and a point: positive inside. A point where another face's edge crosses this face is on
+/// the inner side of an own edge ab when orient3d(a, b, above, below) is negative for the ends of that edge: degree 3, where
+/// the turn itself has 8. Edges that nearly cross make this frequent.
+Sign Triangulation::inner_side(Side s, const Point& p) const {
+  const Point &from = points_[at(tri(s.triangle).v[at(s.index)])],
+              &to = points_[at(tri(s.triangle).v[at(next(s.index))])];
+  if (const auto sign = filtered_orient2d(projection_, from, to, p)) return *sign;
+  if (p.name.kind == PointName::Kind::edge_face && p.name.id[2] == face_)
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = corners_[at(i)], b = corners_[at(next(i))], c = p.name.id[0], d = p.name.id[1];
+      if (!named_on_edge(from.name, a, b) || !named_on_edge(to.name, a, b)) continue;
+      const Sign above = orient3d(carriers_, corners_[0], corners_[1], corners_[2], c);
+      if (above != Sign::zero) return -(orient3d(carriers_, a, b, c, d) * above);
+    }
+  return turn(from, to, p);
 }
 
 Sign Triangulation::turn(std::int32_t a, std::int32_t b, std::int32_t c) const {

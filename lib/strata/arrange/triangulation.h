@@ -79,6 +79,7 @@ class Triangulation {
 
   [[nodiscard]] Sign turn(std::int32_t a, std::int32_t b, std::int32_t c) const;
   [[nodiscard]] Sign turn(const Point& p, const Point& q, const Point& r) const;
+  [[nodiscard]] Sign inner_side(Side s, const Point& p) const;
   [[nodiscard]] bool collinear_by_name(const Point& p, const Point& q, const Point& r) const;
   [[nodiscard]] bool leaves_plane(const Carriers::Indices& vertices) const;
   [[nodiscard]] std::int32_t find(const PointName& name) const;
