@@ -33,7 +33,8 @@ void validate(const Carriers& carriers, const Triangulation& t) {
   const auto triangles = t.triangles();
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& x = triangles[i];
-    const Point &p = t.points()[std::size_t(x.v[0])], &q = t.points()[std::size_t(x.v[1])], &r = t.points()[std::size_t(x.v[2])];
+    const Point &p = t.points()[std::size_t(x.v[0])], &q = t.points()[std::size_t(x.v[1])],
+                &r = t.points()[std::size_t(x.v[2])];
     REQUIRE(orient2d(carriers, xy, p, q, r) == Sign::positive);
     const auto a = exact_position(carriers, p), b = exact_position(carriers, q), c = exact_position(carriers, r);
     area += (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);

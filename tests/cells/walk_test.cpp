@@ -29,7 +29,8 @@ TEST_CASE("the winding number does not depend on the walk, through vertices and 
   for (int n = 0; n < 2'000; ++n) {
     // Origins and targets on a coarse lattice: most walks meet edges, vertices or run within face planes.
     const Carriers::Coordinates far{-1.0, double(random.between(-1, 4)), double(random.between(-1, 2))};
-    const Point q = Point::free({random.between(-1, 7) / 2.0, random.between(-1, 7) / 2.0, random.between(-1, 3) / 2.0});
+    const Point q =
+        Point::free({random.between(-1, 7) / 2.0, random.between(-1, 7) / 2.0, random.between(-1, 3) / 2.0});
     bool on_surface = false;
     const auto [x, y, z] = std::array{q.at[0].value, q.at[1].value, q.at[2].value};
     const auto in = [](double v, double a, double b) { return a < v && v < b; };
@@ -57,8 +58,7 @@ TEST_CASE("walks along an axis agree with walks to points", "[cells][degenerate]
     Carriers::Coordinates to = from;
     to[static_cast<std::size_t>(axis)] = random.between(-3, 3) + 0.25;
     int along = 0;
-    for (std::uint32_t f = 0; f < carriers.face_count(); ++f)
-      along += crossing_along_axis(carriers, f, from, to, axis);
+    for (std::uint32_t f = 0; f < carriers.face_count(); ++f) along += crossing_along_axis(carriers, f, from, to, axis);
     // Winding numbers at both ends from far away; q is not perturbed, so only ends off the surface compare.
     const Carriers::Coordinates far{-9, 0.5, 0.25};
     const auto on = [](const Carriers::Coordinates& p) {
@@ -121,7 +121,8 @@ TEST_CASE("grid coordinates are monotone at any scale", "[cells][property]") {
   for (const double scale : {1e-310, 1e-300, 1e-9, 1.0, 1e9, 1e300}) {
     const Grid grid({-scale, 0, scale / 2}, {scale, scale / 3, scale});
     for (int n = 0; n < 2'000; ++n) {
-      const double x = (random.unit() * 3 - 1.5) * scale, y = random.once_in(4) ? std::nextafter(x, 9.0) : x + random.unit() * scale;
+      const double x = (random.unit() * 3 - 1.5) * scale,
+                   y = random.once_in(4) ? std::nextafter(x, 9.0) : x + random.unit() * scale;
       for (int axis = 0; axis < 3; ++axis) REQUIRE(grid.at(axis, std::min(x, y)) <= grid.at(axis, std::max(x, y)));
     }
   }

@@ -33,8 +33,8 @@ Solid unit() { return Solid(box({0, 0, 0}, {1, 1, 1})); }
 
 }  // namespace
 
-// Sabotage these catch: a cover on the wrong side, an owner that is not the lowest face, a crossing with its sign turned,
-// a touch taken for a crossing.
+// Sabotage these catch: a cover on the wrong side, an owner that is not the lowest face, a crossing with its sign
+// turned, a touch taken for a crossing.
 
 TEST_CASE("boxes that share a face become one box", "[csg][degenerate]") {
   const Solid a = unit(), b(box({1, 0, 0}, {2, 1, 1}));
@@ -141,8 +141,8 @@ TEST_CASE("octahedra through one another meet in edges and in faces", "[csg][deg
   const Solid a(test::octahedron({0, 0, 0}, 2)), b(test::octahedron({1, 1, 0}, 2)), c(test::octahedron({1, 0, 1}, 2));
   const Solid all[] = {a, b, c};
   const Solid u = unite(all), i = intersect(all);
-  CHECK(u.volume() == a.volume() + b.volume() + c.volume() - (a & b).volume() - (b & c).volume() - (a & c).volume() +
-                          i.volume());
+  CHECK(u.volume() ==
+        a.volume() + b.volume() + c.volume() - (a & b).volume() - (b & c).volume() - (a & c).volume() + i.volume());
 }
 
 TEST_CASE("n operands through one point", "[csg][degenerate]") {
@@ -159,7 +159,8 @@ TEST_CASE("n operands through one point", "[csg][degenerate]") {
 
 TEST_CASE("a gap of one ulp stays a gap, an overlap of one ulp an overlap", "[csg][degenerate]") {
   const Solid a = unit();
-  const Solid apart(box({std::nextafter(1.0, 2.0), 0, 0}, {2, 1, 1})), into(box({std::nextafter(1.0, 0.0), 0, 0}, {2, 1, 1}));
+  const Solid apart(box({std::nextafter(1.0, 2.0), 0, 0}, {2, 1, 1})),
+      into(box({std::nextafter(1.0, 0.0), 0, 0}, {2, 1, 1}));
   CHECK(topology((a | apart).exact_mesh()).components == 2);
   CHECK((a & apart).is_empty());
   CHECK((a & into).volume() == Rational(1) - to_rational(std::nextafter(1.0, 0.0)));

@@ -47,9 +47,11 @@ TEST_CASE("meshes that cross themselves are operands like their unions", "[csg][
     const Mesh first = joined(a.meshes), second = joined(b.meshes);
     const std::vector<MeshView> views{first, second};
     for (const Operation op : {Operation::unite, Operation::intersect, Operation::subtract, Operation::exclude}) {
-      BooleanResult r = combine(op, std::span<const MeshView>(views), {.input = InputClass::overlapping, .exact_vertices = true});
+      BooleanResult r =
+          combine(op, std::span<const MeshView>(views), {.input = InputClass::overlapping, .exact_vertices = true});
       const Solid operands[] = {united(a.meshes), united(b.meshes)};
-      REQUIRE(canonical_form(ExactMesh{std::move(r.mesh), std::move(r.exact)}) == combine_solids(op, operands).canonical());
+      REQUIRE(canonical_form(ExactMesh{std::move(r.mesh), std::move(r.exact)}) ==
+              combine_solids(op, operands).canonical());
     }
   }
 }

@@ -32,8 +32,7 @@ TEST_CASE("every triangle lies in the plane of its source", "[csg][property]") {
     CAPTURE(seed);
     const auto operands = test::touching_pair(seed);
     std::vector<MeshView> views(operands.meshes.begin(), operands.meshes.end());
-    const BooleanResult r =
-        combine(Operation::exclude, std::span<const MeshView>(views), {.exact_vertices = true});
+    const BooleanResult r = combine(Operation::exclude, std::span<const MeshView>(views), {.exact_vertices = true});
     CHECK(test::wrong_sources({r.mesh, r.exact}, r.sources, operands.meshes).empty());
   }
 }
@@ -146,7 +145,8 @@ TEST_CASE("progress grows from zero to one", "[csg]") {
   const Mesh a = test::icosphere({0, 0, 0}, 1, 2), b = test::icosphere({.5, 0, 0}, 1, 2);
   const std::vector<MeshView> operands{a, b};
   std::vector<double> seen;
-  (void)combine(Operation::unite, std::span<const MeshView>(operands), {.progress = [&](double x) { seen.push_back(x); }});
+  (void)combine(Operation::unite, std::span<const MeshView>(operands),
+                {.progress = [&](double x) { seen.push_back(x); }});
   REQUIRE(seen.size() > 3);
   CHECK(std::is_sorted(seen.begin(), seen.end()));
   CHECK(seen.front() >= 0);

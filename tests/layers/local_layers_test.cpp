@@ -70,9 +70,12 @@ TEST_CASE("just above every face of a solid is outside", "[layers][degenerate]")
 
 TEST_CASE("faces that dominate one another in a ring are no obstacle", "[layers][degenerate]") {
   // Three bars around a corner, each over the next: no order by depth exists from (9, 9, 9).
-  const std::vector<Mesh> meshes{test::box({0, 0, 2}, {6, 1, 3}), test::box({2, 0, 0}, {3, 6, 1}),
-                                 test::box({0, 2, 0}, {1, 3, 6}), probe(5.5, .5, 2.5),
-                                 probe(2.5, 5.5, .5),             probe(.5, 2.5, 5.5),
+  const std::vector<Mesh> meshes{test::box({0, 0, 2}, {6, 1, 3}),
+                                 test::box({2, 0, 0}, {3, 6, 1}),
+                                 test::box({0, 2, 0}, {1, 3, 6}),
+                                 probe(5.5, .5, 2.5),
+                                 probe(2.5, 5.5, .5),
+                                 probe(.5, 2.5, 5.5),
                                  probe(1.5, 1.5, 1.5)};
   Carriers carriers;
   for (const Mesh& m : meshes) carriers.add(m.vertices, m.triangles);

@@ -21,7 +21,9 @@ RationalPoint minus(const Vertex& p, const Vertex& q) {
 
 /// Only carriers that meet in one point name one.
 bool meet_in_one_point(const std::vector<Vertex>& p, const PointName& name) {
-  const auto normal = [&](std::size_t f) { return cross(minus(p[3 * f + 1], p[3 * f]), minus(p[3 * f + 2], p[3 * f])); };
+  const auto normal = [&](std::size_t f) {
+    return cross(minus(p[3 * f + 1], p[3 * f]), minus(p[3 * f + 2], p[3 * f]));
+  };
   if (name.kind == PointName::Kind::edge_face) return dot(normal(1), minus(p[1], p[0])) != 0;
   return dot(normal(0), cross(normal(1), normal(2))) != 0;
 }

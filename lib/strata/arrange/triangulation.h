@@ -49,8 +49,8 @@ class Triangulation {
   /// Inserts a segment between two local vertices as constraint number `constraint`, carried by `line`.
   void add_segment(std::int32_t tail, std::int32_t head, std::int32_t constraint, const ConstraintLine& line);
 
-  /// Notes, for every vertex in which lines of different faces' operands meet, the names that those lines give it. A point
-  /// that was found under one name here may be known by another to the faces that carry those lines.
+  /// Notes, for every vertex in which lines of different faces' operands meet, the names that those lines give it. A
+  /// point that was found under one name here may be known by another to the faces that carry those lines.
   /// `same_operand`: lines of one operand count as well.
   void connect_names(bool same_operand);
 

@@ -77,7 +77,8 @@ struct CellTree::Branch {
 /// Grows the tree below one branch.
 class CellTree::Grower {
  public:
-  Grower(const Carriers& carriers, const CellOptions& options, const Grid& grid, std::vector<std::uint32_t>& cell_of_face)
+  Grower(const Carriers& carriers, const CellOptions& options, const Grid& grid,
+         std::vector<std::uint32_t>& cell_of_face)
       : carriers_(carriers), options_(options), grid_(grid), cell_of_face_(cell_of_face) {
     cells_.push_back(outside());
   }
@@ -131,7 +132,8 @@ class CellTree::Grower {
 
   /// Makes a leaf: its faces are told the cell that holds their first vertex.
   void finish(Branch& branch) {
-    const auto cell = cells_.push_back({branch.box, branch.origin, std::move(branch.windings), {}, is_mixed(branch.faces)});
+    const auto cell =
+        cells_.push_back({branch.box, branch.origin, std::move(branch.windings), {}, is_mixed(branch.faces)});
     branch.cell = static_cast<std::uint32_t>(cell - cells_.begin());
     std::uint32_t operand = 0, end = 0;
     for (const CellFace& f : branch.faces) {
@@ -140,7 +142,8 @@ class CellTree::Grower {
         end = carriers_.first_face(operand) + carriers_.face_count(operand);
       }
       const std::uint32_t v = carriers_.faces(operand)[f.face - carriers_.first_face(operand)][0];
-      if (holds(branch.box, f.box) || holds(branch.box, carriers_.points(operand)[v])) cell_of_face_[f.face] = branch.cell;
+      if (holds(branch.box, f.box) || holds(branch.box, carriers_.points(operand)[v]))
+        cell_of_face_[f.face] = branch.cell;
     }
     if (cell->mixed) cell->faces.assign(branch.faces.begin(), branch.faces.end());
     branch.faces.clear();
@@ -182,8 +185,7 @@ class CellTree::Grower {
     std::array<int, 3> order{0, 1, 2};
     const auto length = [&](int i) { return box.upper[at(i)] - box.lower[at(i)]; };
     std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return length(i) > length(j); });
-    for (const int i : order)
-      r.push_back({i, static_cast<std::int32_t>(box.lower[at(i)] + (length(i) + 1) / 2)});
+    for (const int i : order) r.push_back({i, static_cast<std::int32_t>(box.lower[at(i)] + (length(i) + 1) / 2)});
     return r;
   }
 
@@ -205,7 +207,8 @@ class CellTree::Grower {
     high->faces = FaceList(n);
     const Windings windings = share(branch, cut, *moved, *low, *high);
     for (Branch* half : {low.get(), high.get()})  // whose first operand is another one now
-      if (half->faces.size() > 0 && half->faces.begin()->face >= end_of_operand(branch.faces.begin()->face)) measure(*half);
+      if (half->faces.size() > 0 && half->faces.begin()->face >= end_of_operand(branch.faces.begin()->face))
+        measure(*half);
     if (!is_worthwhile(n, low->faces, high->faces)) return false;
 
     Branch& stays = origin_below ? *low : *high;
@@ -242,8 +245,9 @@ class CellTree::Grower {
     const std::size_t a = at(cut.axis);
     const GridBox low_box = closed(low.box), high_box = closed(high.box);
     const auto from_grid = grid_.at(branch.origin), to_grid = grid_.at(to);
-    const GridBox way = {{std::min(from_grid[0], to_grid[0]), std::min(from_grid[1], to_grid[1]), std::min(from_grid[2], to_grid[2])},
-                         {std::max(from_grid[0], to_grid[0]), std::max(from_grid[1], to_grid[1]), std::max(from_grid[2], to_grid[2])}};
+    const GridBox way = {
+        {std::min(from_grid[0], to_grid[0]), std::min(from_grid[1], to_grid[1]), std::min(from_grid[2], to_grid[2])},
+        {std::max(from_grid[0], to_grid[0]), std::max(from_grid[1], to_grid[1]), std::max(from_grid[2], to_grid[2])}};
     const std::uint32_t first_low = end_of_operand(branch.faces.begin()->face);
     Windings windings = *branch.windings;
     for (const CellFace& f : branch.faces) {

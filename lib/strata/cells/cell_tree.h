@@ -45,8 +45,8 @@ class CellTree {
 
   [[nodiscard]] const Grid& grid() const { return grid_; }
   [[nodiscard]] std::span<const Cell> cells() const { return cells_; }  ///< the leaves
-  /// The cell that holds a point, by grid coordinates. The first cell is all space in which no operand is met by another:
-  /// there the winding numbers about all operands but a point's own are 0.
+  /// The cell that holds a point, by grid coordinates. The first cell is all space in which no operand is met by
+  /// another: there the winding numbers about all operands but a point's own are 0.
   [[nodiscard]] std::uint32_t cell_at(const std::array<std::int32_t, 3>& g) const;
   /// The cell that holds a face's first vertex.
   [[nodiscard]] std::uint32_t cell_of_face(std::uint32_t face) const { return cell_of_face_[face]; }

@@ -19,8 +19,8 @@ struct GridBox {
 };
 
 /// A monotone map of doubles to integers, one per axis: x <= y implies at(x) <= at(y), because scaling, subtraction,
-/// clamping and truncation each round monotonically. So points that are ordered stay ordered or become equal, boxes that
-/// overlap in space overlap on the grid, and nothing else is ever concluded from grid coordinates.
+/// clamping and truncation each round monotonically. So points that are ordered stay ordered or become equal, boxes
+/// that overlap in space overlap on the grid, and nothing else is ever concluded from grid coordinates.
 class Grid {
  public:
   static constexpr std::int32_t extent = 1 << 30;

@@ -30,10 +30,10 @@ class FaceList {
 /// Where the subdivision starts.
 struct Root {
   Grid grid;
-  GridBox box;                      ///< the space of interest, half-open: no operand is met outside of it by another
-  Carriers::Coordinates origin{};   ///< in it
-  Windings windings;                ///< at the origin
-  FaceList faces;                   ///< all faces that reach into it, by increasing face
+  GridBox box;                     ///< the space of interest, half-open: no operand is met outside of it by another
+  Carriers::Coordinates origin{};  ///< in it
+  Windings windings;               ///< at the origin
+  FaceList faces;                  ///< all faces that reach into it, by increasing face
 };
 
 /// Boxes every face, finds the space that the bounds of different operands share (all space if `self`), and walks from

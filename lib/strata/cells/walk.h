@@ -7,8 +7,8 @@ namespace strata {
 
 /// Walks through faces, counted exactly.
 ///
-/// An origin O stands for the point O' = O + (e, e^2, e^3) with an infinitely small e > 0, the same for all origins of an
-/// evaluation. O' is on no face plane and on no line or plane spanned by face vertices and another point of a finite
+/// An origin O stands for the point O' = O + (e, e^2, e^3) with an infinitely small e > 0, the same for all origins of
+/// an evaluation. O' is on no face plane and on no line or plane spanned by face vertices and another point of a finite
 /// set, so its winding numbers are defined wherever O is, and walks between such points meet faces in their interiors
 /// only. Signs of O' are those of O, or else of the first partial derivative that is not zero. Only the walk is
 /// perturbed, never a surface. Proofs: theory.md.

@@ -24,8 +24,9 @@ std::vector<Triangle> on_first_vertices(MeshView mesh) {
   return triangles;
 }
 
-/// Where faces of a mesh meet but for shared edges and vertices, and its shells that do not enclose what is inside them.
-/// Requires a closed mesh without degenerate triangles. `source` gives the caller's face numbers; empty: the same.
+/// Where faces of a mesh meet but for shared edges and vertices, and its shells that do not enclose what is inside
+/// them. Requires a closed mesh without degenerate triangles. `source` gives the caller's face numbers; empty: the
+/// same.
 class Inspection {
  public:
   Inspection(MeshView mesh, const std::vector<std::uint32_t>& source, const Monitor& monitor)
@@ -54,7 +55,8 @@ class Inspection {
       const Point p = make_point(carriers_, c.tail);
       list.add(Vertex{p.at[0].value, p.at[1].value, p.at[2].value}, {source(f), source(g)}, [&] {
         return "faces " + std::to_string(source(f)) + " and " + std::to_string(source(g)) +
-               (c.kind == ConstraintKind::coplanar ? " overlap in one plane" : " meet away from shared edges and vertices");
+               (c.kind == ConstraintKind::coplanar ? " overlap in one plane"
+                                                   : " meet away from shared edges and vertices");
       });
     }
     std::vector<Defect> defects;
@@ -70,12 +72,14 @@ class Inspection {
       monitor_.check();
       above[f] = layers.above(f, make_point(carriers_, PointName::weighted(f, 1)), {&f, 1})[0];
     });
-    DefectList list(DefectKind::inside_out, Severity::error, "reverse the faces of the shell, or declare the input as repair");
+    DefectList list(DefectKind::inside_out, Severity::error,
+                    "reverse the faces of the shell, or declare the input as repair");
     for (std::uint32_t f = 0; f < above.size(); ++f) {
       if (above[f] == 0) continue;
       list.add(carriers_.vertex(carriers_.face(f)[0]), {source(f)}, [&] {
-        return "the outer side of face " + std::to_string(source(f)) + " has winding number " + std::to_string(above[f]) +
-               " and the inner side " + std::to_string(above[f] + 1) + "; a solid has 0 and 1";
+        return "the outer side of face " + std::to_string(source(f)) + " has winding number " +
+               std::to_string(above[f]) + " and the inner side " + std::to_string(above[f] + 1) +
+               "; a solid has 0 and 1";
       });
     }
     std::vector<Defect> defects;

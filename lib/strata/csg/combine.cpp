@@ -1,12 +1,11 @@
 #include "strata/csg/combine.h"
 
-
 #include <exception>
 #include <utility>
 
+#include "strata/csg/arena.h"
 #include "strata/csg/check.h"
 #include "strata/csg/evaluate.h"
-#include "strata/csg/arena.h"
 #include "strata/csg/stopwatch.h"
 #include "strata/mesh/prepare.h"
 #include "strata/round/rounding.h"

@@ -21,8 +21,8 @@ struct Source {
 
 /// Where the time went and what was met, in the order of the stages.
 struct Profile {
-  std::vector<std::pair<std::string, double>> seconds;       ///< per stage
-  std::vector<std::pair<std::string, std::uint64_t>> counts; ///< pairs tested, contacts, split faces, cells, ...
+  std::vector<std::pair<std::string, double>> seconds;        ///< per stage
+  std::vector<std::pair<std::string, std::uint64_t>> counts;  ///< pairs tested, contacts, split faces, cells, ...
 };
 
 /// An operand whose vertices may be rationals; `exact` is empty for ordinary meshes.
@@ -33,10 +33,10 @@ struct Operand {
 
 /// The regularized boundary of the result.
 struct BooleanResult {
-  Mesh mesh;                        ///< unsplit faces first in input order, then split ones; new vertices rounded to nearest
-  std::vector<Source> sources;      ///< one per triangle
-  std::vector<ExactVertex> exact;   ///< exact places of rounded vertices, if Options::exact_vertices
-  std::vector<Defect> notes;        ///< what was resolved on the way in (seams welded, degenerate faces)
+  Mesh mesh;  ///< unsplit faces first in input order, then split ones; new vertices rounded to nearest
+  std::vector<Source> sources;     ///< one per triangle
+  std::vector<ExactVertex> exact;  ///< exact places of rounded vertices, if Options::exact_vertices
+  std::vector<Defect> notes;       ///< what was resolved on the way in (seams welded, degenerate faces)
   Profile profile;
 };
 
@@ -47,7 +47,9 @@ struct BooleanResult {
 /// Laws: commutative in the operands (as point sets); same bytes for any number of threads.
 /// Throws InputError (an operand is not what was declared), Cancelled, std::length_error (more than 2^32 - 2
 /// vertices or faces in all).
-[[nodiscard]] BooleanResult combine(Operation operation, std::span<const MeshView> operands, const Options& options = {});
-[[nodiscard]] BooleanResult combine(Operation operation, std::span<const Operand> operands, const Options& options = {});
+[[nodiscard]] BooleanResult combine(Operation operation, std::span<const MeshView> operands,
+                                    const Options& options = {});
+[[nodiscard]] BooleanResult combine(Operation operation, std::span<const Operand> operands,
+                                    const Options& options = {});
 
 }  // namespace strata

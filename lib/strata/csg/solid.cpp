@@ -41,8 +41,8 @@ Solid::Data accept(Mesh mesh, InputClass input) {
     case InputClass::overlapping:
     case InputClass::repair: {
       const MeshView view = mesh;
-      return data_of(combine(Operation::unite, std::span<const MeshView>(&view, 1),
-                             {.input = input, .exact_vertices = true}));
+      return data_of(
+          combine(Operation::unite, std::span<const MeshView>(&view, 1), {.input = input, .exact_vertices = true}));
     }
   }
   return {};
@@ -87,9 +87,7 @@ BoundingBox Solid::bounding_box() const {
   return box;
 }
 
-bool operator==(const Solid& a, const Solid& b) {
-  return a.data_ == b.data_ || a.canonical() == b.canonical();
-}
+bool operator==(const Solid& a, const Solid& b) { return a.data_ == b.data_ || a.canonical() == b.canonical(); }
 
 Solid combine_solids(Operation operation, std::span<const Solid> operands, const Options& options) {
   std::vector<Operand> views;
@@ -98,8 +96,8 @@ Solid combine_solids(Operation operation, std::span<const Solid> operands, const
   exact.input = InputClass::solid;
   exact.exact_vertices = true;
   Solid result;
-  result.data_ = std::make_shared<const Solid::Data>(
-      data_of(combine(operation, std::span<const Operand>(views), exact)));
+  result.data_ =
+      std::make_shared<const Solid::Data>(data_of(combine(operation, std::span<const Operand>(views), exact)));
   return result;
 }
 

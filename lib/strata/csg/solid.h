@@ -22,21 +22,21 @@ struct BoundingBox {
 /// Results of operations keep their exact vertices and are exact operands in turn.
 class Solid {
  public:
-  Solid();                                                ///< the empty solid
+  Solid();                                                          ///< the empty solid
   explicit Solid(Mesh mesh, InputClass input = InputClass::solid);  ///< throws InputError
-  explicit Solid(ExactMesh mesh);                         ///< closed, oriented outwards, not crossing itself; throws InputError
+  explicit Solid(ExactMesh mesh);  ///< closed, oriented outwards, not crossing itself; throws InputError
 
-  [[nodiscard]] const Mesh& mesh() const;                 ///< coordinates rounded to nearest doubles
+  [[nodiscard]] const Mesh& mesh() const;  ///< coordinates rounded to nearest doubles
   [[nodiscard]] const ExactMesh& exact_mesh() const;
   [[nodiscard]] const std::vector<Source>& sources() const;  ///< per triangle; operand 0 and itself for an input
   [[nodiscard]] const std::vector<Defect>& notes() const;    ///< what was resolved when it was made
-  [[nodiscard]] Rational volume() const;                  ///< exact
+  [[nodiscard]] Rational volume() const;                     ///< exact
   [[nodiscard]] double area() const;
-  [[nodiscard]] BoundingBox bounding_box() const;         ///< of the rounded mesh
+  [[nodiscard]] BoundingBox bounding_box() const;  ///< of the rounded mesh
   [[nodiscard]] bool is_empty() const;
   [[nodiscard]] CanonicalForm canonical() const;
 
-  friend bool operator==(const Solid& a, const Solid& b); ///< equal as point sets, exactly
+  friend bool operator==(const Solid& a, const Solid& b);  ///< equal as point sets, exactly
 
   struct Data;
 

@@ -8,8 +8,8 @@ namespace strata {
 /// An unevaluated sum value + low of two doubles (106 bits) with a bound on its distance from the exact value.
 ///
 /// Sums, products and quotients are those of Joldes, Muller and Popescu 2017 (AccurateDWPlusDW, DWTimesDW1, DWDivDW2),
-/// whose relative errors are at most 15 u^2 + 56 u^3 with u = 2^-53; 2^-100 is added for each, and 2^-1000 for underflow,
-/// carried through as in Bounded. Overflow makes the bound infinite or NaN, and then nothing is certain.
+/// whose relative errors are at most 15 u^2 + 56 u^3 with u = 2^-53; 2^-100 is added for each, and 2^-1000 for
+/// underflow, carried through as in Bounded. Overflow makes the bound infinite or NaN, and then nothing is certain.
 struct Twofold {
   double value = 0;  ///< the sum rounded to nearest
   double low = 0;
@@ -18,8 +18,8 @@ struct Twofold {
   static constexpr double rounding = 0x1p-100;
 
   constexpr Twofold() = default;
-  constexpr Twofold(double exact) : value(exact) {}                           // NOLINT: an exact double is a sum
-  constexpr Twofold(Bounded x) : value(x.value), error(x.error) {}            // NOLINT
+  constexpr Twofold(double exact) : value(exact) {}                 // NOLINT: an exact double is a sum
+  constexpr Twofold(Bounded x) : value(x.value), error(x.error) {}  // NOLINT
   constexpr Twofold(double v, double l, double e) : value(v), low(l), error(e) {}
 
   friend Twofold operator+(const Twofold& a, const Twofold& b) {
@@ -43,7 +43,8 @@ struct Twofold {
     const Pair q = quick_sum(first, (rest.value + rest.low) / b.value);
     const double distance = std::abs(b.value) * (1 - 0x1p-50) - b.error * Bounded::slack;
     if (!(distance > 0)) return {q.high, q.low, HUGE_VAL};
-    const double carried = (a.error + Bounded::underflow) / distance + std::abs(q.high) * (1 + 0x1p-50) * (b.error / distance);
+    const double carried =
+        (a.error + Bounded::underflow) / distance + std::abs(q.high) * (1 + 0x1p-50) * (b.error / distance);
     return {q.high, q.low, carried * Bounded::slack + std::abs(q.high) * rounding + Bounded::underflow};
   }
   Twofold operator-() const { return {-value, -low, error}; }

@@ -57,8 +57,7 @@ class WideInt {
     for (int i = 0; i < Limbs; ++i) {
       Limb carry = 0;
       for (int j = 0; i + j < Limbs; ++j) {
-        const unsigned __int128 p =
-            static_cast<unsigned __int128>(a.limb_[i]) * b.limb_[j] + r.limb_[i + j] + carry;
+        const unsigned __int128 p = static_cast<unsigned __int128>(a.limb_[i]) * b.limb_[j] + r.limb_[i + j] + carry;
         r.limb_[i + j] = static_cast<Limb>(p);
         carry = static_cast<Limb>(p >> 64);
       }

@@ -18,7 +18,8 @@ class Carriers {
 
   /// Appends the points and faces of one operand. `exact` lists the points that are rationals, by increasing index;
   /// `points` then holds their nearest doubles. Indices in `faces` are local to the operand.
-  void add(std::span<const Coordinates> points, std::span<const Indices> faces, std::span<const ExactVertex> exact = {});
+  void add(std::span<const Coordinates> points, std::span<const Indices> faces,
+           std::span<const ExactVertex> exact = {});
 
   [[nodiscard]] std::uint32_t operand_count() const { return static_cast<std::uint32_t>(blocks_.size()); }
   [[nodiscard]] std::uint32_t vertex_count() const { return vertex_end_; }

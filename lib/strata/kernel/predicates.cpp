@@ -97,8 +97,8 @@ bool is_exact(const Point& p) { return p.at[0].error == 0 && p.at[1].error == 0 
 
 Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Point& r, const Point& s) {
   if (const auto sign = filtered(orient3d_of(p.at, q.at, r.at, s.at))) return *sign;
-  if (const auto sign = filtered(orient3d_of(finer(carriers, p), finer(carriers, q), finer(carriers, r),
-                                             finer(carriers, s))))
+  if (const auto sign =
+          filtered(orient3d_of(finer(carriers, p), finer(carriers, q), finer(carriers, r), finer(carriers, s))))
     return *sign;
   const auto width = [&](int b) {
     return width_of_value(width_of_plane(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b)),
@@ -111,8 +111,8 @@ Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Po
 
 Sign orient3d(const Carriers& carriers, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
   if (!carriers.has_rationals()) {
-    if (const auto sign = filtered_orient3d(carriers.vertex(a), carriers.vertex(b), carriers.vertex(c),
-                                            carriers.vertex(d))) {
+    if (const auto sign =
+            filtered_orient3d(carriers.vertex(a), carriers.vertex(b), carriers.vertex(c), carriers.vertex(d))) {
       count(Tier::filter);
       return *sign;
     }
@@ -147,13 +147,13 @@ std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, con
 Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q, const Point& r) {
   if (const auto sign = filtered_orient2d(projection, p, q, r)) return *sign;
   const auto [u, v] = projection;
-  if (const auto sign = filtered(turn_of(finer(carriers, p), finer(carriers, q), finer(carriers, r), u, v))) return *sign;
+  if (const auto sign = filtered(turn_of(finer(carriers, p), finer(carriers, q), finer(carriers, r), u, v)))
+    return *sign;
   const auto width = [&](int b) {
     return width_of_turn(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b));
   };
-  return decide(carriers, {&p, &q, &r}, width, [&](const auto& exact) {
-    return turn(exact.point(p), exact.point(q), exact.point(r), u, v);
-  });
+  return decide(carriers, {&p, &q, &r}, width,
+                [&](const auto& exact) { return turn(exact.point(p), exact.point(q), exact.point(r), u, v); });
 }
 
 Sign compare(const Carriers& carriers, int axis, const Point& p, const Point& q) {

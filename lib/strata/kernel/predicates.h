@@ -26,7 +26,8 @@ struct Projection {
 [[nodiscard]] Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Point& r, const Point& s);
 
 /// The same for four input vertices: the engine's most frequent question.
-[[nodiscard]] Sign orient3d(const Carriers& carriers, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
+[[nodiscard]] Sign orient3d(const Carriers& carriers, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                            std::uint32_t d);
 
 /// Side of p relative to the plane of a face: positive on its outer side.
 [[nodiscard]] Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p);

@@ -19,8 +19,8 @@ class LocalLayers {
   /// face of theirs.
   [[nodiscard]] Windings around(const Point& q, std::uint32_t own) const;
 
-  /// Winding numbers about all operands just above `face` (on its outer side) at a point of it. `covering` are the faces
-  /// coplanar with it that contain q, itself included; q is on no other face.
+  /// Winding numbers about all operands just above `face` (on its outer side) at a point of it. `covering` are the
+  /// faces coplanar with it that contain q, itself included; q is on no other face.
   [[nodiscard]] Windings above(std::uint32_t face, const Point& q, std::span<const std::uint32_t> covering) const;
 
   /// Grid coordinates of a point, by its nearest doubles.

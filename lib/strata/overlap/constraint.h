@@ -19,12 +19,12 @@ struct ConstraintLine {
 /// What another face does to a face along a constraint. Left and right are meant looking along tail -> head with the
 /// face's outward normal up; "above" is the outer side of the face.
 enum class ConstraintKind : std::uint8_t {
-  point,       ///< the faces share one point (tail = head)
-  touch,       ///< the other face has an edge here and is nowhere above: nothing changes across
-  crossing,    ///< just above the face, the left side lies one deeper inside the other face's operand than the right
-  cover_left,  ///< an edge of a coplanar face that covers the left side
-  cover_right, ///< an edge of a coplanar face that covers the right side
-  coplanar,    ///< the other face lies in the same plane and may cover parts; no geometry (tail, head: a corner)
+  point,        ///< the faces share one point (tail = head)
+  touch,        ///< the other face has an edge here and is nowhere above: nothing changes across
+  crossing,     ///< just above the face, the left side lies one deeper inside the other face's operand than the right
+  cover_left,   ///< an edge of a coplanar face that covers the left side
+  cover_right,  ///< an edge of a coplanar face that covers the right side
+  coplanar,     ///< the other face lies in the same plane and may cover parts; no geometry (tail, head: a corner)
 };
 
 /// A point or segment in which a face meets another face, named exactly.

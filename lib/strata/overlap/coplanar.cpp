@@ -15,8 +15,13 @@ using Ends = boost::container::static_vector<SharedPoint, 8>;
 class CoplanarMeeting {
  public:
   CoplanarMeeting(const Carriers& carriers, std::uint32_t f, std::uint32_t g)
-      : carriers_(carriers), f_(f), g_(g), vf_(carriers.face(f)), vg_(carriers.face(g)),
-        projection_(projection_of(carriers, f)), orientation_(same_orientation(carriers, f, g)) {
+      : carriers_(carriers),
+        f_(f),
+        g_(g),
+        vf_(carriers.face(f)),
+        vg_(carriers.face(g)),
+        projection_(projection_of(carriers, f)),
+        orientation_(same_orientation(carriers, f, g)) {
     for (std::size_t i = 0; i < 3; ++i) pf_[i] = make_point(carriers, PointName::input(vf_[i]));
     for (std::size_t i = 0; i < 3; ++i) pg_[i] = make_point(carriers, PointName::input(vg_[i]));
     for (std::size_t e = 0; e < 3; ++e)

@@ -10,13 +10,14 @@ namespace {
 bool all(const Signs& s, Sign x) { return s[0] == x && s[1] == x && s[2] == x; }
 
 Signs sides_of(const Carriers& carriers, const Carriers::Indices& plane, const Carriers::Indices& v) {
-  return {orient3d(carriers, plane[0], plane[1], plane[2], v[0]), orient3d(carriers, plane[0], plane[1], plane[2], v[1]),
+  return {orient3d(carriers, plane[0], plane[1], plane[2], v[0]),
+          orient3d(carriers, plane[0], plane[1], plane[2], v[1]),
           orient3d(carriers, plane[0], plane[1], plane[2], v[2])};
 }
 
 /// Where a triangle with vertices on sides s of a plane leaves it (tail) and enters its positive side (head), walking
-/// around counter-clockwise: the ends of its section with the plane, directed along n x n' (n the plane's normal, n' the
-/// triangle's). theory.md, "Directions".
+/// around counter-clockwise: the ends of its section with the plane, directed along n x n' (n the plane's normal, n'
+/// the triangle's). theory.md, "Directions".
 struct Section {
   Feature tail, head;
 };

@@ -58,8 +58,8 @@ class CellPairs {
   Meetings& meetings_;
 };
 
-/// What all cells found, constraints sorted by face and other face. All constraints of a pair come from one cell, in one
-/// run; so their order does not depend on the order of the cells.
+/// What all cells found, constraints sorted by face and other face. All constraints of a pair come from one cell, in
+/// one run; so their order does not depend on the order of the cells.
 Meetings gathered(std::vector<Meetings> per_cell) {
   struct Key {
     std::uint64_t faces;
@@ -82,9 +82,8 @@ Meetings gathered(std::vector<Meetings> per_cell) {
     return std::tie(a.faces, a.cell, a.index) < std::tie(b.faces, b.cell, b.index);
   });
   all.constraints.resize(keys.size());
-  tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
-    all.constraints[i] = per_cell[keys[i].cell].constraints[keys[i].index];
-  });
+  tbb::parallel_for(std::size_t{0}, keys.size(),
+                    [&](std::size_t i) { all.constraints[i] = per_cell[keys[i].cell].constraints[keys[i].index]; });
   return all;
 }
 

@@ -103,7 +103,8 @@ class FaceMerger {
       if (outlines_.is_redundant(v)) return true;
     for (const PieceTriangle& t : face.triangles)
       for (std::size_t i = 0; i < 3; ++i)
-        if (is_bare(t, i) && (t.carried >> i & 1) != 0 && !outlines_.has(ids[t.v[i]], ids[t.v[(i + 1) % 3]])) return true;
+        if (is_bare(t, i) && (t.carried >> i & 1) != 0 && !outlines_.has(ids[t.v[i]], ids[t.v[(i + 1) % 3]]))
+          return true;
     return false;
   }
   [[nodiscard]] static bool is_bare(const PieceTriangle& t, std::size_t side) { return (t.outline >> side & 1) == 0; }
@@ -124,8 +125,8 @@ class FaceMerger {
     join(sides, face.face);
   }
 
-  /// Runs through redundant vertices are joined. Two sides meet in such a vertex, and each face that has one of them has
-  /// both; a dividing side is met from either triangle, once in each direction.
+  /// Runs through redundant vertices are joined. Two sides meet in such a vertex, and each face that has one of them
+  /// has both; a dividing side is met from either triangle, once in each direction.
   void join(const std::vector<Run>& sides, std::uint32_t face) {
     std::unordered_map<Id, std::vector<Run>> leaving;  // per redundant vertex
     for (const Run& s : sides)
@@ -135,8 +136,8 @@ class FaceMerger {
       if (outlines_.is_redundant(s.from)) continue;
       for (Id before = s.from; outlines_.is_redundant(s.to);) {
         const auto& ways = leaving[s.to];
-        const auto onward = std::find_if(ways.begin(), ways.end(),
-                                         [&](const Run& w) { return w.left == s.left && w.to != before; });
+        const auto onward =
+            std::find_if(ways.begin(), ways.end(), [&](const Run& w) { return w.left == s.left && w.to != before; });
         if (onward == ways.end()) fail("an outline ends at a redundant vertex", face);
         before = s.to;
         s.to = onward->to;
@@ -149,7 +150,8 @@ class FaceMerger {
     triangulation_.start(face);
     std::vector<std::pair<std::int32_t, std::int32_t>> ends;
     for (const Run& r : runs_)
-      ends.emplace_back(triangulation_.add_point(table_.names()[r.from]), triangulation_.add_point(table_.names()[r.to]));
+      ends.emplace_back(triangulation_.add_point(table_.names()[r.from]),
+                        triangulation_.add_point(table_.names()[r.to]));
     const std::size_t points = triangulation_.points().size();
     for (std::size_t i = 0; i < ends.size(); ++i)
       triangulation_.add_segment(ends[i].first, ends[i].second, static_cast<std::int32_t>(i), {});

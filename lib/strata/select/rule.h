@@ -41,8 +41,8 @@ class Rule {
 /// What becomes of a piece of surface.
 enum class Verdict : std::uint8_t {
   drop,
-  keep,       ///< the result is behind it, as the operand was
-  keep_turned ///< the result is in front of it
+  keep,        ///< the result is behind it, as the operand was
+  keep_turned  ///< the result is in front of it
 };
 
 [[nodiscard]] inline Verdict verdict(bool inside_above, bool inside_below) {

@@ -206,9 +206,7 @@ class FaceSplitter {
     const auto triangles = triangulation_.triangles();
     std::vector<std::int32_t> index(triangulation_.points().size(), -1);
     result.face = face_;
-    const auto verdict_of = [&](std::int32_t t) {
-      return t < 0 ? Verdict::drop : verdicts_[at(region_of_[at(t)])];
-    };
+    const auto verdict_of = [&](std::int32_t t) { return t < 0 ? Verdict::drop : verdicts_[at(region_of_[at(t)])]; };
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       const Verdict verdict = verdict_of(static_cast<std::int32_t>(t));
       if (verdict == Verdict::drop) continue;

@@ -16,7 +16,8 @@ namespace strata {
 /// A triangle that stays, by indices into SplitFace::points; already turned if its face's verdict says so.
 struct PieceTriangle {
   std::array<std::uint32_t, 3> v{};
-  std::uint8_t outline = 0;  ///< bit i: across side i (v[i] to v[i + 1]) nothing of this face stays with this orientation
+  std::uint8_t outline =
+      0;  ///< bit i: across side i (v[i] to v[i + 1]) nothing of this face stays with this orientation
   std::uint8_t carried = 0;  ///< bit i: side i carries a constraint
   bool turned = false;
 };
@@ -30,16 +31,16 @@ struct SplitFace {
 
 /// All that stays of the faces that meet others.
 struct SplitFaces {
-  std::vector<SplitFace> faces;                         ///< by increasing face
-  std::vector<std::pair<PointName, PointName>> equal;   ///< names found to be one point
+  std::vector<SplitFace> faces;                        ///< by increasing face
+  std::vector<std::pair<PointName, PointName>> equal;  ///< names found to be one point
 };
 
 /// Splits every constrained face along its constraints and judges each piece.
 ///
 /// One place of a face is located among the layers of its cell; from there the winding numbers just above the face
 /// follow across the constraints, each of which says by how much they change. Below a piece they are those above plus
-/// what the piece itself and the coplanar pieces on it contribute. Of coinciding pieces the one of the lowest face counts.
-/// `constraints` are grouped by face.
+/// what the piece itself and the coplanar pieces on it contribute. Of coinciding pieces the one of the lowest face
+/// counts. `constraints` are grouped by face.
 [[nodiscard]] SplitFaces split_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
                                      std::span<const Constraint> constraints, bool self, const Monitor& monitor);
 

@@ -19,7 +19,8 @@ class FaceJudge {
     const std::uint32_t face = carriers_.first_face(operand) + i, cell = cells_.cell_of_face(face);
     const std::uint32_t vertex = carriers_.faces(operand)[i][0];
     const bool mixed = cells_.cells()[cell].mixed;
-    if (self_) return verdict_of(layers_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1}), operand);
+    if (self_)
+      return verdict_of(layers_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1}), operand);
     if (operand == known_operand_ && cell == known_cell_ && (!mixed || vertex == known_vertex_)) return known_;
     if (mixed) {
       const auto name = PointName::input(carriers_.first_vertex(operand) + vertex);
@@ -60,12 +61,13 @@ std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const CellTree&
   std::vector<Verdict> verdicts(carriers.face_count(), Verdict::drop);
   for (std::uint32_t operand = 0; operand < carriers.operand_count(); ++operand) {
     const std::uint32_t first = carriers.first_face(operand);
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, carriers.face_count(operand), 1 << 12), [&](const auto& range) {
-      monitor.check();
-      FaceJudge judge(carriers, cells, rule, self);
-      for (std::uint32_t i = range.begin(); i != range.end(); ++i)
-        if (!touched[first + i]) verdicts[first + i] = judge.judge(operand, i);
-    });
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, carriers.face_count(operand), 1 << 12),
+                      [&](const auto& range) {
+                        monitor.check();
+                        FaceJudge judge(carriers, cells, rule, self);
+                        for (std::uint32_t i = range.begin(); i != range.end(); ++i)
+                          if (!touched[first + i]) verdicts[first + i] = judge.judge(operand, i);
+                      });
   }
   return verdicts;
 }
