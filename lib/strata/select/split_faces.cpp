@@ -18,7 +18,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 /// What is known about one region of a split face.
 struct Region {
   Windings above;                                           ///< winding numbers just above the face
-  boost::container::small_vector<std::uint32_t, 4> covers;  ///< other coplanar faces that cover it, sorted
+  std::vector<std::uint32_t> covers;  ///< other coplanar faces that cover it, sorted
 };
 
 /// Splits and judges one face; kept for the next one, so that its memory is reused.
@@ -84,7 +84,7 @@ class FaceSplitter {
       if (l.on == On::vertex) continue;
       if (l.on == On::side && triangulation_.triangles()[at(l.triangle)].c[at(l.index)] >= 0) continue;
       Region region;
-      boost::container::small_vector<std::uint32_t, 8> covering{face_};
+      std::vector<std::uint32_t> covering{face_};
       for (const std::uint32_t g : coplanar_)
         if (covers(g, q)) {
           region.covers.push_back(g);

@@ -3,8 +3,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <utility>
-
 namespace strata {
 namespace {
 
@@ -19,17 +17,18 @@ class FaceJudge {
     const std::uint32_t face = carriers_.first_face(operand) + i, cell = cells_.cell_of_face(face);
     const std::uint32_t vertex = carriers_.faces(operand)[i][0];
     const bool mixed = cells_.cells()[cell].mixed;
-    if (self_)
-      return verdict_of(layers_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1}), operand);
-    if (operand == known_operand_ && cell == known_cell_ && (!mixed || vertex == known_vertex_)) return known_;
-    if (mixed) {
+    if (!self_ && operand == known_operand_ && cell == known_cell_ && (!mixed || vertex == known_vertex_)) return known_;
+    Windings w;
+    if (self_) {
+      w = layers_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1});
+    } else if (mixed) {
       const auto name = PointName::input(carriers_.first_vertex(operand) + vertex);
-      known_ = verdict_of(layers_.around(make_point(carriers_, name), operand), operand);
+      w = layers_.around(make_point(carriers_, name), operand);
     } else {
-      Windings w = *cells_.cells()[cell].windings;
+      w = *cells_.cells()[cell].windings;
       w.set(operand, 0);
-      known_ = verdict_of(std::move(w), operand);
     }
+    known_ = verdict_of(w, operand);
     known_operand_ = operand;
     known_cell_ = cell;
     known_vertex_ = vertex;
@@ -39,7 +38,8 @@ class FaceJudge {
  private:
   static constexpr std::uint32_t nobody = 0xffffffffu;
 
-  [[nodiscard]] Verdict verdict_of(Windings w, std::uint32_t operand) const {
+  /// From the winding numbers just above a face.
+  [[nodiscard]] Verdict verdict_of(Windings& w, std::uint32_t operand) const {
     const bool above = rule_.inside(w);
     w.add(operand, 1);
     return verdict(above, rule_.inside(w));
