@@ -1,0 +1,188 @@
+// strata-bench: makes cases, measures the library on them, judges anyone's results. tools/bench/run drives it.
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "case_file.h"
+#include "cases.h"
+#include "copy_floor.h"
+#include "judge.h"
+#include "measure.h"
+#include "request.h"
+#include "strata/csg/combine.h"
+#include "strata/csg/solid.h"
+
+namespace bench {
+namespace {
+
+using nlohmann::json;
+using strata::Mesh;
+using strata::MeshView;
+
+void list_cases() {
+  json list = json::array();
+  for (const Case& c : all_cases()) {
+    list.push_back({{"name", c.name},
+                    {"about", c.about},
+                    {"group", name(c.group)},
+                    {"operation", name(c.operation)},
+                    {"one_by_one", c.group == Group::one_by_one},
+                    {"from_corpus", c.from_corpus},
+                    {"volume", c.volume ? json(*c.volume) : json()}});
+  }
+  std::cout << list.dump(1) << '\n';
+}
+
+void make_case(const std::string& name, const std::string& file) {
+  const std::vector<Mesh> meshes = case_named(name).make(Corpus());
+  write_case(file, meshes);
+  json operands = json::array();
+  std::size_t triangles = 0;
+  for (const Mesh& mesh : meshes) triangles += mesh.triangles.size();
+  std::cout << json{{"operands", meshes.size()}, {"triangles", triangles}}.dump() << '\n';
+}
+
+/// The result of the last run, and what is known about it.
+struct Outcome {
+  strata::BooleanResult result;
+  strata::Solid solid;  ///< one by one
+};
+
+Subject all_at_once(const Request& request, std::span<const MeshView> operands, Outcome& outcome) {
+  const strata::Options options{.threads = request.threads};
+  return {[&outcome] { outcome = {}; },
+          [&outcome, &request, operands, options] {
+            outcome.result = strata::combine(request.operation, operands, options);
+          }};
+}
+
+/// Arrays are copied into solids, results stay exact from step to step.
+Subject one_by_one(const Request& request, std::span<const Mesh> operands, Outcome& outcome) {
+  const strata::Options options{.threads = request.threads};
+  return {[&outcome] { outcome = {}; },
+          [&outcome, &request, operands, options] {
+            strata::Solid whole(operands.front());
+            for (const Mesh& mesh : operands.subspan(1)) {
+              const strata::Solid both[] = {whole, strata::Solid(mesh)};
+              whole = strata::combine_solids(request.operation, both, options);
+            }
+            outcome.solid = whole;
+          }};
+}
+
+json stages_of(const strata::Profile& profile) {
+  json stages = json::object();
+  for (const auto& [stage, seconds] : profile.seconds) stages[stage] = stages.value(stage, 0.0) + seconds;
+  return stages;
+}
+
+json counts_of(const strata::Profile& profile) {
+  json counts = json::object();
+  for (const auto& [what, count] : profile.counts) counts[what] = count;
+  return counts;
+}
+
+void run_case(const Request& request) {
+  const std::vector<Mesh> meshes = read_case(request.case_file);
+  std::vector<MeshView> arrays(meshes.begin(), meshes.end());
+  Outcome outcome;
+  const Measurement measurement = measure(
+      request.one_by_one ? one_by_one(request, meshes, outcome) : all_at_once(request, arrays, outcome), request);
+  const Mesh& result = request.one_by_one ? outcome.solid.mesh() : outcome.result.mesh;
+  const std::size_t sources = request.one_by_one ? outcome.solid.sources().size() : outcome.result.sources.size();
+  arrays.push_back(result);
+
+  json answer = to_json(measurement);
+  answer["threads"] = request.threads;
+  answer["triangles"] = result.triangles.size();
+  answer["vertices"] = result.vertices.size();
+  answer["output_bytes"] = array_bytes(result) + sources * sizeof(strata::Source);
+  answer["copy_floor"] = copy_floor(arrays);
+  answer["stages"] = stages_of(outcome.result.profile);  // of the last repetition
+  answer["counts"] = counts_of(outcome.result.profile);
+  if (!request.result_file.empty()) write_case(request.result_file, {&result, 1});
+  std::cout << answer.dump() << '\n';
+}
+
+void judge_file(const std::string& file) {
+  const std::vector<Mesh> meshes = read_case(file);
+  if (meshes.size() != 1) throw std::runtime_error(file + " is no result: not one mesh");
+  const Verdict verdict = judge(meshes.front());
+  std::cout << json{{"well_formed", verdict.well_formed},
+                    {"closed", verdict.closed},
+                    {"volume", verdict.volume},
+                    {"vertices", verdict.vertices},
+                    {"triangles", verdict.triangles}}
+                   .dump()
+            << '\n';
+}
+
+}  // namespace
+}  // namespace bench
+
+// The one function whose instructions are counted; by this name the counting tool finds it.
+extern "C" [[gnu::noinline]] void strata_bench_counted(strata::Operation operation,
+                                                       const std::vector<strata::MeshView>& operands,
+                                                       strata::BooleanResult& result) {
+  result = strata::combine(operation, operands, {.threads = 1});
+}
+
+namespace bench {
+namespace {
+
+/// Once to warm up, uncounted; then once to be counted, from arrays in memory that are the same in every run.
+void count_case(const std::string& name) {
+  const Case& c = case_named(name);
+  const std::vector<Mesh> meshes = c.make(Corpus());
+  const std::vector<MeshView> operands(meshes.begin(), meshes.end());
+  strata::BooleanResult result = strata::combine(c.operation, operands, {.threads = 1});
+  strata_bench_counted(c.operation, operands, result);
+  std::cout << json{{"triangles", result.mesh.triangles.size()}, {"closed", judge(result.mesh).closed}}.dump() << '\n';
+}
+
+int work(int argc, char** argv) {
+  CLI::App app("Measures Strata; tools/bench/run makes the whole table", "strata-bench");
+  app.require_subcommand(1);
+  app.add_subcommand("list", "All cases, as JSON")->callback(list_cases);
+
+  std::string name;
+  std::string file;
+  CLI::App* make = app.add_subcommand("make", "Writes a case file; those of real meshes need STRATA_CORPUS");
+  make->add_option("NAME", name)->required();
+  make->add_option("FILE", file)->required();
+  make->callback([&] { make_case(name, file); });
+
+  Request request;
+  CLI::App* run = app.add_subcommand("run", "Measures one operation on a case file; prints JSON");
+  add_options(*run, request);
+  run->callback([&] { run_case(request); });
+
+  CLI::App* judging = app.add_subcommand("judge", "Volume and closedness of a result; prints JSON");
+  judging->add_option("FILE", file)->required();
+  judging->callback([&] { judge_file(file); });
+
+  CLI::App* count = app.add_subcommand("count", "Runs a case once, in strata_bench_counted(), for callgrind");
+  count->add_option("NAME", name)->required();
+  count->callback([&] { count_case(name); });
+  CLI11_PARSE(app, argc, argv);
+  return 0;
+}
+
+}  // namespace
+}  // namespace bench
+
+int main(int argc, char** argv) {
+  try {
+    return bench::work(argc, argv);
+  } catch (const bench::MissingMesh& missing) {
+    std::cerr << missing.what() << '\n';
+    return 3;
+  } catch (const std::exception& error) {
+    std::cerr << "strata-bench: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,41 @@
+#include "request.h"
+
+#include <map>
+
+namespace bench {
+namespace {
+
+using strata::Operation;
+
+const std::map<std::string, Operation>& operations() {
+  static const std::map<std::string, Operation> all = {{"union", Operation::unite},
+                                                       {"intersection", Operation::intersect},
+                                                       {"difference", Operation::subtract},
+                                                       {"xor", Operation::exclude}};
+  return all;
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, Request& request) {
+  app.add_option("CASE", request.case_file, "A case file")->required()->check(CLI::ExistingFile);
+  app.add_option("--operation", request.operation, "union, intersection, difference or xor")
+      ->transform(CLI::Transformer(operations()));
+  app.add_flag("--one-by-one", request.one_by_one, "Join operand after operand to the result so far");
+  app.add_option("--threads", request.threads)->check(CLI::Range(1, 1024))->capture_default_str();
+  app.add_option("--repetitions", request.repetitions, "After one to warm up")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--budget", request.budget, "Seconds after which no repetition begins")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--result", request.result_file, "Write the result here, as a case file of one mesh");
+}
+
+std::string name(Operation operation) {
+  for (const auto& [text, value] : operations())
+    if (value == operation) return text;
+  return {};
+}
+
+}  // namespace bench
