@@ -90,32 +90,6 @@ TEST_CASE("every cell's origin has the winding numbers it says", "[cells][proper
   CHECK(compared > 20);
 }
 
-TEST_CASE("faces whose boxes meet share the cell of the lower corner", "[cells][property]") {
-  const Mesh a = test::icosphere({0, 0, 0}, 1, 2), b = test::icosphere({.3, .1, .05}, 1, 2);
-  Carriers carriers;
-  carriers.add(a.vertices, a.triangles);
-  carriers.add(b.vertices, b.triangles);
-  const CellTree tree(carriers, {.leaf_faces = 4});
-  const auto box = [&](std::uint32_t f) {
-    const auto v = carriers.face(f);
-    return tree.grid().box(carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2]));
-  };
-  const auto listed = [&](const Cell& cell, std::uint32_t f) {
-    return std::any_of(cell.faces.begin(), cell.faces.end(), [&](const CellFace& x) { return x.face == f; });
-  };
-  for (std::uint32_t f = 0; f < carriers.face_count(0); f += 3)
-    for (std::uint32_t g = carriers.first_face(1); g < carriers.face_count(); ++g) {
-      const GridBox bf = box(f), bg = box(g);
-      if (!bf.overlaps(bg)) continue;
-      std::array<std::int32_t, 3> corner;
-      for (std::size_t i = 0; i < 3; ++i) corner[i] = std::max(bf.lower[i], bg.lower[i]);
-      const Cell& cell = tree.cells()[tree.cell_at(corner)];
-      REQUIRE(listed(cell, f));
-      REQUIRE(listed(cell, g));
-      REQUIRE(cell.mixed);
-    }
-}
-
 TEST_CASE("grid coordinates are monotone at any scale", "[cells][property]") {
   test::Random random(11);
   for (const double scale : {1e-310, 1e-300, 1e-9, 1.0, 1e9, 1e300}) {

@@ -1,308 +1,90 @@
 #include "strata/cells/cell_tree.h"
 
-#include <tbb/concurrent_vector.h>
-#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_for.h>
 
-#include <limits>
-#include <optional>
+#include <algorithm>
 
-#include "strata/cells/root_faces.h"
-#include "strata/cells/walk.h"
+#include "strata/cells/near_faces.h"
+#include "strata/cells/origins.h"
 
 namespace strata {
 namespace {
 
-constexpr std::size_t parallel_threshold = 4096;
-constexpr int deepest = 64;
-
-void include(GridBox& a, const GridBox& b) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    a.lower[i] = std::min(a.lower[i], b.lower[i]);
-    a.upper[i] = std::max(a.upper[i], b.upper[i]);
+/// The median of the longest sides of faces' boxes on the grid, of a sample.
+std::int32_t typical_extent(const Carriers& carriers, const Grid& grid) {
+  constexpr std::uint32_t sample = 1023;
+  std::vector<std::int32_t> extents;
+  const std::uint32_t step = carriers.face_count() / sample + 1;
+  for (std::uint32_t f = step / 2; f < carriers.face_count(); f += step) {
+    const auto v = carriers.face(f);
+    const GridBox box = grid.box(carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2]));
+    std::int32_t longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, box.upper[i] - box.lower[i]);
+    extents.push_back(longest);
   }
+  const auto middle = extents.begin() + static_cast<std::ptrdiff_t>(extents.size() / 2);
+  std::nth_element(extents.begin(), middle, extents.end());
+  return *middle;
 }
 
-GridBox empty_box() {
-  GridBox b;
-  b.lower.fill(std::numeric_limits<std::int32_t>::max());
-  b.upper.fill(std::numeric_limits<std::int32_t>::min());
-  return b;
+/// Bricks that hold a few faces each, if these are of about the same size.
+BrickGrid bricks_for(const Carriers& carriers, const Space& space) {
+  constexpr std::size_t few = 512, most = std::size_t{1} << 21;
+  const std::size_t faces = carriers.face_count();
+  if (faces < few) return {space, 1, Grid::extent};
+  return {space, std::min(most, 2 * faces), 2 * typical_extent(carriers, space.grid)};
 }
-
-GridBox common(const GridBox& a, const GridBox& b) {
-  GridBox r;
-  for (std::size_t i = 0; i < 3; ++i) {
-    r.lower[i] = std::max(a.lower[i], b.lower[i]);
-    r.upper[i] = std::min(a.upper[i], b.upper[i]);
-  }
-  return r;
-}
-
-bool is_empty(const GridBox& b) {
-  return b.lower[0] > b.upper[0] || b.lower[1] > b.upper[1] || b.lower[2] > b.upper[2];
-}
-
-/// The last grid coordinates that belong to a cell.
-GridBox closed(GridBox cell) {
-  for (std::int32_t& x : cell.upper) --x;
-  return cell;
-}
-
-/// Where to cut a cell: below are grid coordinates < split, above are those >= split.
-struct Cut {
-  int axis = 0;
-  std::int32_t split = 0;
-};
-
-/// What the faces of a cell fill: the boxes of the faces up to a certain one, and of those after it.
-struct Content {
-  GridBox first = empty_box(), rest = empty_box();
-};
 
 }  // namespace
 
-/// A node while the tree grows: pointers, so that subtrees grow independently.
-struct CellTree::Branch {
-  GridBox box;
-  Carriers::Coordinates origin{};
-  std::shared_ptr<const Windings> windings;
-  FaceList faces;
-  Content content;
-  int axis = -1;
-  std::int32_t split = 0;
-  std::uint32_t cell = 0;  ///< of a leaf
-  std::unique_ptr<Branch> below, above;
-};
+CellTree::CellTree(const Carriers& carriers, const CellOptions& options)
+    : carriers_(carriers), space_(find_space(carriers, options.self)) {
+  cells_.push_back({{}, {}, std::make_shared<const Windings>(), {}, false});
+  if (space_.empty) return;
+  bricks_ = bricks_for(carriers, space_);
+  make_cells(carriers, options);
+}
 
-/// Grows the tree below one branch.
-class CellTree::Grower {
- public:
-  Grower(const Carriers& carriers, const CellOptions& options, const Grid& grid,
-         std::vector<std::uint32_t>& cell_of_face)
-      : carriers_(carriers), options_(options), grid_(grid), cell_of_face_(cell_of_face) {
-    cells_.push_back(outside());
-  }
+void CellTree::make_cells(const Carriers& carriers, const CellOptions& options) {
+  const Monitor& monitor = options.monitor;
+  raster_ = std::make_unique<const Raster>(carriers, bricks_);
+  const Raster& raster = *raster_;
+  codes_ = std::make_unique<const BrickCodes>(carriers, space_.grid, bricks_, monitor);
+  const Occupancy occupancy(carriers, bricks_, raster, *codes_, options.self, monitor);
+  regions_ = std::make_unique<const Regions>(bricks_, occupancy);
+  Lines lines(bricks_);
+  std::vector<Target> targets;
+  for (const auto* places : {&regions_->regions(), &regions_->mixed()})
+    for (const std::uint32_t brick : *places) targets.push_back({lines.add(bricks_.code_of(brick)), brick});
+  const NearFaces near =
+      find_near_faces(carriers, space_.grid, bricks_, raster, *codes_, *regions_, lines, monitor);
+  const std::vector<Windings> windings =
+      walk_to_origins(carriers, space_, bricks_, near.line_faces, targets, monitor);
 
-  /// Space outside of the root is the first cell: no operand is met there by another.
-  [[nodiscard]] static Cell outside() { return {{}, {}, std::make_shared<const Windings>(), {}, false}; }
-
-  void grow(Branch& branch, int depth) {
-    if (is_mixed(branch.faces) && branch.faces.size() > options_.leaf_faces && depth < deepest) {
-      for (const Cut& cut : cuts(branch)) {
-        if (!divide(branch, cut)) continue;
-        const auto below = [&] { grow(*branch.below, depth + 1); };
-        const auto above = [&] { grow(*branch.above, depth + 1); };
-        if (branch.below->faces.size() + branch.above->faces.size() > parallel_threshold) {
-          tbb::parallel_invoke(below, above);
-        } else {
-          below();
-          above();
-        }
-        return;
-      }
-    }
-    finish(branch);
-  }
-
-  /// Finds what the faces of a branch fill.
-  void measure(Branch& branch) const {
-    branch.content = {};
-    if (branch.faces.size() == 0) return;
-    const std::uint32_t end = end_of_operand(branch.faces.begin()->face);
-    for (const CellFace& f : branch.faces)
-      include(f.face < end ? branch.content.first : branch.content.rest, common(f.box, closed(branch.box)));
-  }
-
-  [[nodiscard]] std::vector<Cell> take_cells() {
-    std::vector<Cell> cells;
-    cells.reserve(cells_.size());
-    for (Cell& c : cells_) cells.push_back(std::move(c));
-    return cells;
-  }
-
- private:
-  [[nodiscard]] std::uint32_t end_of_operand(std::uint32_t face) const {
-    const std::uint32_t o = carriers_.operand_of_face(face);
-    return carriers_.first_face(o) + carriers_.face_count(o);
-  }
-  [[nodiscard]] bool is_mixed(const FaceList& faces) const {
-    if (faces.size() == 0) return false;
-    return options_.self || (faces.end() - 1)->face >= end_of_operand(faces.begin()->face);
-  }
-
-  /// Makes a leaf: its faces are told the cell that holds their first vertex.
-  void finish(Branch& branch) {
-    const auto cell =
-        cells_.push_back({branch.box, branch.origin, std::move(branch.windings), {}, is_mixed(branch.faces)});
-    branch.cell = static_cast<std::uint32_t>(cell - cells_.begin());
-    std::uint32_t operand = 0, end = 0;
-    for (const CellFace& f : branch.faces) {
-      if (f.face >= end) {
-        operand = carriers_.operand_of_face(f.face);
-        end = carriers_.first_face(operand) + carriers_.face_count(operand);
-      }
-      const std::uint32_t v = carriers_.faces(operand)[f.face - carriers_.first_face(operand)][0];
-      if (holds(branch.box, f.box) || holds(branch.box, carriers_.points(operand)[v]))
-        cell_of_face_[f.face] = branch.cell;
-    }
-    if (cell->mixed) cell->faces.assign(branch.faces.begin(), branch.faces.end());
-    branch.faces.clear();
-  }
-  [[nodiscard]] static bool holds(const GridBox& cell, const GridBox& b) {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (b.lower[i] < cell.lower[i] || b.upper[i] >= cell.upper[i]) return false;
-    return true;
-  }
-  [[nodiscard]] bool holds(const GridBox& cell, const Carriers::Coordinates& p) const {
-    const auto g = grid_.at(p);
-    return holds(cell, GridBox{g, g});
-  }
-
-  /// Candidates, best first: a plane that separates two operands; a plane that cuts off space where nothing can meet;
-  /// the middles of the sides, longest first.
-  [[nodiscard]] std::vector<Cut> cuts(const Branch& branch) const {
-    const bool two = !options_.self && carriers_.operand_of_face(branch.faces.begin()->face) + 1 ==
-                                           carriers_.operand_of_face((branch.faces.end() - 1)->face);
-    GridBox box = branch.content.first;
-    std::vector<Cut> r;
-    if (two) {
-      box = common(branch.content.first, branch.content.rest);
-      for (int i = 0; i < 3; ++i)
-        if (box.lower[at(i)] > box.upper[at(i)]) r.push_back({i, box.lower[at(i)]});
-      if (is_empty(box)) return r;
-    } else {
-      include(box, branch.content.rest);
-    }
-    double best = 0.25;
-    for (int i = 0; i < 3; ++i) {
-      const double side = static_cast<double>(branch.box.upper[at(i)]) - branch.box.lower[at(i)];
-      const double low = (box.lower[at(i)] - static_cast<double>(branch.box.lower[at(i)])) / side;
-      const double high = (branch.box.upper[at(i)] - static_cast<double>(box.upper[at(i)])) / side;
-      if (std::max(low, high) <= best) continue;
-      best = std::max(low, high);
-      r.assign(1, low >= high ? Cut{i, box.lower[at(i)]} : Cut{i, box.upper[at(i)] + 1});
-    }
-    std::array<int, 3> order{0, 1, 2};
-    const auto length = [&](int i) { return box.upper[at(i)] - box.lower[at(i)]; };
-    std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return length(i) > length(j); });
-    for (const int i : order) r.push_back({i, static_cast<std::int32_t>(box.lower[at(i)] + (length(i) + 1) / 2)});
-    return r;
-  }
-
-  /// Cuts a cell in two. False, and nothing changed, when the cut would not help or no origin can be placed.
-  [[nodiscard]] bool divide(Branch& branch, const Cut& cut) const {
-    const std::size_t a = at(cut.axis), n = branch.faces.size();
-    options_.monitor.check();
-    if (cut.split <= branch.box.lower[a] || cut.split >= branch.box.upper[a]) return false;
-    const bool origin_below = grid_.at(cut.axis, branch.origin[a]) < cut.split;
-    GridBox other = branch.box;
-    (origin_below ? other.lower : other.upper)[a] = cut.split;
-    const auto moved = place_origin(branch.origin, other, cut.axis);
-    if (!moved) return false;
-
-    auto low = std::make_unique<Branch>(), high = std::make_unique<Branch>();
-    low->box = high->box = branch.box;
-    low->box.upper[a] = high->box.lower[a] = cut.split;
-    low->faces = FaceList(n);
-    high->faces = FaceList(n);
-    const Windings windings = share(branch, cut, *moved, *low, *high);
-    for (Branch* half : {low.get(), high.get()})  // whose first operand is another one now
-      if (half->faces.size() > 0 && half->faces.begin()->face >= end_of_operand(branch.faces.begin()->face))
-        measure(*half);
-    if (!is_worthwhile(n, low->faces, high->faces)) return false;
-
-    Branch& stays = origin_below ? *low : *high;
-    Branch& moves = origin_below ? *high : *low;
-    stays.origin = branch.origin;
-    stays.windings = branch.windings;
-    moves.origin = *moved;
-    moves.windings = windings == *branch.windings ? branch.windings : std::make_shared<const Windings>(windings);
-    branch.below = std::move(low);
-    branch.above = std::move(high);
-    branch.axis = cut.axis;
-    branch.split = cut.split;
-    branch.faces.clear();
-    branch.windings.reset();
-    return true;
-  }
-
-  /// A cut of a large cell is good when it takes faces away from either side or many from one. Small cells are about to
-  /// be compared pair by pair: there a cut is good when it leaves clearly fewer pairs, which it does not where many
-  /// sheets lie on one another.
-  [[nodiscard]] bool is_worthwhile(std::size_t n, const FaceList& low, const FaceList& high) const {
-    const std::size_t most = std::max(low.size(), high.size()), least = std::min(low.size(), high.size());
-    if (n > 1024) return most < n || least * 4 <= n * 3;
-    const auto pairs = [&](const FaceList& faces) {
-      return is_mixed(faces) ? static_cast<double>(faces.size()) * static_cast<double>(faces.size()) : 0;
-    };
-    return pairs(low) + pairs(high) < 0.9 * static_cast<double>(n) * static_cast<double>(n);
-  }
-
-  /// One pass over the faces of a cell: hands them down to the halves, measures what fills those, and walks from the
-  /// cell's origin to a new one. Returns the winding numbers there.
-  [[nodiscard]] Windings share(const Branch& branch, const Cut& cut, const Carriers::Coordinates& to, Branch& low,
-                               Branch& high) const {
-    const std::size_t a = at(cut.axis);
-    const GridBox low_box = closed(low.box), high_box = closed(high.box);
-    const auto from_grid = grid_.at(branch.origin), to_grid = grid_.at(to);
-    const GridBox way = {
-        {std::min(from_grid[0], to_grid[0]), std::min(from_grid[1], to_grid[1]), std::min(from_grid[2], to_grid[2])},
-        {std::max(from_grid[0], to_grid[0]), std::max(from_grid[1], to_grid[1]), std::max(from_grid[2], to_grid[2])}};
-    const std::uint32_t first_low = end_of_operand(branch.faces.begin()->face);
-    Windings windings = *branch.windings;
-    for (const CellFace& f : branch.faces) {
-      const bool is_first = f.face < first_low;
-      if (f.box.lower[a] < cut.split) {
-        low.faces.push_back(f);
-        include(is_first ? low.content.first : low.content.rest, common(f.box, low_box));
-      }
-      if (f.box.upper[a] >= cut.split) {
-        high.faces.push_back(f);
-        include(is_first ? high.content.first : high.content.rest, common(f.box, high_box));
-      }
-      if (f.box.overlaps(way))
-        windings.add(carriers_.operand_of_face(f.face),
-                     crossing_along_axis(carriers_, f.face, branch.origin, to, cut.axis));
-    }
-    return windings;
-  }
-
-  /// The origin moved along one axis well into a box, unless doubles are too coarse there.
-  [[nodiscard]] std::optional<Carriers::Coordinates> place_origin(Carriers::Coordinates origin, const GridBox& box,
-                                                                  int axis) const {
-    const std::size_t a = at(axis);
-    // Off the middle: inputs are often symmetric, and an origin in a face's plane costs an exact evaluation.
-    const double g = box.lower[a] + (static_cast<double>(box.upper[a]) - box.lower[a]) * 0.4638;
-    origin[a] = grid_.inverse(axis, static_cast<std::int32_t>(g));
-    const std::int32_t placed = grid_.at(axis, origin[a]);
-    if (placed < box.lower[a] || placed >= box.upper[a]) return std::nullopt;
-    return origin;
-  }
-
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-  const Carriers& carriers_;
-  const CellOptions& options_;
-  const Grid& grid_;
-  std::vector<std::uint32_t>& cell_of_face_;
-  tbb::concurrent_vector<Cell> cells_;
-};
-
-CellTree::CellTree(const Carriers& carriers, const CellOptions& options) {
-  Root found = find_root(carriers, options.self);
-  grid_ = found.grid;
-  box_ = found.box;
-  Branch root;
-  root.box = found.box;
-  root.origin = found.origin;
-  root.windings = std::make_shared<const Windings>(std::move(found.windings));
-  root.faces = std::move(found.faces);
-  cell_of_face_.assign(carriers.face_count(), outside_cell);
-  Grower grower(carriers, options, grid_, cell_of_face_);
-  grower.measure(root);
-  grower.grow(root, 0);
-  cells_ = grower.take_cells();
-  collect(root);
+  tbb::concurrent_vector<Cell> cells;
+  cells.push_back(std::move(cells_.front()));
+  const auto cell_of_target = [&](std::size_t n) {
+    const BrickCode code = bricks_.code_of(targets[n].brick);
+    return Cell{bricks_.box(code), bricks_.centre(code), std::make_shared<const Windings>(windings[n]), {}, false};
+  };
+  const std::size_t regions = regions_->regions().size(), mixed = regions_->mixed().size();
+  for (std::size_t n = 0; n < regions; ++n) cells.push_back(cell_of_target(n));
+  BrickFaces brick_faces(carriers, raster, *codes_, *regions_, near.faces);
+  const Refinement refinement(carriers, options, space_.grid, cells);
+  std::vector<Branch> branches(mixed);
+  tbb::parallel_for(std::size_t{0}, mixed, [&](std::size_t n) {
+    monitor.check();
+    Cell cell = cell_of_target(regions + n);
+    Branch& root = branches[n];
+    root.box = cell.box;
+    root.origin = cell.origin;
+    root.windings = std::move(cell.windings);
+    root.faces = brick_faces.take(static_cast<std::uint32_t>(n));
+    refinement.refine(root);
+  });
+  cells_.assign(std::make_move_iterator(cells.begin()), std::make_move_iterator(cells.end()));
+  roots_.reserve(mixed);
+  for (Branch& root : branches) roots_.push_back(collect(root));
 }
 
 std::uint32_t CellTree::collect(Branch& branch) {
@@ -319,13 +101,48 @@ std::uint32_t CellTree::collect(Branch& branch) {
 }
 
 std::uint32_t CellTree::cell_at(const std::array<std::int32_t, 3>& g) const {
-  std::uint32_t i = 0;
-  const GridBox& all = box_;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (g[k] < all.lower[k] || g[k] >= all.upper[k]) return outside_cell;
-  while (nodes_[i].axis >= 0)
-    i = g[static_cast<std::size_t>(nodes_[i].axis)] < nodes_[i].split ? nodes_[i].below : nodes_[i].above;
-  return nodes_[i].below;
+  if (space_.empty) return outside_cell;
+  const std::uint32_t place = regions_->place(bricks_.index(bricks_.code(g)));
+  return (place & Regions::mixed_flag) == 0 ? place : descend(roots_[place - Regions::mixed_flag], g);
+}
+
+PlaneFilter CellTree::plane_of(std::uint32_t face) const {
+  const auto v = carriers_.face(face);
+  return {carriers_.vertex(v[0]), carriers_.vertex(v[1]), carriers_.vertex(v[2])};
+}
+
+/// The pair is owned in the first brick common to both faces.
+bool CellTree::owns_thinned(const Cell& cell, const CellFace& a, const CellFace& b,
+                            std::array<std::int32_t, 3> corner) const {
+  const BrickCode own = bricks_.code(cell.box.lower);
+  std::array<std::int32_t, 3> end{};
+  for (std::size_t i = 0; i < 3; ++i) end[i] = std::min(a.box.upper[i], b.box.upper[i]);
+  const BrickBox common{bricks_.code(corner), bricks_.code(end)};
+  const auto plane_a = plane_of(a.face), plane_b = plane_of(b.face);
+  const auto has = [&](BrickCode brick) {
+    return (!a.is_thinned || raster_->meets(plane_a, brick)) && (!b.is_thinned || raster_->meets(plane_b, brick));
+  };
+  for (auto z = BrickBox::along(common.lower, 2); z <= BrickBox::along(common.upper, 2); ++z)
+    for (auto y = BrickBox::along(common.lower, 1); y <= BrickBox::along(common.upper, 1); ++y)
+      for (auto x = BrickBox::along(common.lower, 0); x <= BrickBox::along(common.upper, 0); ++x) {
+        const BrickCode brick = x | y << 8 | z << 16;
+        if (bricks_.is_outside(brick) || !has(brick)) continue;
+        if (brick != own) return false;
+        const GridBox box = bricks_.box(brick);
+        for (std::size_t i = 0; i < 3; ++i) corner[i] = std::max(corner[i], box.lower[i]);
+        return cell.box.holds(corner);
+      }
+  return false;
+}
+
+std::uint32_t CellTree::mixed_cell_of_vertex(std::uint32_t place, std::uint32_t vertex) const {
+  return descend(roots_[place - Regions::mixed_flag], space_.grid.at(carriers_.vertex(vertex)));
+}
+
+std::uint32_t CellTree::descend(std::uint32_t node, const std::array<std::int32_t, 3>& g) const {
+  while (nodes_[node].axis >= 0)
+    node = g[static_cast<std::size_t>(nodes_[node].axis)] < nodes_[node].split ? nodes_[node].below : nodes_[node].above;
+  return nodes_[node].below;
 }
 
 }  // namespace strata

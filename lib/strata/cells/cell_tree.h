@@ -1,55 +1,44 @@
 #pragma once
-#include <cstdint>
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "strata/cells/grid.h"
-#include "strata/cells/windings.h"
-#include "strata/kernel/carriers.h"
-#include "strata/mesh/monitor.h"
+#include "strata/cells/cell.h"
+#include "strata/cells/occupancy.h"
+#include "strata/cells/refinement.h"
+#include "strata/cells/regions.h"
+#include "strata/cells/space.h"
 
 namespace strata {
 
-/// A face and its grid box.
-struct CellFace {
-  GridBox box;
-  std::uint32_t face = 0;
-};
-
-/// A leaf of the subdivision: a box of space and a local origin in it with its winding numbers. A point belongs to the
-/// one cell with lower <= grid coordinates < upper. In a mixed cell faces may meet, and all whose boxes reach into it
-/// are listed, so every walk inside the cell meets listed faces only: the grid being monotone, a cell is convex. The
-/// faces in any other cell belong to one operand; all other operands have the origin's winding numbers throughout.
-struct Cell {
-  GridBox box;
-  Carriers::Coordinates origin{};
-  std::shared_ptr<const Windings> windings;  ///< at the origin (in the sense of walk.h)
-  std::vector<CellFace> faces;               ///< of a mixed cell, by increasing face number
-  bool mixed = false;
-};
-
-struct CellOptions {
-  bool self = false;            ///< faces of one operand may meet each other
-  std::size_t leaf_faces = 32;  ///< refine cells with more faces
-  Monitor monitor = {};         ///< asked at every cut
-};
-
-/// Space subdivided lazily: only where faces that may meet are near each other.
+/// Space subdivided where faces that may meet are near each other: into bricks of equal size, and the bricks with faces
+/// of different operands further, by cuts. theory.md.
 class CellTree {
  public:
-  /// Boxes every face and refines. Runs in the current task arena. The subdivision does not depend on the number of
-  /// threads; the numbering of the cells does.
-  /// O(n log n) for faces of even density near the meeting surfaces.
+  /// Runs in the current task arena. The subdivision does not depend on the number of threads; the numbering of the
+  /// cells does. A few streaming passes over all faces; O(m log m) for the m faces of even density near the meeting
+  /// surfaces. `carriers` must outlive it.
   CellTree(const Carriers& carriers, const CellOptions& options);
 
-  [[nodiscard]] const Grid& grid() const { return grid_; }
-  [[nodiscard]] std::span<const Cell> cells() const { return cells_; }  ///< the leaves
-  /// The cell that holds a point, by grid coordinates. The first cell is all space in which no operand is met by
-  /// another: there the winding numbers about all operands but a point's own are 0.
+  [[nodiscard]] const Grid& grid() const { return space_.grid; }
+  [[nodiscard]] std::span<const Cell> cells() const { return cells_; }
+  /// The cell that holds a point of a face, by grid coordinates. The first cell is all space in which no operand is met
+  /// by another: there the winding numbers about all operands but a point's own are 0.
   [[nodiscard]] std::uint32_t cell_at(const std::array<std::int32_t, 3>& g) const;
-  /// The cell that holds a face's first vertex.
-  [[nodiscard]] std::uint32_t cell_of_face(std::uint32_t face) const { return cell_of_face_[face]; }
+  /// Of all cells that list two faces whose boxes overlap, one owns the pair, and it is a cell in which both are.
+  [[nodiscard]] bool owns(const Cell& cell, const CellFace& a, const CellFace& b) const {
+    std::array<std::int32_t, 3> corner{};
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = std::max(a.box.lower[i], b.box.lower[i]);
+    return a.is_thinned || b.is_thinned ? owns_thinned(cell, a, b, corner) : cell.box.holds(corner);
+  }
+  /// The cell that holds a vertex of a face.
+  [[nodiscard]] std::uint32_t cell_of_vertex(std::uint32_t vertex) const {
+    if (space_.empty) return outside_cell;
+    const std::uint32_t place = regions_->place(bricks_.index(codes_->of(vertex)));
+    return (place & Regions::mixed_flag) == 0 ? place : mixed_cell_of_vertex(place, vertex);
+  }
 
  private:
   struct Node {
@@ -57,17 +46,25 @@ class CellTree {
     std::int32_t split = 0;
     std::uint32_t below = 0, above = 0;  ///< nodes, or `below` = cell of a leaf
   };
-  struct Branch;
-  class Grower;
+  void make_cells(const Carriers& carriers, const CellOptions& options);
+  [[nodiscard]] bool owns_thinned(const Cell& cell, const CellFace& a, const CellFace& b,
+                                  std::array<std::int32_t, 3> corner) const;
+  [[nodiscard]] PlaneFilter plane_of(std::uint32_t face) const;
   std::uint32_t collect(Branch& branch);
+  [[nodiscard]] std::uint32_t mixed_cell_of_vertex(std::uint32_t place, std::uint32_t vertex) const;
+  [[nodiscard]] std::uint32_t descend(std::uint32_t node, const std::array<std::int32_t, 3>& g) const;
 
-  static constexpr std::uint32_t outside_cell = 0;
+  static constexpr std::uint32_t outside_cell = 0;  // regions follow by number
 
-  Grid grid_;
-  GridBox box_;  ///< of the root
+  const Carriers& carriers_;
+  Space space_;
+  BrickGrid bricks_;
+  std::unique_ptr<const Raster> raster_;
+  std::unique_ptr<const BrickCodes> codes_;
+  std::unique_ptr<const Regions> regions_;
   std::vector<Cell> cells_;
+  std::vector<std::uint32_t> roots_;  ///< nodes, per mixed brick
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> cell_of_face_;
 };
 
 }  // namespace strata

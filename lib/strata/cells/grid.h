@@ -7,11 +7,16 @@
 
 namespace strata {
 
-/// A box of integer grid coordinates, closed on both sides.
+/// A box of integer grid coordinates, closed on both sides; as the box of a cell, half-open.
 struct GridBox {
   std::array<std::int32_t, 3> lower{};
   std::array<std::int32_t, 3> upper{};
 
+  /// Of a half-open box.
+  [[nodiscard]] bool holds(const std::array<std::int32_t, 3>& g) const {
+    return lower[0] <= g[0] && g[0] < upper[0] && lower[1] <= g[1] && g[1] < upper[1] && lower[2] <= g[2] &&
+           g[2] < upper[2];
+  }
   [[nodiscard]] bool overlaps(const GridBox& b) const {
     return lower[0] <= b.upper[0] && b.lower[0] <= upper[0] && lower[1] <= b.upper[1] && b.lower[1] <= upper[1] &&
            lower[2] <= b.upper[2] && b.lower[2] <= upper[2];

@@ -78,7 +78,7 @@ BooleanResult combine_here(Operation operation, std::span<const Operand> given, 
   const bool self = options.input != InputClass::solid;
   Boundary boundary = evaluate(carriers, rule, self, monitor, result.profile);
   Stopwatch output(result.profile);
-  result.mesh.vertices = round_to_doubles(carriers, boundary.vertices, monitor);
+  result.mesh.vertices = round_to_doubles(carriers, boundary.inputs, boundary.constructed, monitor);
   result.mesh.triangles = std::move(boundary.triangles);
   result.sources.reserve(boundary.sources.size());
   for (const std::uint32_t f : boundary.sources) result.sources.push_back(operands.source(f));
@@ -86,7 +86,7 @@ BooleanResult combine_here(Operation operation, std::span<const Operand> given, 
   ensure_closed(result.mesh, given, options);
   output.lap("ensure");
   if (options.exact_vertices) {
-    result.exact = exact_places(carriers, boundary.vertices, result.mesh.vertices, monitor);
+    result.exact = exact_places(carriers, boundary.inputs, boundary.constructed, result.mesh.vertices, monitor);
     output.lap("exact");
   }
   monitor.report(1);

@@ -12,10 +12,9 @@
 namespace strata {
 namespace {
 
-std::vector<std::uint8_t> touched_faces(const Carriers& carriers, const Meetings& meetings) {
-  std::vector<std::uint8_t> touched(carriers.face_count(), 0);
-  for (const Constraint& c : meetings.constraints) touched[c.face] = 1;
-  return touched;
+/// Where two solids cross and nothing else happens, every constraint and every constructed point bounds what stays.
+bool may_merge(const Carriers& carriers, const Meetings& meetings, bool self) {
+  return self || carriers.operand_count() > 2 || meetings.any_contact;
 }
 
 }  // namespace
@@ -32,11 +31,11 @@ Boundary evaluate(const Carriers& carriers, const Rule& rule, bool self, const M
   SplitFaces split = split_faces(carriers, cells, rule, meetings.constraints, self, monitor);
   watch.lap("arrange");
   monitor.report(0.8);
-  const auto whole = judge_whole_faces(carriers, cells, rule, touched_faces(carriers, meetings), self, monitor);
+  const auto whole = judge_whole_faces(carriers, cells, rule, split.faces, self, monitor);
   watch.lap("layers");
   monitor.report(0.85);
   const PointTable points(split, meetings.equal);
-  merge_pieces(carriers, points, split, monitor);
+  if (may_merge(carriers, meetings, self)) merge_pieces(carriers, points, split, monitor);
   Boundary boundary = gather_boundary(carriers, whole, split, points);
   watch.lap("select");
   monitor.report(0.9);

@@ -15,8 +15,8 @@ namespace {
 /// The pairs of one cell. Faces are swept along x, so that only those that overlap there are compared.
 class CellPairs {
  public:
-  CellPairs(const Carriers& carriers, const Cell& cell, bool self, Meetings& meetings)
-      : carriers_(carriers), cell_(cell), self_(self), meetings_(meetings) {}
+  CellPairs(const Carriers& carriers, const CellTree& cells, const Cell& cell, bool self, Meetings& meetings)
+      : carriers_(carriers), cells_(cells), cell_(cell), self_(self), meetings_(meetings) {}
 
   void find() {
     struct Swept {
@@ -44,15 +44,13 @@ class CellPairs {
  private:
   void test(const CellFace& a, const CellFace& b) {
     if (!a.box.overlaps(b.box)) return;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::int32_t corner = std::max(a.box.lower[i], b.box.lower[i]);
-      if (corner < cell_.box.lower[i] || corner >= cell_.box.upper[i]) return;
-    }
+    if (!cells_.owns(cell_, a, b)) return;
     ++meetings_.pairs_tested;
     if (meet_faces(carriers_, std::min(a.face, b.face), std::max(a.face, b.face), meetings_)) ++meetings_.pairs_meeting;
   }
 
   const Carriers& carriers_;
+  const CellTree& cells_;
   const Cell& cell_;
   bool self_;
   Meetings& meetings_;
@@ -69,8 +67,10 @@ Meetings gathered(std::vector<Meetings> per_cell) {
   std::vector<Key> keys;
   for (std::uint32_t c = 0; c < per_cell.size(); ++c) {
     const Meetings& m = per_cell[c];
-    for (std::uint32_t i = 0; i < m.constraints.size(); ++i)
+    for (std::uint32_t i = 0; i < m.constraints.size(); ++i) {
       keys.push_back({std::uint64_t{m.constraints[i].face} << 32 | m.constraints[i].other, c, i});
+      all.any_contact = all.any_contact || m.constraints[i].kind != ConstraintKind::crossing;
+    }
     all.equal.insert(all.equal.end(), m.equal.begin(), m.equal.end());
     all.pairs_tested += m.pairs_tested;
     all.pairs_meeting += m.pairs_meeting;
@@ -95,7 +95,7 @@ Meetings find_meetings(const Carriers& carriers, const CellTree& cells, bool sel
     const Cell& cell = cells.cells()[i];
     if (!cell.mixed) return;
     monitor.check();
-    CellPairs(carriers, cell, self, per_cell[i]).find();
+    CellPairs(carriers, cells, cell, self, per_cell[i]).find();
   });
   return gathered(std::move(per_cell));
 }

@@ -8,10 +8,6 @@
 namespace strata {
 namespace {
 
-bool is_double(const Carriers& carriers, const PointName& name) {
-  return name.kind == PointName::Kind::input && carriers.exact(name.id[0]) == nullptr;
-}
-
 template <class Body>
 void for_each_index(std::size_t count, const Monitor& monitor, const Body& body) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
@@ -22,22 +18,25 @@ void for_each_index(std::size_t count, const Monitor& monitor, const Body& body)
 
 }  // namespace
 
-std::vector<Vertex> round_to_doubles(const Carriers& carriers, const std::vector<PointName>& points,
-                                     const Monitor& monitor) {
-  std::vector<Vertex> rounded(points.size());
+std::vector<Vertex> round_to_doubles(const Carriers& carriers, const std::vector<std::uint32_t>& inputs,
+                                     const std::vector<PointName>& points, const Monitor& monitor) {
+  std::vector<Vertex> rounded(inputs.size() + points.size());
+  for_each_index(inputs.size(), monitor, [&](std::size_t i) { rounded[i] = carriers.vertex(inputs[i]); });
   for_each_index(points.size(), monitor, [&](std::size_t i) {
-    rounded[i] = points[i].kind == PointName::Kind::input ? carriers.vertex(points[i].id[0])
-                                                          : nearest_doubles(carriers, make_point(carriers, points[i]));
+    rounded[inputs.size() + i] = nearest_doubles(carriers, make_point(carriers, points[i]));
   });
   return rounded;
 }
 
-std::vector<ExactVertex> exact_places(const Carriers& carriers, const std::vector<PointName>& points,
-                                      const std::vector<Vertex>& rounded, const Monitor& monitor) {
-  std::vector<std::optional<RationalPoint>> places(points.size());
-  for_each_index(points.size(), monitor, [&](std::size_t i) {
-    if (is_double(carriers, points[i])) return;
-    RationalPoint exact = exact_position(carriers, make_point(carriers, points[i]));
+std::vector<ExactVertex> exact_places(const Carriers& carriers, const std::vector<std::uint32_t>& inputs,
+                                      const std::vector<PointName>& points, const std::vector<Vertex>& rounded,
+                                      const Monitor& monitor) {
+  std::vector<std::optional<RationalPoint>> places(rounded.size());
+  for_each_index(rounded.size(), monitor, [&](std::size_t i) {
+    const bool is_input = i < inputs.size();
+    if (is_input && carriers.exact(inputs[i]) == nullptr) return;
+    const PointName name = is_input ? PointName::input(inputs[i]) : points[i - inputs.size()];
+    RationalPoint exact = exact_position(carriers, make_point(carriers, name));
     for (std::size_t k = 0; k < 3; ++k)
       if (exact[k] != to_rational(rounded[i][k])) {
         places[i] = std::move(exact);
@@ -45,7 +44,7 @@ std::vector<ExactVertex> exact_places(const Carriers& carriers, const std::vecto
       }
   });
   std::vector<ExactVertex> result;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = 0; i < places.size(); ++i)
     if (places[i]) result.push_back({static_cast<std::uint32_t>(i), std::move(*places[i])});
   return result;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "strata/kernel/carriers.h"
@@ -9,13 +10,14 @@
 
 namespace strata {
 
-/// Coordinates of the named points, each rounded to the nearest double, ties to even. Input vertices given in doubles
-/// come out as they went in. O(1) per point.
-[[nodiscard]] std::vector<Vertex> round_to_doubles(const Carriers& carriers, const std::vector<PointName>& points,
-                                                   const Monitor& monitor);
+/// Coordinates of input vertices, as they were given, and then of the named points, each rounded to the nearest double,
+/// ties to even. O(1) per point.
+[[nodiscard]] std::vector<Vertex> round_to_doubles(const Carriers& carriers, const std::vector<std::uint32_t>& inputs,
+                                                   const std::vector<PointName>& points, const Monitor& monitor);
 
-/// The points whose exact place is not where `rounded` says, with that place.
-[[nodiscard]] std::vector<ExactVertex> exact_places(const Carriers& carriers, const std::vector<PointName>& points,
+/// The same points, those whose exact place is not where `rounded` says, with that place.
+[[nodiscard]] std::vector<ExactVertex> exact_places(const Carriers& carriers, const std::vector<std::uint32_t>& inputs,
+                                                    const std::vector<PointName>& points,
                                                     const std::vector<Vertex>& rounded, const Monitor& monitor);
 
 }  // namespace strata

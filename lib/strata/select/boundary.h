@@ -11,14 +11,16 @@
 namespace strata {
 
 /// The exact boundary of a result: vertices by name, triangles with the face each comes from.
+/// Vertices are numbered through `inputs` and then `constructed`; they are distinct points.
 struct Boundary {
-  std::vector<PointName> vertices;  ///< distinct points: used input vertices in order, then constructed ones by name
+  std::vector<std::uint32_t> inputs;                    ///< used input vertices, by increasing number
+  std::vector<PointName> constructed;                   ///< in the order of the PointTable
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< whole faces in input order, then pieces
   std::vector<std::uint32_t> sources;                   ///< global face number per triangle
 };
 
 /// Gathers what stays. Points of different names that were found equal become one vertex. `table` holds every point of
-/// the pieces.
+/// the pieces. Two streaming passes over the whole faces, in parallel.
 [[nodiscard]] Boundary gather_boundary(const Carriers& carriers, const std::vector<Verdict>& whole,
                                        const SplitFaces& split, const PointTable& table);
 

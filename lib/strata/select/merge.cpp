@@ -20,27 +20,18 @@ constexpr Id none = 0xffffffffu;
 
 Edge undirected(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Representatives of a face's points.
-std::vector<Id> ids_of(const PointTable& table, const SplitFace& face) {
-  std::vector<Id> ids;
-  ids.reserve(face.points.size());
-  for (const PointName& name : face.points) ids.push_back(table.representative(table.index(name)));
-  return ids;
-}
-
 /// The edges of the outlines of all pieces, and what meets in each vertex.
 class Outlines {
  public:
-  Outlines(const Carriers& carriers, const PointTable& table, const SplitFaces& split,
-           const std::vector<std::vector<Id>>& ids) {
-    for (std::size_t f = 0; f < split.faces.size(); ++f)
-      for (const PieceTriangle& t : split.faces[f].triangles)
+  Outlines(const Carriers& carriers, const PointTable& table, const SplitFaces& split) {
+    for (const SplitFace& face : split.faces)
+      for (const PieceTriangle& t : face.triangles)
         for (std::size_t i = 0; i < 3; ++i)
-          if ((t.outline >> i & 1) != 0) edges_.push_back(undirected(ids[f][t.v[i]], ids[f][t.v[(i + 1) % 3]]));
+          if ((t.outline >> i & 1) != 0) edges_.push_back(undirected(face.ids[t.v[i]], face.ids[t.v[(i + 1) % 3]]));
     tbb::parallel_sort(edges_.begin(), edges_.end());
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
-    degree_.assign(table.names().size(), 0);
-    neighbours_.assign(table.names().size(), {none, none});
+    degree_.assign(table.size(), 0);
+    neighbours_.assign(table.size(), {none, none});
     for (const auto& [a, b] : edges_) {
       meet(a, b);
       meet(b, a);
@@ -62,10 +53,11 @@ class Outlines {
   void find_straight(const Carriers& carriers, const PointTable& table) {
     straight_.assign(degree_.size(), 0);
     tbb::parallel_for(std::size_t{0}, degree_.size(), [&](std::size_t v) {
-      if (degree_[v] != 2 || table.names()[v].kind == PointName::Kind::input) return;
-      const Point p = make_point(carriers, table.names()[neighbours_[v][0]]);
-      const Point q = make_point(carriers, table.names()[v]);
-      const Point r = make_point(carriers, table.names()[neighbours_[v][1]]);
+      const PointName& name = table.name(static_cast<Id>(v));
+      if (degree_[v] != 2 || name.kind == PointName::Kind::input) return;
+      const Point p = make_point(carriers, table.name(neighbours_[v][0]));
+      const Point q = make_point(carriers, name);
+      const Point r = make_point(carriers, table.name(neighbours_[v][1]));
       for (const Projection axes : {Projection{0, 1}, Projection{1, 2}, Projection{2, 0}})
         if (orient2d(carriers, axes, p, q, r) != Sign::zero) return;
       straight_[v] = 1;
@@ -90,31 +82,31 @@ class FaceMerger {
   FaceMerger(const Carriers& carriers, const PointTable& table, const Outlines& outlines)
       : carriers_(carriers), table_(table), outlines_(outlines), triangulation_(carriers) {}
 
-  void merge(SplitFace& face, const std::vector<Id>& ids) {
-    if (!is_concerned(face, ids)) return;
-    gather_runs(face, ids);
+  void merge(SplitFace& face) {
+    if (!is_concerned(face)) return;
+    gather_runs(face);
     triangulate(face.face);
     collect(face);
   }
 
  private:
-  [[nodiscard]] bool is_concerned(const SplitFace& face, const std::vector<Id>& ids) const {
-    for (const Id v : ids)
+  [[nodiscard]] bool is_concerned(const SplitFace& face) const {
+    for (const Id v : face.ids)
       if (outlines_.is_redundant(v)) return true;
     for (const PieceTriangle& t : face.triangles)
       for (std::size_t i = 0; i < 3; ++i)
-        if (is_bare(t, i) && (t.carried >> i & 1) != 0 && !outlines_.has(ids[t.v[i]], ids[t.v[(i + 1) % 3]]))
+        if (is_bare(t, i) && (t.carried >> i & 1) != 0 && !outlines_.has(face.ids[t.v[i]], face.ids[t.v[(i + 1) % 3]]))
           return true;
     return false;
   }
   [[nodiscard]] static bool is_bare(const PieceTriangle& t, std::size_t side) { return (t.outline >> side & 1) == 0; }
 
   /// Sides that stay, in the face's own orientation, joined across redundant vertices.
-  void gather_runs(const SplitFace& face, const std::vector<Id>& ids) {
+  void gather_runs(const SplitFace& face) {
     std::vector<Run> sides;
     for (const PieceTriangle& t : face.triangles)
       for (std::size_t i = 0; i < 3; ++i) {
-        Id a = ids[t.v[i]], b = ids[t.v[(i + 1) % 3]];
+        Id a = face.ids[t.v[i]], b = face.ids[t.v[(i + 1) % 3]];
         if (t.turned) std::swap(a, b);
         if (!is_bare(t, i)) {
           sides.push_back({a, b, t.turned ? Verdict::keep_turned : Verdict::keep});
@@ -148,14 +140,21 @@ class FaceMerger {
 
   void triangulate(std::uint32_t face) {
     triangulation_.start(face);
+    ids_.clear();
     std::vector<std::pair<std::int32_t, std::int32_t>> ends;
-    for (const Run& r : runs_)
-      ends.emplace_back(triangulation_.add_point(table_.names()[r.from]),
-                        triangulation_.add_point(table_.names()[r.to]));
+    for (const Run& r : runs_) ends.emplace_back(add_point(r.from), add_point(r.to));
     const std::size_t points = triangulation_.points().size();
     for (std::size_t i = 0; i < ends.size(); ++i)
       triangulation_.add_segment(ends[i].first, ends[i].second, static_cast<std::int32_t>(i), {});
     if (triangulation_.points().size() != points) fail("outlines of pieces cross", face);
+  }
+
+  std::int32_t add_point(Id id) {
+    const std::int32_t v = triangulation_.add_point(table_.name(id));
+    const auto i = static_cast<std::size_t>(v);
+    if (ids_.size() <= i) ids_.resize(i + 1, none);
+    ids_[i] = id;
+    return v;
   }
 
   void collect(SplitFace& face) {
@@ -180,7 +179,7 @@ class FaceMerger {
       for (std::size_t i = 0; i < 3; ++i)
         if (triangles[t].c[i] < 0 || only_divides(triangles[t].c[i])) reach(triangles[t].n[i], verdicts[t]);
     }
-    face.points.clear();
+    face.ids.clear();
     face.triangles.clear();
     std::vector<std::uint32_t> index(triangulation_.points().size(), none);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -190,8 +189,8 @@ class FaceMerger {
       for (std::size_t i = 0; i < 3; ++i) {
         const auto v = static_cast<std::size_t>(triangles[t].v[piece.turned ? 2 - i : i]);
         if (index[v] == none) {
-          index[v] = static_cast<std::uint32_t>(face.points.size());
-          face.points.push_back(triangulation_.points()[v].name);
+          index[v] = static_cast<std::uint32_t>(face.ids.size());
+          face.ids.push_back(ids_[v]);
         }
         piece.v[i] = index[v];
       }
@@ -210,18 +209,17 @@ class FaceMerger {
   const Outlines& outlines_;
   Triangulation triangulation_;
   std::vector<Run> runs_;
+  std::vector<Id> ids_;  ///< per vertex of the triangulation
 };
 
 }  // namespace
 
 void merge_pieces(const Carriers& carriers, const PointTable& table, SplitFaces& split, const Monitor& monitor) {
-  std::vector<std::vector<Id>> ids(split.faces.size());
-  tbb::parallel_for(std::size_t{0}, ids.size(), [&](std::size_t i) { ids[i] = ids_of(table, split.faces[i]); });
-  const Outlines outlines(carriers, table, split, ids);
+  const Outlines outlines(carriers, table, split);
   tbb::enumerable_thread_specific<FaceMerger> mergers([&] { return FaceMerger(carriers, table, outlines); });
-  tbb::parallel_for(std::size_t{0}, ids.size(), [&](std::size_t i) {
+  tbb::parallel_for(std::size_t{0}, split.faces.size(), [&](std::size_t i) {
     monitor.check();
-    mergers.local().merge(split.faces[i], ids[i]);
+    mergers.local().merge(split.faces[i]);
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -9,24 +10,22 @@
 
 namespace strata {
 
-/// The points that occur in pieces or equalities, with one representative for each place.
+/// The points that occur in pieces or equalities: one number for each place.
 class PointTable {
  public:
-  PointTable(const SplitFaces& split, std::span<const EqualVertices> equal);
+  /// Numbers the points in the order of their first occurrence and tells the faces (SplitFace::ids). Points of
+  /// different names that were found equal get one number: that of an input vertex, the lowest, if there is one.
+  /// O(n), in parallel; the numbers do not depend on threads.
+  PointTable(SplitFaces& split, std::span<const EqualVertices> equal);
 
-  /// All names, sorted: input vertices first.
-  [[nodiscard]] std::span<const PointName> names() const { return names_; }
-  /// Where a name stands. Requires a name of the table. O(log n).
-  [[nodiscard]] std::uint32_t index(const PointName& name) const;
-  /// The first of the names that are known to be equal to this one.
-  [[nodiscard]] std::uint32_t representative(std::uint32_t index) const { return parent_[index]; }
+  [[nodiscard]] std::size_t size() const { return names_.size(); }
+  [[nodiscard]] const PointName& name(std::uint32_t id) const { return names_[id]; }
+  /// Input vertices and the equal ones that stand for them: pairs of vertices, by no order.
+  [[nodiscard]] const std::vector<EqualVertices>& replaced() const { return replaced_; }
 
  private:
-  [[nodiscard]] std::uint32_t root(std::uint32_t i);
-  void join(std::uint32_t a, std::uint32_t b);
-
   std::vector<PointName> names_;
-  std::vector<std::uint32_t> parent_;
+  std::vector<EqualVertices> replaced_;
 };
 
 }  // namespace strata

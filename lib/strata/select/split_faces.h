@@ -13,7 +13,7 @@
 
 namespace strata {
 
-/// A triangle that stays, by indices into SplitFace::points; already turned if its face's verdict says so.
+/// A triangle that stays, by indices into SplitFace::points and ids; already turned if its face's verdict says so.
 struct PieceTriangle {
   std::array<std::uint32_t, 3> v{};
   std::uint8_t outline =
@@ -25,7 +25,8 @@ struct PieceTriangle {
 /// What stays of a face that meets others.
 struct SplitFace {
   std::uint32_t face = 0;
-  std::vector<PointName> points;
+  std::vector<PointName> points;   ///< as the face names them
+  std::vector<std::uint32_t> ids;  ///< the same points in the PointTable, when there is one
   std::vector<PieceTriangle> triangles;
 };
 

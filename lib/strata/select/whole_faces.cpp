@@ -1,35 +1,45 @@
 #include "strata/select/whole_faces.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "strata/cells/face_blocks.h"
 
 namespace strata {
 namespace {
 
-/// Judges faces one after the other; neighbours in number are often neighbours in space.
+/// Judges faces of one operand one after the other; neighbours in number are often neighbours in space.
 class FaceJudge {
  public:
-  FaceJudge(const Carriers& carriers, const CellTree& cells, const Rule& rule, bool self)
-      : carriers_(carriers), layers_(carriers, cells), cells_(cells), rule_(rule), self_(self) {}
+  FaceJudge(const Carriers& carriers, const CellTree& cells, const Rule& rule, std::uint32_t operand, bool self)
+      : carriers_(carriers),
+        layers_(carriers, cells),
+        cells_(cells),
+        rule_(rule),
+        operand_(operand),
+        self_(self),
+        faces_(carriers.faces(operand)),
+        first_vertex_(carriers.first_vertex(operand)) {}
 
-  /// Local face number `i` of an operand.
-  [[nodiscard]] Verdict judge(std::uint32_t operand, std::uint32_t i) {
-    const std::uint32_t face = carriers_.first_face(operand) + i, cell = cells_.cell_of_face(face);
-    const std::uint32_t vertex = carriers_.faces(operand)[i][0];
+  /// Local face number `i`.
+  [[nodiscard]] Verdict judge(std::uint32_t i) {
+    const std::uint32_t vertex = first_vertex_ + faces_[i][0], cell = cells_.cell_of_vertex(vertex);
+    if (cell == known_cell_ && (vertex == known_vertex_ || one_for_all_)) return known_;
     const bool mixed = cells_.cells()[cell].mixed;
-    if (!self_ && operand == known_operand_ && cell == known_cell_ && (!mixed || vertex == known_vertex_)) return known_;
     Windings w;
     if (self_) {
+      const std::uint32_t face = carriers_.first_face(operand_) + i;
       w = layers_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1});
     } else if (mixed) {
-      const auto name = PointName::input(carriers_.first_vertex(operand) + vertex);
-      w = layers_.around(make_point(carriers_, name), operand);
+      w = layers_.around(make_point(carriers_, PointName::input(vertex)), operand_);
     } else {
       w = *cells_.cells()[cell].windings;
-      w.set(operand, 0);
+      w.set(operand_, 0);
     }
-    known_ = verdict_of(w, operand);
-    known_operand_ = operand;
+    known_ = verdict_of(w);
+    if (self_) return known_;
+    one_for_all_ = !mixed;
     known_cell_ = cell;
     known_vertex_ = vertex;
     return known_;
@@ -39,9 +49,9 @@ class FaceJudge {
   static constexpr std::uint32_t nobody = 0xffffffffu;
 
   /// From the winding numbers just above a face.
-  [[nodiscard]] Verdict verdict_of(Windings& w, std::uint32_t operand) const {
+  [[nodiscard]] Verdict verdict_of(Windings& w) const {
     const bool above = rule_.inside(w);
-    w.add(operand, 1);
+    w.add(operand_, 1);
     return verdict(above, rule_.inside(w));
   }
 
@@ -49,26 +59,36 @@ class FaceJudge {
   const LocalLayers layers_;
   const CellTree& cells_;
   const Rule& rule_;
-  bool self_;
-  std::uint32_t known_operand_ = nobody, known_cell_ = nobody, known_vertex_ = nobody;
+  const std::uint32_t operand_;
+  const bool self_;
+  const std::span<const Carriers::Indices> faces_;
+  const std::uint32_t first_vertex_;
+  std::uint32_t known_cell_ = nobody, known_vertex_ = nobody;
+  bool one_for_all_ = false;  ///< the cell is of one operand
   Verdict known_{};
 };
 
 }  // namespace
 
 std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
-                                       const std::vector<std::uint8_t>& touched, bool self, const Monitor& monitor) {
+                                       const std::vector<SplitFace>& split, bool self, const Monitor& monitor) {
   std::vector<Verdict> verdicts(carriers.face_count(), Verdict::drop);
-  for (std::uint32_t operand = 0; operand < carriers.operand_count(); ++operand) {
-    const std::uint32_t first = carriers.first_face(operand);
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, carriers.face_count(operand), 1 << 12),
-                      [&](const auto& range) {
-                        monitor.check();
-                        FaceJudge judge(carriers, cells, rule, self);
-                        for (std::uint32_t i = range.begin(); i != range.end(); ++i)
-                          if (!touched[first + i]) verdicts[first + i] = judge.judge(operand, i);
-                      });
-  }
+  const std::vector<FaceBlock> blocks = face_blocks(carriers);
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t n) {
+    monitor.check();
+    const FaceBlock& block = blocks[n];
+    const std::uint32_t first = carriers.first_face(block.operand);
+    FaceJudge judge(carriers, cells, rule, block.operand, self);
+    auto next = std::lower_bound(split.begin(), split.end(), first + block.first,
+                                 [](const SplitFace& s, std::uint32_t f) { return s.face < f; });
+    for (std::uint32_t i = block.first; i < block.last; ++i) {
+      if (next != split.end() && next->face == first + i) {
+        ++next;
+      } else {
+        verdicts[first + i] = judge.judge(i);
+      }
+    }
+  });
   return verdicts;
 }
 
