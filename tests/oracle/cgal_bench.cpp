@@ -207,7 +207,7 @@ int main(int argc, char** argv) {
     CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
     run(engines().at(engine), request);
   } catch (const std::exception& error) {
-    std::cerr << "cgal_bench: " << error.what() << '\n';
+    std::cerr << error.what() << '\n';
     return 1;
   }
 }

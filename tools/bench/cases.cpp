@@ -101,10 +101,10 @@ void add_coinciding(std::vector<Case>& cases) {
                    .about = "a sphere of 20,480 triangles and itself",
                    .group = Group::dense,
                    .make = same(5)});
-  cases.push_back({.name = "d_same327k",
-                   .about = "a sphere of 327,680 triangles and itself",
+  cases.push_back({.name = "d_same80k",
+                   .about = "a sphere of 81,920 triangles and itself",
                    .group = Group::dense,
-                   .make = same(7)});
+                   .make = same(6)});
   cases.push_back({.name = "d_minus20k",
                    .about = "a sphere of 20,480 triangles minus itself",
                    .group = Group::dense,

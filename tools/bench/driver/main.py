@@ -90,24 +90,38 @@ def choose_threads(wish: argparse.Namespace, cpus: int) -> list[int]:
     return possible
 
 
+class Rounds:
+    """Measures one case with all engines; those that were stopped once are not tried with fewer threads."""
+
+    def __init__(self, place: measuring.Workplace, case: dict):
+        self.place, self.case, self.stopped = place, case, {}
+
+    def measure(self, engine: engines.Engine, threads: int) -> dict:
+        if self.case["triangles"] > engine.most_triangles:
+            return {"status": "not tried", "why": f"more than {engine.most_triangles:,} triangles"}
+        if engine.name in self.stopped:
+            return self.stopped[engine.name]
+        found = self.place.measure(engine, self.case, threads)
+        if found["status"] == "timeout":
+            self.stopped[engine.name] = found
+        return found
+
+    def add(self, engine: engines.Engine, threads: int, found: dict) -> None:
+        header = {"engine": engine.name, "family": engine.family, "sequential": engine.sequential}
+        self.case["measurements"].append(header | found | {"threads": threads})
+
+
 def measure_case(place, case: dict, ours, peers, thread_counts: list[int]) -> None:
     """All engines close together in time, so that what slows the machine slows all; ours before and after the peers."""
     case["measurements"] = []
-    for threads in thread_counts:
-        before = place.measure(ours, case, threads)
-        others = []
+    rounds = Rounds(place, case)
+    for threads in sorted(thread_counts, reverse=True):
+        before = rounds.measure(ours, threads)
         for engine in peers:
-            if engine.sequential and threads != thread_counts[0]:
-                continue
-            if case["triangles"] > engine.most_triangles:
-                found = {"status": "not tried", "why": f"more than {engine.most_triangles:,} triangles"}
-            else:
-                found = place.measure(engine, case, threads)
-            others.append((engine, found))
-        mine = measuring.merged([before, place.measure(ours, case, threads)])
-        for engine, found in [(ours, mine), *others]:
-            header = {"engine": engine.name, "family": engine.family, "sequential": engine.sequential}
-            case["measurements"].append(header | found | {"threads": threads})
+            if not engine.sequential or threads == min(thread_counts):
+                rounds.add(engine, threads, rounds.measure(engine, threads))
+        rounds.add(ours, threads, measuring.merged([before, rounds.measure(ours, threads)]))
+    case["measurements"].sort(key=lambda m: m["threads"])
     rightness.settle(case)
 
 

@@ -280,7 +280,7 @@ def main():
     try:
         answer = measure(subject, request.repetitions, request.budget)
     except (Refused, RuntimeError, ValueError) as error:
-        sys.exit(f"{request.engine}: {error}")
+        sys.exit(str(error))
     vertices, triangles = subject.result
     answer |= {
         "threads": request.threads,
