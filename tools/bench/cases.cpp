@@ -67,9 +67,9 @@ void add_pairs_of_spheres(std::vector<Case>& cases) {
 
 void add_scan(std::vector<Case>& cases, const std::string& name, const std::string& about, const std::string& file,
               unsigned subdivisions) {
-  const std::string finer = subdivisions == 0 ? "" : ", Loop-subdivided " + std::to_string(subdivisions) + " times";
+  const char* const finer[] = {"", ", Loop-subdivided", ", Loop-subdivided twice", ", Loop-subdivided three times"};
   cases.push_back({.name = name,
-                   .about = about + finer + ", and a rotated copy",
+                   .about = about + finer[subdivisions] + ", and a rotated copy",
                    .group = Group::pair,
                    .from_corpus = true,
                    .make = [file, subdivisions](const Corpus& corpus) {

@@ -52,7 +52,7 @@ def settle(case: dict) -> None:
         case["right_volume"], case["right_by"] = known, "construction"
     else:
         case["right_volume"], families = consensus(measurements)
-        case["right_by"] = " and ".join(families) if families else None
+        case["right_by"] = ", ".join(families) or None
     for m in measurements:
         if m["status"] != "done":
             continue
