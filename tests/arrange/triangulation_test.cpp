@@ -68,7 +68,7 @@ TEST_CASE("random segments on a lattice, with all their coincidences", "[arrange
     }
     plate.build();
     Triangulation t(plate.carriers);
-    t.start(0);
+    t.start(0, Triangulation::Names::any);
     std::vector<std::pair<std::int32_t, std::int32_t>> ends;
     for (const std::uint32_t v : walls)
       ends.emplace_back(t.add_point(PointName::input(v)), t.add_point(PointName::input(v + 1)));
@@ -103,7 +103,7 @@ TEST_CASE("points of one place and different names become one vertex, and are no
   const auto a = plate.wall(1, 1, 5, 5), b = plate.wall(5, 5, 9, 1);  // they touch in (5, 5) with vertices of their own
   plate.build();
   Triangulation t(plate.carriers);
-  t.start(0);
+  t.start(0, Triangulation::Names::any);
   CHECK(t.add_point(PointName::input(a + 1)) == t.add_point(PointName::input(b)));
   REQUIRE(t.equal_names().size() == 1);
   CHECK(t.add_point(PointName::input(b)) == 3);
@@ -115,7 +115,7 @@ TEST_CASE("concurrent segments share one vertex", "[arrange][degenerate]") {
   for (int k = -6; k <= 6; ++k) walls.push_back(plate.wall(10 - 7, 10 - k, 10 + 7, 10 + k));
   plate.build();
   Triangulation t(plate.carriers);
-  t.start(0);
+  t.start(0, Triangulation::Names::any);
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const auto p = t.add_point(PointName::input(walls[i])), q = t.add_point(PointName::input(walls[i] + 1));
     t.add_segment(p, q, std::int32_t(i), ConstraintLine::along_edge(walls[i], walls[i] + 1));
@@ -133,7 +133,7 @@ TEST_CASE("thousands of points in one face are located in little time", "[arrang
   }
   plate.build();
   Triangulation t(plate.carriers);
-  t.start(0);
+  t.start(0, Triangulation::Names::any);
   for (std::uint32_t v = 3; v < plate.points.size(); v += 3) t.add_point(PointName::input(v));
   CHECK(t.points().size() > 3900);
   validate(plate.carriers, t);

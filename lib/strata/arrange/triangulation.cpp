@@ -9,11 +9,13 @@ using namespace triangle_index;
 
 // Points: names, turns, location, insertion.
 
-void Triangulation::start(std::uint32_t face) {
+void Triangulation::start(std::uint32_t face, Names names) {
   face_ = face;
+  given_names_ = names;
   corners_ = carriers_.face(face);
   projection_ = projection_of(carriers_, face);
   points_.clear();
+  refined_.clear();
   triangles_.clear();
   at_.clear();
   notes_.clear();
@@ -32,15 +34,15 @@ void Triangulation::start(std::uint32_t face) {
 
 std::int32_t Triangulation::add_point(const PointName& name) {
   if (const std::int32_t known = find(name); known >= 0) return known;
-  const Point p = make_point(carriers_, name);
-  const Location l = locate(p);
+  const std::int32_t v = new_vertex(make_point(carriers_, name));
+  const Location l = locate(v);
   if (l.on == Location::On::vertex) {
-    const std::int32_t v = tri(l.triangle).v[at(l.index)];
-    equal_.emplace_back(name, points_[at(v)].name);
-    remember(name, v);
-    return v;
+    drop_vertex();
+    const std::int32_t there = tri(l.triangle).v[at(l.index)];
+    equal_.emplace_back(name, points_[at(there)].name);
+    remember(name, there);
+    return there;
   }
-  const std::int32_t v = new_vertex(p);
   remember(name, v);
   if (l.on == Location::On::side) {
     split_side({l.triangle, l.index}, v);
@@ -52,6 +54,13 @@ std::int32_t Triangulation::add_point(const PointName& name) {
 }
 
 Triangulation::Location Triangulation::locate(const Point& p) {
+  const std::int32_t v = new_vertex(p);
+  const Location l = locate(v);
+  drop_vertex();
+  return l;
+}
+
+Triangulation::Location Triangulation::locate(std::int32_t p) {
   const std::size_t patience = 2 * triangles_.size() + 16;
   std::int32_t t = last_;
   for (std::size_t step = 0; t >= 0; ++step) {
@@ -61,8 +70,8 @@ Triangulation::Location Triangulation::locate(const Point& p) {
     int zeros = 0, zero = 0, other = 0, beyond = -1;
     for (int k = 0; k < 3 && beyond < 0; ++k) {
       const int i = static_cast<int>((static_cast<std::size_t>(k) + step) % 3);
-      const Sign s = tri(t).n[at(i)] < 0 ? inner_side({t, i}, p)
-                                         : turn(points_[at(tri(t).v[at(i)])], points_[at(tri(t).v[at(next(i))])], p);
+      const Sign s =
+          tri(t).n[at(i)] < 0 ? inner_side({t, i}, p) : turn(tri(t).v[at(i)], tri(t).v[at(next(i))], p);
       if (s == Sign::negative) beyond = i;
       if (s == Sign::zero) {
         ++zeros;
@@ -83,32 +92,47 @@ Triangulation::Location Triangulation::locate(const Point& p) {
   fail("a point of a face lies outside its triangulation", face_);
 }
 
-/// Turn of a side on the border and a point: positive inside. A point where another face's edge crosses this face is on
-/// the inner side of an own edge ab when orient3d(a, b, above, below) is negative for the ends of that edge: degree 3,
-/// where the turn itself has 8. Edges that nearly cross make this frequent.
-Sign Triangulation::inner_side(Side s, const Point& p) const {
-  const Point &from = points_[at(tri(s.triangle).v[at(s.index)])],
-              &to = points_[at(tri(s.triangle).v[at(next(s.index))])];
-  if (const auto sign = filtered_orient2d(projection_, from, to, p)) return *sign;
-  if (p.name.kind == PointName::Kind::edge_face && p.name.id[2] == face_)
+bool Triangulation::is_on_edge(Side s, std::uint32_t a, std::uint32_t b) const {
+  return named_on_edge(points_[at(tri(s.triangle).v[at(s.index)])].name, a, b) &&
+         named_on_edge(points_[at(tri(s.triangle).v[at(next(s.index))])].name, a, b);
+}
+
+/// Turn of a side on the border and a point: positive inside.
+///
+/// Names of the lowest features tell where points constructed with an edge are. Otherwise, a point where another face's
+/// edge crosses this face is on the inner side of an own edge ab when orient3d(a, b, above, below) is negative for the
+/// ends of that edge: degree 3, where the turn itself has 8. Edges that nearly cross make this frequent.
+Sign Triangulation::inner_side(Side s, std::int32_t p) const {
+  const PointName& name = points_[at(p)].name;
+  const bool is_crossed = name.kind == PointName::Kind::edge_face && name.id[2] == face_;
+  if (given_names_ == Names::lowest && name.kind == PointName::Kind::edge_face)
+    return !is_crossed && is_on_edge(s, name.id[0], name.id[1]) ? Sign::zero : Sign::positive;
+  const std::int32_t from = tri(s.triangle).v[at(s.index)], to = tri(s.triangle).v[at(next(s.index))];
+  if (const auto sign = filtered_orient2d(projection_, points_[at(from)], points_[at(to)], points_[at(p)]))
+    return *sign;
+  if (is_crossed)
     for (int i = 0; i < 3; ++i) {
-      const std::uint32_t a = corners_[at(i)], b = corners_[at(next(i))], c = p.name.id[0], d = p.name.id[1];
-      if (!named_on_edge(from.name, a, b) || !named_on_edge(to.name, a, b)) continue;
+      const std::uint32_t a = corners_[at(i)], b = corners_[at(next(i))], c = name.id[0], d = name.id[1];
+      if (!is_on_edge(s, a, b)) continue;
       const Sign above = orient3d(carriers_, corners_[0], corners_[1], corners_[2], c);
       if (above != Sign::zero) return -(orient3d(carriers_, a, b, c, d) * above);
     }
   return turn(from, to, p);
 }
 
-Sign Triangulation::turn(std::int32_t a, std::int32_t b, std::int32_t c) const {
-  if (a == b || b == c || a == c) return Sign::zero;
-  return turn(points_[at(a)], points_[at(b)], points_[at(c)]);
+const RealPoint<Twofold>& Triangulation::refined(std::int32_t vertex) const {
+  Refined& r = refined_[at(vertex)];
+  if (!r.known) r = {refine(carriers_, points_[at(vertex)]), true};
+  return r.at;
 }
 
-Sign Triangulation::turn(const Point& p, const Point& q, const Point& r) const {
+Sign Triangulation::turn(std::int32_t a, std::int32_t b, std::int32_t c) const {
+  if (a == b || b == c || a == c) return Sign::zero;
+  const Point &p = points_[at(a)], &q = points_[at(b)], &r = points_[at(c)];
   if (const auto sign = filtered_orient2d(projection_, p, q, r)) return *sign;
   if (collinear_by_name(p, q, r)) return Sign::zero;
-  return orient2d(carriers_, projection_, p, q, r);
+  if (const auto sign = refined_orient2d(projection_, refined(a), refined(b), refined(c))) return *sign;
+  return exact_orient2d(carriers_, projection_, p, q, r);
 }
 
 bool Triangulation::leaves_plane(const Carriers::Indices& vertices) const {
@@ -152,8 +176,16 @@ bool Triangulation::collinear_by_name(const Point& p, const Point& q, const Poin
 
 std::int32_t Triangulation::new_vertex(const Point& p) {
   points_.push_back(p);
+  refined_.emplace_back();
   at_.push_back(-1);
   return static_cast<std::int32_t>(points_.size()) - 1;
+}
+
+/// Takes back the last vertex, which is in no triangle.
+void Triangulation::drop_vertex() {
+  points_.pop_back();
+  refined_.pop_back();
+  at_.pop_back();
 }
 
 namespace {

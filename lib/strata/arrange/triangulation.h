@@ -40,8 +40,14 @@ class Triangulation {
 
   explicit Triangulation(const Carriers& carriers) : carriers_(carriers) {}
 
+  /// What the names of points given to `add_point` tell about the face's own edges.
+  enum class Names : std::uint8_t {
+    any,     ///< nothing
+    lowest,  ///< a name with the face in it is of a point inside, one with an own edge of a point inside that edge
+  };
+
   /// Starts over with one triangle: the face itself, its corners being local vertices 0, 1, 2.
-  void start(std::uint32_t face);
+  void start(std::uint32_t face, Names names);
 
   /// Local vertex of a named point; inserted if there is none at its place. Requires a point of the closed face.
   std::int32_t add_point(const PointName& name);
@@ -78,13 +84,16 @@ class Triangulation {
   };
 
   [[nodiscard]] Sign turn(std::int32_t a, std::int32_t b, std::int32_t c) const;
-  [[nodiscard]] Sign turn(const Point& p, const Point& q, const Point& r) const;
-  [[nodiscard]] Sign inner_side(Side s, const Point& p) const;
+  [[nodiscard]] const RealPoint<Twofold>& refined(std::int32_t vertex) const;
+  [[nodiscard]] Sign inner_side(Side s, std::int32_t p) const;
+  [[nodiscard]] bool is_on_edge(Side s, std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] Location locate(std::int32_t vertex);
   [[nodiscard]] bool collinear_by_name(const Point& p, const Point& q, const Point& r) const;
   [[nodiscard]] bool leaves_plane(const Carriers::Indices& vertices) const;
   [[nodiscard]] std::int32_t find(const PointName& name) const;
   void remember(const PointName& name, std::int32_t vertex);
   std::int32_t new_vertex(const Point& p);
+  void drop_vertex();
 
   [[nodiscard]] Triangle& tri(std::int32_t t) { return triangles_[static_cast<std::size_t>(t)]; }
   [[nodiscard]] const Triangle& tri(std::int32_t t) const { return triangles_[static_cast<std::size_t>(t)]; }
@@ -112,7 +121,13 @@ class Triangulation {
   std::uint32_t face_ = 0;
   Carriers::Indices corners_{};
   Projection projection_;
+  Names given_names_ = Names::any;
   std::vector<Point> points_;
+  struct Refined {
+    RealPoint<Twofold> at;
+    bool known = false;
+  };
+  mutable std::vector<Refined> refined_;  ///< per local vertex, when it was needed
   std::vector<Triangle> triangles_;
   std::vector<std::int32_t> at_;
   std::vector<Note> notes_;

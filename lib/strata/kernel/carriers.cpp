@@ -20,8 +20,7 @@ void Carriers::add(std::span<const Coordinates> points, std::span<const Indices>
   has_rationals_ = has_rationals_ || !exact.empty();
 }
 
-const RationalPoint* Carriers::exact(std::uint32_t vertex) const {
-  if (!has_rationals_) return nullptr;
+const RationalPoint* Carriers::find_exact(std::uint32_t vertex) const {
   const Block& b = blocks_[find<true>(vertex)];
   const std::uint32_t local = vertex - b.first_vertex;
   const auto at = std::lower_bound(b.exact.begin(), b.exact.end(), local,

@@ -48,7 +48,9 @@ class Carriers {
     return {t[0] + b.first_vertex, t[1] + b.first_vertex, t[2] + b.first_vertex};
   }
   /// The rational place of a vertex, or null when its doubles are exact. O(log) in operands that have any.
-  [[nodiscard]] const RationalPoint* exact(std::uint32_t vertex) const;
+  [[nodiscard]] const RationalPoint* exact(std::uint32_t vertex) const {
+    return has_rationals_ ? find_exact(vertex) : nullptr;
+  }
   [[nodiscard]] bool has_rationals() const { return has_rationals_; }
 
  private:
@@ -59,6 +61,8 @@ class Carriers {
     std::uint32_t first_vertex = 0;
     std::uint32_t first_face = 0;
   };
+
+  [[nodiscard]] const RationalPoint* find_exact(std::uint32_t vertex) const;
 
   /// Operands at every 64th number: where a search starts.
   static constexpr int stride = 6;

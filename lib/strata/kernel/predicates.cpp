@@ -38,12 +38,6 @@ std::optional<Sign> filtered(const Bounded& value) {
   return s;
 }
 
-/// Coordinates of a point in doubles in pairs.
-RealPoint<Twofold> finer(const Carriers& carriers, const Point& p) {
-  if (p.name.kind == PointName::Kind::free) return {p.at[0], p.at[1], p.at[2]};
-  return approximate<Twofold>(carriers, p.name);
-}
-
 std::optional<Sign> filtered(const Twofold& value) {
   const auto s = value.bounded().sign();
   if (s && *s != Sign::zero) {
@@ -91,14 +85,23 @@ std::optional<Sign> filtered_turn(const Point& p, const Point& q, const Point& r
   return std::nullopt;
 }
 
+Carriers::Coordinates values(const Point& p) { return {p.at[0].value, p.at[1].value, p.at[2].value}; }
+
 bool is_exact(const Point& p) { return p.at[0].error == 0 && p.at[1].error == 0 && p.at[2].error == 0; }
 
 }  // namespace
 
 Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Point& r, const Point& s) {
-  if (const auto sign = filtered(orient3d_of(p.at, q.at, r.at, s.at))) return *sign;
+  if (is_exact(p) && is_exact(q) && is_exact(r) && is_exact(s)) {
+    if (const auto sign = filtered_orient3d(values(p), values(q), values(r), values(s))) {
+      count(Tier::filter);
+      return *sign;
+    }
+  } else if (const auto sign = filtered(orient3d_of(p.at, q.at, r.at, s.at))) {
+    return *sign;
+  }
   if (const auto sign =
-          filtered(orient3d_of(finer(carriers, p), finer(carriers, q), finer(carriers, r), finer(carriers, s))))
+          filtered(orient3d_of(refine(carriers, p), refine(carriers, q), refine(carriers, r), refine(carriers, s))))
     return *sign;
   const auto width = [&](int b) {
     return width_of_value(width_of_plane(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b)),
@@ -144,16 +147,31 @@ std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, con
   return filtered(turn_of(p.at, q.at, r.at, projection.u, projection.v));
 }
 
-Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q, const Point& r) {
-  if (const auto sign = filtered_orient2d(projection, p, q, r)) return *sign;
-  const auto [u, v] = projection;
-  if (const auto sign = filtered(turn_of(finer(carriers, p), finer(carriers, q), finer(carriers, r), u, v)))
-    return *sign;
+RealPoint<Twofold> refine(const Carriers& carriers, const Point& p) {
+  if (p.name.kind == PointName::Kind::free) return {p.at[0], p.at[1], p.at[2]};
+  return approximate<Twofold>(carriers, p.name);
+}
+
+std::optional<Sign> refined_orient2d(Projection projection, const RealPoint<Twofold>& p, const RealPoint<Twofold>& q,
+                                     const RealPoint<Twofold>& r) {
+  return filtered(turn_of(p, q, r, projection.u, projection.v));
+}
+
+Sign exact_orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q, const Point& r) {
   const auto width = [&](int b) {
     return width_of_turn(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b));
   };
-  return decide(carriers, {&p, &q, &r}, width,
-                [&](const auto& exact) { return turn(exact.point(p), exact.point(q), exact.point(r), u, v); });
+  return decide(carriers, {&p, &q, &r}, width, [&](const auto& exact) {
+    return turn(exact.point(p), exact.point(q), exact.point(r), projection.u, projection.v);
+  });
+}
+
+Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q, const Point& r) {
+  if (const auto sign = filtered_orient2d(projection, p, q, r)) return *sign;
+  if (const auto sign =
+          refined_orient2d(projection, refine(carriers, p), refine(carriers, q), refine(carriers, r)))
+    return *sign;
+  return exact_orient2d(carriers, projection, p, q, r);
 }
 
 Sign compare(const Carriers& carriers, int axis, const Point& p, const Point& q) {
@@ -163,7 +181,7 @@ Sign compare(const Carriers& carriers, int axis, const Point& p, const Point& q)
     count(Tier::names);
     return Sign::zero;
   }
-  if (const auto sign = filtered(finer(carriers, p)[i] - finer(carriers, q)[i])) return *sign;
+  if (const auto sign = filtered(refine(carriers, p)[i] - refine(carriers, q)[i])) return *sign;
   const auto width = [&](int b) {
     const PointWidth wp = width_of(p.name, b), wq = width_of(q.name, b);
     return std::max(wp.xyz + wq.w, wq.xyz + wp.w) + 1;

@@ -3,7 +3,9 @@
 #include <optional>
 
 #include "strata/exact/sign.h"
+#include "strata/exact/twofold.h"
 #include "strata/kernel/carriers.h"
+#include "strata/kernel/filters.h"
 #include "strata/kernel/point.h"
 
 namespace strata {
@@ -39,6 +41,17 @@ struct Projection {
 /// The first tier of orient2d alone: nullopt when running errors do not decide.
 [[nodiscard]] std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, const Point& q,
                                                     const Point& r);
+
+/// Coordinates of a point in doubles in pairs: for many questions about the same point.
+[[nodiscard]] RealPoint<Twofold> refine(const Carriers& carriers, const Point& p);
+
+/// The second tier of orient2d alone, on refined points: nullopt when it does not decide.
+[[nodiscard]] std::optional<Sign> refined_orient2d(Projection projection, const RealPoint<Twofold>& p,
+                                                   const RealPoint<Twofold>& q, const RealPoint<Twofold>& r);
+
+/// The last tier of orient2d alone: integers.
+[[nodiscard]] Sign exact_orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q,
+                                  const Point& r);
 
 /// Sign of p[axis] - q[axis].
 [[nodiscard]] Sign compare(const Carriers& carriers, int axis, const Point& p, const Point& q);

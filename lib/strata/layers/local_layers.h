@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "strata/cells/cell_tree.h"
 #include "strata/cells/windings.h"
@@ -32,6 +33,32 @@ class LocalLayers {
 
   const Carriers& carriers_;
   const CellTree& cells_;
+};
+
+/// LocalLayers::around for corners of faces, which are shared by many: remembers the last ones. For one thread.
+class CornerWindings {
+ public:
+  CornerWindings(const Carriers& carriers, const LocalLayers& layers) : carriers_(carriers), layers_(layers) {}
+
+  /// Winding numbers about all operands but the corner's own.
+  [[nodiscard]] const Windings& around(std::uint32_t vertex, std::uint32_t own) {
+    if (known_.empty()) known_.resize(1024);
+    auto& [known, windings] = known_[vertex % known_.size()];
+    if (known != vertex) {
+      windings = layers_.around(make_point(carriers_, PointName::input(vertex)), own);
+      known = vertex;
+    }
+    return windings;
+  }
+
+ private:
+  struct Known {
+    std::uint32_t vertex = 0xffffffffu;
+    Windings windings;
+  };
+  const Carriers& carriers_;
+  const LocalLayers& layers_;
+  std::vector<Known> known_;
 };
 
 }  // namespace strata

@@ -139,7 +139,7 @@ class FaceMerger {
   }
 
   void triangulate(std::uint32_t face) {
-    triangulation_.start(face);
+    triangulation_.start(face, Triangulation::Names::any);
     ids_.clear();
     std::vector<std::pair<std::int32_t, std::int32_t>> ends;
     for (const Run& r : runs_) ends.emplace_back(add_point(r.from), add_point(r.to));

@@ -25,7 +25,7 @@ struct Region {
 class FaceSplitter {
  public:
   FaceSplitter(const Carriers& carriers, const CellTree& cells, const Rule& rule, bool self)
-      : carriers_(carriers), layers_(carriers, cells), rule_(rule), self_(self), triangulation_(carriers) {}
+      : carriers_(carriers), layers_(carriers, cells), known_corners_(carriers, layers_), rule_(rule), self_(self), triangulation_(carriers) {}
 
   void split(std::span<const Constraint> constraints, SplitFace& result,
              std::vector<std::pair<PointName, PointName>>& equal) {
@@ -47,7 +47,7 @@ class FaceSplitter {
   };
 
   void triangulate() {
-    triangulation_.start(face_);
+    triangulation_.start(face_, Triangulation::Names::lowest);
     ends_.clear();
     coplanar_.clear();
     corner_touched_.fill(false);
@@ -68,8 +68,7 @@ class FaceSplitter {
     const auto corners = carriers_.face(face_);
     for (std::size_t i = 0; i < 3 && !self_; ++i) {
       if (corner_touched_[i] || !coplanar_.empty()) continue;
-      const Point corner = make_point(carriers_, PointName::input(corners[i]));
-      return {triangulation_.triangle_at(static_cast<std::int32_t>(i)), {layers_.around(corner, operand_), {}}};
+      return {triangulation_.triangle_at(static_cast<std::int32_t>(i)), {known_corners_.around(corners[i], operand_), {}}};
     }
     return start_inside();
   }
@@ -231,6 +230,7 @@ class FaceSplitter {
 
   const Carriers& carriers_;
   const LocalLayers layers_;
+  CornerWindings known_corners_;
   const Rule& rule_;
   bool self_;
   Triangulation triangulation_;

@@ -15,6 +15,7 @@ class FaceJudge {
   FaceJudge(const Carriers& carriers, const CellTree& cells, const Rule& rule, std::uint32_t operand, bool self)
       : carriers_(carriers),
         layers_(carriers, cells),
+        corners_(carriers, layers_),
         cells_(cells),
         rule_(rule),
         operand_(operand),
@@ -32,7 +33,7 @@ class FaceJudge {
       const std::uint32_t face = carriers_.first_face(operand_) + i;
       w = layers_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1});
     } else if (mixed) {
-      w = layers_.around(make_point(carriers_, PointName::input(vertex)), operand_);
+      w = corners_.around(vertex, operand_);
     } else {
       w = *cells_.cells()[cell].windings;
       w.set(operand_, 0);
@@ -57,6 +58,7 @@ class FaceJudge {
 
   const Carriers& carriers_;
   const LocalLayers layers_;
+  CornerWindings corners_;
   const CellTree& cells_;
   const Rule& rule_;
   const std::uint32_t operand_;
