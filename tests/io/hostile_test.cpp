@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "strata/io/readers.h"
 #include "tetrahedron.h"
 
 using namespace strata;
@@ -38,6 +39,23 @@ std::string damaged(std::string text, std::mt19937& random) {
   return text;
 }
 
+/// Reading in pieces of a few bytes comes to the same as reading as a whole.
+bool same_in_pieces(const std::string& bytes, Format format) {
+  const auto outcome = [&](std::size_t piece) {
+    std::pair<MeshFile, std::string> result;
+    try {
+      result.first = io::read({"test", bytes, piece}, format);
+    } catch (const IoError& error) {
+      result.second = error.what();
+    }
+    return result;
+  };
+  const auto [whole, error] = outcome(std::string::npos);
+  const auto [pieces, error_in_pieces] = outcome(5);
+  return error == error_in_pieces && whole.mesh == pieces.mesh && whole.notes == pieces.notes &&
+         whole.polygon_of_triangle == pieces.polygon_of_triangle;
+}
+
 const std::string polygons_obj =
     "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 1 0\nv 0 2 1\nf 1 2 3 4 5\nf -1 -2//3 -3/1\nl 1 2\nf 1 \\\n2 3\n";
 const std::string polygons_off = "OFF\n5 2 0\n0 0 0\n2 0 0\n2 2 0\n1 1 0\n0 2 1\n5 0 1 2 3 4\n3 2 1 0 1 0 0\n";
@@ -64,6 +82,7 @@ TEST_CASE("Damaged files are read or refused, and nothing else happens", "[io][h
     int refused = 0;
     for (int i = 0; i < 20'000; ++i) {
       const std::string bytes = damaged(text, random);
+      if (i % 4 == 0) CHECK(same_in_pieces(bytes, format));
       try {
         const auto file = read_text(bytes, format);
         // Whatever is accepted is fit to be written, unless it does not fit into floats.

@@ -5,51 +5,53 @@
 #include <vector>
 
 #include "strata/io/mesh_file.h"
-#include "strata/io/triangulate.h"
 
 namespace strata::io {
 
 /// Most vertices, faces or triangles: indices are 32 bits and the largest one is nobody's.
 inline constexpr std::uint64_t most_items = 0xffff'fffe;
 
-/// The faces of a file as they come in, and their triangles in the same order.
+/// The faces of a file, or of a piece of it, as they come in.
 /// Consecutive repetitions of a vertex are dropped; so are faces with fewer than three different vertices, whose
 /// sides cancel each other.
 class FaceList {
  public:
   void add(const Triangle& t) {
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return drop();
+    const bool flat = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    if (flat || !sizes_.empty()) return add_sized(t);
     triangles_.push_back(t);
-    ++count_;
   }
-  void add(std::span<const std::uint32_t> corners);
-  void reserve(std::size_t faces) { triangles_.reserve(faces); }
-  [[nodiscard]] std::uint64_t count() const { return count_; }  ///< faces added, dropped ones included
+  void add(std::span<const std::uint32_t> corners) {
+    if (corners.size() == 3) return add(Triangle{corners[0], corners[1], corners[2]});
+    add_sized(corners);
+  }
+  void reserve(std::size_t triangles) { triangles_.reserve(triangles); }
+  /// Vertex v becomes v + by, modulo 2^32.
+  void shift(std::uint32_t by);
 
-  /// Moves the triangles into the file, whose vertices are all there, and notes what was done.
-  /// Requires indices in range. Throws IoError when there are too many. Polygons are triangulated in parallel.
-  void finish(MeshFile& file, const std::string& name);
+  /// Faces added, dropped ones included.
+  [[nodiscard]] std::uint64_t count() const { return triangles_.size() + sizes_.size(); }
+  /// Triangles once the faces are triangulated.
+  [[nodiscard]] std::uint64_t triangle_count() const { return triangles_.size() + triangles_of_polygons_; }
+
+  /// The first faces, as long as they are triangles.
+  [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
+  /// Numbers of corners of all other faces, triangles or not; 0 for a face that was dropped.
+  [[nodiscard]] std::span<const std::uint32_t> sizes() const { return sizes_; }
+  /// The corners of these faces, one face behind the other.
+  [[nodiscard]] std::span<const std::uint32_t> corners() const { return corners_; }
 
  private:
-  struct Polygon {
-    std::uint64_t face = 0;
-    std::size_t triangles_before = 0;  ///< entries of triangles_ that belong to earlier faces
-    std::size_t first = 0;             ///< in corners_
-    std::size_t corners = 0;           ///< 0: a face that was dropped
+  void add_sized(std::span<const std::uint32_t> corners);
 
-    [[nodiscard]] std::size_t triangle_count() const { return corners == 0 ? 0 : corners - 2; }
-  };
-
-  void drop();
-  [[nodiscard]] std::vector<std::size_t> places() const;  ///< first triangle per polygon in the output, and the end
-  PolygonShape divide(const Polygon& polygon, MeshFile& file, std::size_t place) const;
-  void merge(MeshFile& file) const;
-  void note_shapes(MeshFile& file, std::span<const PolygonShape> shapes) const;
-
-  std::vector<Triangle> triangles_;  ///< the faces that are triangles
-  std::vector<Polygon> polygons_;    ///< all others
+  std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> corners_;
-  std::uint64_t count_ = 0;
+  std::vector<std::uint32_t> sizes_;
+  std::uint64_t triangles_of_polygons_ = 0;
 };
+
+/// Moves faces into the file, whose vertices are all there, list after list, as triangles, and notes what was done.
+/// Lists are triangulated in parallel. Requires indices in range. Throws IoError when there are too many.
+void gather_faces(std::span<const FaceList> lists, MeshFile& file, const std::string& name);
 
 }  // namespace strata::io

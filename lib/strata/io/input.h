@@ -1,37 +1,44 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "strata/io/io_error.h"
 
 namespace strata::io {
 
+/// What is wrong with the bytes of a file, and where. It becomes an IoError when the user is told: only then lines are
+/// counted.
+struct Malformed {
+  enum class Unit { none, line, byte };
+
+  std::string reason;
+  Unit unit = Unit::none;
+  std::size_t offset = 0;
+};
+
+/// Bytes that one task reads: few enough for a core's cache.
+inline constexpr std::size_t usual_piece = std::size_t{1} << 19;
+
 /// A whole file in memory, and its name for messages.
 struct Input {
   std::string name;
   std::string_view data;
+  std::size_t piece = usual_piece;  ///< results do not depend on it
 
   /// 1 + the number of line ends (LF, CR LF or CR) before the offset.
   [[nodiscard]] std::uint64_t line_of(std::size_t offset) const;
-  [[noreturn]] void fail_at_line(std::size_t offset, const std::string& reason) const;
-  [[noreturn]] void fail_at_byte(std::size_t offset, const std::string& reason) const;
-  [[noreturn]] void fail(const std::string& reason) const;
+  [[nodiscard]] IoError error(const Malformed& malformed) const;
 };
 
-/// The bytes of a file, read at once.
-class FileBytes {
- public:
-  /// Throws IoError: no such file, a directory, no permission, a read error.
-  explicit FileBytes(const std::filesystem::path& path);
-  [[nodiscard]] std::string_view view() const { return {bytes_.get(), size_}; }
-
- private:
-  std::unique_ptr<char[]> bytes_;
-  std::size_t size_ = 0;
-};
+[[noreturn]] inline void fail(std::string reason) { throw Malformed{std::move(reason)}; }
+[[noreturn]] inline void fail_at_line(std::size_t offset, std::string reason) {
+  throw Malformed{std::move(reason), Malformed::Unit::line, offset};
+}
+[[noreturn]] inline void fail_at_byte(std::size_t offset, std::string reason) {
+  throw Malformed{std::move(reason), Malformed::Unit::byte, offset};
+}
 
 }  // namespace strata::io

@@ -41,30 +41,31 @@ MeshFile with_emptiness_noted(MeshFile file) {
   return file;
 }
 
+std::optional<MeshFile> read_piece_by_piece(const io::File& file, Format format, std::size_t piece) {
+  if (file.size() <= piece) return {};
+  if (format == Format::stl || format == Format::stl_ascii) return io::read_binary_stl(file, piece);
+  if (format == Format::ply || format == Format::ply_ascii || format == Format::ply_big_endian)
+    return io::read_binary_ply(file, piece);
+  return {};
+}
+
 MeshFile read_bytes(const io::Input& input, Format format) {
-  if (input.data.empty()) input.fail("the file is empty");
-  MeshFile file;
   switch (format) {
     case Format::stl:
     case Format::stl_ascii:
-      file = io::read_stl(input);
-      break;
+      return io::read_stl(input);
     case Format::obj:
-      file = io::read_obj(input);
-      break;
+      return io::read_obj(input);
     case Format::off:
-      file = io::read_off(input);
-      break;
+      return io::read_off(input);
     case Format::ply:
     case Format::ply_ascii:
     case Format::ply_big_endian:
-      file = io::read_ply(input);
-      break;
+      return io::read_ply(input);
     case Format::other:
-      file = io::read_other(input);
-      break;
+      return io::read_other(input);
   }
-  return with_emptiness_noted(std::move(file));
+  return {};
 }
 
 /// What no format can hold, or no reader would take back.
@@ -110,6 +111,25 @@ std::vector<std::string> write(MeshView mesh, Format format, io::Sink& sink, con
 
 }  // namespace
 
+namespace io {
+
+MeshFile read(const Input& input, Format format) {
+  try {
+    if (input.data.empty()) fail("the file is empty");
+    return with_emptiness_noted(read_bytes(input, format));
+  } catch (const Malformed& malformed) {
+    throw input.error(malformed);
+  }
+}
+
+MeshFile read(const File& file, Format format, std::size_t piece) {
+  if (auto mesh = read_piece_by_piece(file, format, piece)) return with_emptiness_noted(std::move(*mesh));
+  const FileBytes bytes(file);
+  return read(Input{file.name(), bytes.view(), piece}, format);
+}
+
+}  // namespace io
+
 Format format_of(const std::filesystem::path& path) {
   const std::string extension = lower(path.extension().string());
   for (const auto& [word, format] : names)
@@ -132,9 +152,10 @@ std::string_view name(Format format) {
 
 MeshFile read_mesh(const std::filesystem::path& path, std::optional<Format> format) {
   const Format chosen = format.value_or(format_of(path));
-  if (chosen != Format::other) return read_mesh(io::FileBytes(path).view(), chosen, path.string());
   // Files that are not there are told apart from formats that are not known.
-  if (io::FileBytes(path).view().empty()) throw IoError(path.string(), {}, "the file is empty");
+  const io::File file(path);
+  if (chosen != Format::other) return io::read(file, chosen);
+  if (io::FileBytes(file).view().empty()) throw IoError(path.string(), {}, "the file is empty");
   if (!io::can_read_other(lower(path.extension().string()))) fail_unknown(path.string(), path.extension().string());
   return with_emptiness_noted(io::read_other(path));
 }
@@ -142,7 +163,7 @@ MeshFile read_mesh(const std::filesystem::path& path, std::optional<Format> form
 MeshFile read_mesh(std::string_view data, Format format, std::string name) {
   const std::string extension = std::filesystem::path(name).extension().string();
   if (format == Format::other && !io::can_read_other(lower(extension))) fail_unknown(name, extension);
-  return read_bytes({std::move(name), data}, format);
+  return io::read({std::move(name), data}, format);
 }
 
 MeshFile read_mesh(std::span<const std::byte> data, Format format, std::string name) {

@@ -24,8 +24,6 @@ PlyScalar read_scalar_type(TextCursor& text) {
   text.fail_expected("a scalar type such as 'float' or 'uchar'");
 }
 
-bool is_integer(PlyScalar type) { return type != PlyScalar::float32 && type != PlyScalar::float64; }
-
 std::optional<std::endian> read_order(TextCursor& text) {
   std::optional<std::endian> order;
   if (text.accept("binary_little_endian"))
@@ -43,7 +41,7 @@ PlyProperty read_property(TextCursor& text) {
   if (text.accept("list")) {
     const std::size_t place = text.offset();
     property.list_count = read_scalar_type(text);
-    if (!is_integer(*property.list_count)) text.fail_at(place, "expected an integer type for the length of a list");
+    if (!is_integer(*property.list_count)) fail_at_line(place, "expected an integer type for the length of a list");
   }
   property.type = read_scalar_type(text);
   property.name = text.word();
@@ -56,7 +54,7 @@ PlyElement read_element(TextCursor& text) {
   element.name = text.word();
   if (element.name.empty()) text.fail_expected("the name of an element");
   const std::int64_t count = text.integer("the number of elements");
-  if (count < 0) text.fail("expected the number of elements, found " + std::to_string(count));
+  if (count < 0) text.fail_here("expected the number of elements, found " + std::to_string(count));
   element.count = static_cast<std::uint64_t>(count);
   return element;
 }
@@ -130,7 +128,7 @@ std::optional<std::size_t> PlyElement::find(const std::string& property) const {
 }
 
 PlyHeader read_ply_header(const Input& input) {
-  TextCursor text(input, {});
+  TextCursor text(input.data, {});
   PlyHeader header;
   if (!text.accept("ply")) text.fail_expected("'ply'");
   bool has_format = false;
@@ -143,14 +141,14 @@ PlyHeader read_ply_header(const Input& input) {
     } else if (text.accept("element")) {
       header.elements.push_back(read_element(text));
     } else if (text.accept("property")) {
-      if (header.elements.empty()) text.fail("a property stands before the first element");
+      if (header.elements.empty()) text.fail_here("a property stands before the first element");
       header.elements.back().properties.push_back(read_property(text));
     } else if (!text.accept("comment") && !text.accept("obj_info")) {
       text.fail_expected("'format', 'element', 'property', 'comment' or 'end_header'");
     }
     text.skip_line();
   }
-  if (!has_format) text.fail("expected a line 'format' in the header");
+  if (!has_format) text.fail_here("expected a line 'format' in the header");
   header.data = data_offset(input, text.offset());
   return header;
 }

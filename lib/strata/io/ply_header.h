@@ -12,6 +12,9 @@ namespace strata::io {
 enum class PlyScalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 [[nodiscard]] std::size_t size_of(PlyScalar type);
+[[nodiscard]] inline bool is_integer(PlyScalar type) {
+  return type != PlyScalar::float32 && type != PlyScalar::float64;
+}
 /// The number at `bytes`, converted to double without loss.
 [[nodiscard]] double load_scalar(const char* bytes, PlyScalar type, std::endian order);
 

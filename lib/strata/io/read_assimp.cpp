@@ -65,7 +65,7 @@ class SceneReader {
     if (faces_.count() == 0 && lines_ == 0) throw IoError(name_, {}, "cannot be read: assimp finds no faces in it");
     file_.notes.emplace_back("read through assimp: coordinates come as floats, moved by the transforms of the scene");
     if (lines_ > 0) file_.notes.push_back(std::to_string(lines_) + " points and lines ignored");
-    faces_.finish(file_, name_);
+    gather_faces({&faces_, 1}, file_, name_);
     return std::move(file_);
   }
 
@@ -159,7 +159,7 @@ namespace strata::io {
 
 bool can_read_other(const std::string&) { return false; }
 
-MeshFile read_other(const Input& input) { input.fail("this build reads stl, obj, off and ply only (no assimp)"); }
+MeshFile read_other(const Input&) { fail("this build reads stl, obj, off and ply only (no assimp)"); }
 
 MeshFile read_other(const std::filesystem::path& path) {
   throw IoError(path.string(), {}, "this build reads stl, obj, off and ply only (no assimp)");

@@ -1,14 +1,10 @@
 #include "strata/io/text_cursor.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
-#include <cmath>
 
 namespace strata::io {
 namespace {
-
-bool is_white(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -31,46 +27,33 @@ bool is_tiny(const char* first, const char* last) {
 
 }  // namespace
 
-TextCursor::TextCursor(const Input& input, Syntax syntax, std::size_t offset)
-    : input_(&input), syntax_(syntax), at_(input.data.data() + offset), end_(input.data.data() + input.data.size()) {
-  if (offset == 0 && input.data.starts_with("\xEF\xBB\xBF")) at_ += 3;
+TextCursor::TextCursor(std::string_view text, Syntax syntax, Piece piece)
+    : begin_(text.data()), at_(begin_ + piece.first), end_(begin_ + piece.last), syntax_(syntax) {
+  if (piece.first == 0) accept_text("\xEF\xBB\xBF");
 }
 
 bool TextCursor::skip_continuation() {
   if (!syntax_.continuation) return false;
-  const char* next = at_ + 1;
-  if (next != end_ && *next == '\r') ++next;
-  if (next != end_ && *next == '\n') ++next;
-  if (next == at_ + 1) return false;
-  at_ = next;
+  const char* const next = at_ + 1;
+  if (next == end_ || (*next != '\n' && *next != '\r')) return false;
+  at_ = behind_line_end(next, end_);
   return true;
 }
 
-void TextCursor::skip_line() {
-  const bool comment = syntax_.hash_comments && at_ != end_ && *at_ == '#';
-  while (true) {
-    while (at_ != end_ && *at_ != '\n' && *at_ != '\r') ++at_;
-    if (at_ == end_) return;
-    const bool joined = syntax_.continuation && !comment && at_ != input_->data.data() && at_[-1] == '\\';
-    if (*at_++ == '\r' && at_ != end_ && *at_ == '\n') ++at_;
-    if (!joined) return;
-  }
-}
-
-std::string_view TextCursor::word() {
-  if (at_line_end()) return {};
-  const char* first = at_;
-  while (at_ != end_ && !is_white(*at_)) ++at_;
-  return {first, static_cast<std::size_t>(at_ - first)};
+bool TextCursor::has_comment(const char* from) const {
+  if (!syntax_.hash_comments) return false;
+  for (const char* c = from; c != at_; ++c)
+    if (*c == '#' && (c == from || is_white(c[-1]))) return true;
+  return false;
 }
 
 bool TextCursor::accept(std::string_view expected) {
-  const char* before = at_;
-  const std::string_view found = word();
-  const bool same = std::equal(found.begin(), found.end(), expected.begin(), expected.end(),
-                               [](char a, char b) { return lower(a) == lower(b); });
-  if (!same) at_ = before;
-  return same;
+  if (at_line_end() || remaining() < expected.size()) return false;
+  const char* const behind = at_ + expected.size();
+  if (behind != end_ && !is_white(*behind)) return false;
+  if (!std::equal(at_, behind, expected.begin(), [](char a, char b) { return lower(a) == lower(b); })) return false;
+  at_ = behind;
+  return true;
 }
 
 bool TextCursor::accept_text(std::string_view text) {
@@ -79,64 +62,39 @@ bool TextCursor::accept_text(std::string_view text) {
   return true;
 }
 
-bool TextCursor::at_delimiter() const {
-  return at_ == end_ || is_white(*at_) || (syntax_.continuation && *at_ == '\\');
-}
-
-double TextCursor::number(const char* what) {
-  skip_blanks();
-  const char* first = at_;
-  if (first != end_ && *first == '+' && first + 1 != end_ && first[1] != '-') ++first;
+double TextCursor::unusual_number(const char* what) {
+  const char* const first = behind_plus();
   double value = 0;
   const auto [last, error] = std::from_chars(first, end_, value);
-  if (error == std::errc::invalid_argument) fail_expected(what);
-  const char* word_start = at_;
-  at_ = last;
-  const bool whole = at_delimiter();
-  at_ = word_start;
-  if (!whole) fail_expected(what);
-  if (error == std::errc::result_out_of_range) value = out_of_range(first, last, what);
+  if (error == std::errc::invalid_argument || !is_delimiter(last)) fail_expected(what);
+  if (error == std::errc::result_out_of_range) {
+    if (!is_tiny(first, last)) fail_expected(std::string(what) + " within the range of doubles");
+    value = *first == '-' ? -0.0 : 0.0;
+  }
   if (!std::isfinite(value)) fail_expected(std::string(what) + " that is finite");
   at_ = last;
   return value;
 }
 
-double TextCursor::out_of_range(const char* first, const char* last, const char* what) {
-  if (!is_tiny(first, last)) fail_expected(std::string(what) + " within the range of doubles");
-  return *first == '-' ? -0.0 : 0.0;
-}
-
-std::int64_t TextCursor::leading_integer(const char* what) {
-  skip_blanks();
-  const char* first = at_;
-  if (first != end_ && *first == '+' && first + 1 != end_ && first[1] != '-') ++first;
+std::int64_t TextCursor::unusual_integer(const char* what) {
   std::int64_t value = 0;
-  const auto [last, error] = std::from_chars(first, end_, value);
+  const auto [last, error] = std::from_chars(behind_plus(), end_, value);
   if (error != std::errc{}) fail_expected(what);
   at_ = last;
   return value;
-}
-
-std::int64_t TextCursor::integer(const char* what) {
-  skip_blanks();
-  const char* first = at_;
-  const std::int64_t value = leading_integer(what);
-  if (at_delimiter()) return value;
-  at_ = first;
-  fail_expected(what);
 }
 
 std::uint64_t TextCursor::count(const char* what, std::uint64_t bytes) {
   skip_blanks();
   const std::size_t place = offset();
   const std::int64_t value = integer(what);
-  if (value < 0) fail_at(place, std::string("expected ") + what + ", found " + std::to_string(value));
+  if (value < 0) fail_at_line(place, std::string("expected ") + what + ", found " + std::to_string(value));
   // The last item needs no line end.
   const std::uint64_t room = (remaining() + 1) / bytes;
   if (static_cast<std::uint64_t>(value) > room)
-    fail_at(place, "the " + std::string(what) + " is " + std::to_string(value) +
-                       ", but the rest of the file has room for " + std::to_string(room) +
-                       " at most: truncated, or the count is wrong");
+    fail_at_line(place, "the " + std::string(what) + " is " + std::to_string(value) +
+                            ", but the rest of the file has room for " + std::to_string(room) +
+                            " at most: truncated, or the count is wrong");
   return static_cast<std::uint64_t>(value);
 }
 
@@ -146,7 +104,7 @@ void TextCursor::fail_expected(const std::string& what) const {
   for (const char* c = at_; c != end_ && !is_white(*c) && found.size() < longest; ++c)
     found += static_cast<unsigned char>(*c) < 0x20 || *c == 0x7f ? '?' : *c;
   const char* place = at_ == end_ ? "the end of the file" : "the end of the line";
-  fail("expected " + what + ", found " + (found.empty() ? place : "'" + found + "'"));
+  fail_here("expected " + what + ", found " + (found.empty() ? place : "'" + found + "'"));
 }
 
 }  // namespace strata::io

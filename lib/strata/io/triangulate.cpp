@@ -29,7 +29,8 @@ std::array<double, 3> seen_areas(std::span<const Vertex> loop) {
 std::vector<PlanePoint> seen_counter_clockwise(std::span<const Vertex> loop) {
   const auto area = seen_areas(loop);
   std::array<std::size_t, 3> axes{0, 1, 2};
-  std::stable_sort(axes.begin(), axes.end(), [&](std::size_t i, std::size_t j) { return area[i] > area[j]; });
+  std::sort(axes.begin(), axes.end(),
+            [&](std::size_t i, std::size_t j) { return area[i] != area[j] ? area[i] > area[j] : i < j; });
   std::vector<PlanePoint> points(loop.size());
   for (const std::size_t axis : axes) {
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;

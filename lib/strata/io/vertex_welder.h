@@ -1,36 +1,59 @@
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "strata/mesh/mesh.h"
+#include "strata/io/corner_hash.h"
 
 namespace strata::io {
 
-/// Numbers the different points of a stream in order of first use. -0 equals 0, and a vertex keeps the zeros it came
-/// with first. An open hash table whose slots are fetched ahead, batch by batch. O(1) expected per point.
+/// Numbers the different points of a stream in order of first use. -0 equals 0, and a point keeps the zeros it came
+/// with first. An open hash table; quick as long as it fits into a core's cache. O(1) expected per point.
+template <class Scalar>
 class VertexWelder {
  public:
-  explicit VertexWelder(std::size_t expected_vertices);
+  using Point = std::array<Scalar, 3>;
 
-  /// Writes the vertex number of every point. Requires finite coordinates and fewer than 2^32 - 1 points in all.
-  void add(std::span<const Vertex> points, std::span<std::uint32_t> numbers);
-  [[nodiscard]] std::vector<Vertex>& vertices() { return vertices_; }
+  VertexWelder() : slots_(least_slots) {}
+
+  /// The number of the point. Requires finite coordinates and fewer than 2^32 - 1 different points.
+  std::uint32_t add(const Point& p) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = hash_of(p) & mask;
+    while (slots_[at] != 0) {
+      const std::uint32_t number = slots_[at] - 1;
+      if (are_equal(points_[number], p)) return number;
+      at = (at + 1) & mask;
+    }
+    return add_at(at, p);
+  }
+
+  /// The different points so far, by number.
+  [[nodiscard]] std::span<const Point> points() const { return points_; }
+  [[nodiscard]] std::vector<Point> take_points() { return std::move(points_); }
+
+  /// Forgets all points, keeps the memory.
+  void clear() {
+    points_.clear();
+    std::fill(slots_.begin(), slots_.end(), 0);
+  }
 
  private:
-  struct Slot {
-    std::uint32_t vertex_plus_one = 0;  ///< 0: free
-    std::uint32_t tag = 0;              ///< upper half of the hash: spares looking at vertices that differ
-  };
-  static constexpr std::size_t batch = 64;
+  static constexpr std::size_t least_slots = std::size_t{1} << 14;
 
-  void add_batch(std::span<const Vertex> points, std::uint32_t* numbers);
-  std::uint32_t find_or_add(const Vertex& p, std::uint64_t hash);
+  std::uint32_t add_at(std::size_t slot, const Point& p) {
+    points_.push_back(p);
+    slots_[slot] = static_cast<std::uint32_t>(points_.size());
+    if (2 * points_.size() >= slots_.size()) grow();
+    return static_cast<std::uint32_t>(points_.size() - 1);
+  }
   void grow();
 
-  std::vector<Vertex> vertices_;
-  std::vector<Slot> slots_;  ///< a power of two, at most half full
+  std::vector<Point> points_;
+  std::vector<std::uint32_t> slots_;  ///< number + 1, or 0 where free; a power of two, at most half full
 };
 
 }  // namespace strata::io
