@@ -1,37 +1,50 @@
 #pragma once
-#include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
-#include <string>
+#include <memory>
 #include <vector>
 
 #include "strata/io/sink.h"
 
 namespace strata::io {
 
-/// Writes items 0..count-1 in order. `format(i, text)` appends item i; blocks of items are formatted in parallel.
+/// Writes items 0..count-1 in order. `format(i, at)` puts item i at `at`, in no more than `most` bytes, and returns the
+/// place behind it. Blocks of items are formatted in parallel, while earlier ones are written.
 template <class Format>
-void write_blocks(Sink& sink, std::size_t count, const Format& format) {
-  constexpr std::size_t block = 4096, at_a_time = 64;
-  std::vector<std::string> text(at_a_time);
-  for (std::size_t start = 0; start < count; start += block * at_a_time) {
-    const std::size_t blocks = std::min(at_a_time, (count - start + block - 1) / block);
-    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
-      text[b].clear();
-      const std::size_t first = start + b * block;
-      for (std::size_t i = first; i < std::min(first + block, count); ++i) format(i, text[b]);
-    });
-    for (std::size_t b = 0; b < blocks; ++b) sink.write(text[b]);
-  }
-}
-
-/// Appends the shortest digits that read back as the same number.
-template <class Number>
-void append_number(std::string& text, Number x) {
-  char digits[32];
-  text.append(digits, std::to_chars(digits, digits + sizeof digits, x).ptr);
+void write_blocks(Sink& sink, std::size_t count, std::size_t most, const Format& format) {
+  constexpr std::size_t block = 2048;
+  struct Block {
+    std::unique_ptr<char[]> bytes;
+    std::size_t size = 0;
+  };
+  // Blocks are written in order, so the one that had the same buffer is gone when the next one takes it.
+  const auto under_way = 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) + 1;
+  std::vector<Block> blocks(under_way);
+  std::size_t next = 0;
+  const auto number = [&](tbb::flow_control& control) {
+    if (next * block >= count) control.stop();
+    return next++;
+  };
+  const auto format_block = [&](std::size_t b) {
+    Block& own = blocks[b % under_way];
+    if (!own.bytes) own.bytes = std::make_unique_for_overwrite<char[]>(block * most);
+    char* at = own.bytes.get();
+    for (std::size_t i = b * block; i < std::min((b + 1) * block, count); ++i) at = format(i, at);
+    own.size = static_cast<std::size_t>(at - own.bytes.get());
+    return b;
+  };
+  const auto write_block = [&](std::size_t b) {
+    const Block& own = blocks[b % under_way];
+    sink.write({own.bytes.get(), own.size});
+  };
+  constexpr auto in_order = tbb::filter_mode::serial_in_order;
+  tbb::parallel_pipeline(under_way,
+                         tbb::make_filter<void, std::size_t>(in_order, number) &
+                             tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, format_block) &
+                             tbb::make_filter<std::size_t, void>(in_order, write_block));
 }
 
 }  // namespace strata::io

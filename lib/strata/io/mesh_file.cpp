@@ -1,7 +1,11 @@
 #include "strata/io/mesh_file.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <ostream>
 #include <utility>
@@ -68,17 +72,32 @@ MeshFile read_bytes(const io::Input& input, Format format) {
   return {};
 }
 
+/// The first item that is not as it must be, or the end. In parallel as long as all are.
+template <class Item, class IsGood>
+auto find_bad(std::span<const Item> items, const IsGood& is_good) {
+  std::atomic<bool> all = true;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, items.size(), 1 << 14), [&](const auto& range) {
+    const auto part = items.subspan(range.begin(), range.size());
+    if (!std::all_of(part.begin(), part.end(), is_good)) all = false;
+  });
+  return all ? items.end() : std::find_if_not(items.begin(), items.end(), is_good);
+}
+
 /// What no format can hold, or no reader would take back.
 void check_writable(MeshView mesh, const std::string& name) {
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-    for (const double x : mesh.vertices[i])
-      if (!std::isfinite(x)) throw IoError(name, {}, "cannot write: vertex " + std::to_string(i) + " is not finite");
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    for (const std::uint32_t v : mesh.triangles[i])
-      if (v >= mesh.vertices.size())
-        throw IoError(name, {},
-                      "cannot write: triangle " + std::to_string(i) + " uses vertex " + std::to_string(v) + " of " +
-                          std::to_string(mesh.vertices.size()));
+  const auto [vertices, triangles] = mesh;
+  const auto vertex = find_bad(
+      vertices, [](const Vertex& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); });
+  if (vertex != vertices.end())
+    throw IoError(name, {}, "cannot write: vertex " + std::to_string(vertex - vertices.begin()) + " is not finite");
+  const auto is_in_range = [&](std::uint32_t v) { return v < mesh.vertices.size(); };
+  const auto triangle = find_bad(
+      triangles, [&](const Triangle& t) { return is_in_range(t[0]) && is_in_range(t[1]) && is_in_range(t[2]); });
+  if (triangle == triangles.end()) return;
+  throw IoError(name, {},
+                "cannot write: triangle " + std::to_string(triangle - triangles.begin()) + " uses vertex " +
+                    std::to_string(*std::find_if_not(triangle->begin(), triangle->end(), is_in_range)) + " of " +
+                    std::to_string(vertices.size()));
 }
 
 std::vector<std::string> write(MeshView mesh, Format format, io::Sink& sink, const std::string& name) {

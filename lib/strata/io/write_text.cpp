@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
 #include "strata/io/blocks.h"
 #include "strata/io/face_normal.h"
 #include "strata/io/writers.h"
@@ -5,25 +9,33 @@
 namespace strata::io {
 namespace {
 
+/// No number takes more characters: "-2.2250738585072014e-308" has 24.
+constexpr std::size_t longest_number = 24;
+
+char* append(char* at, std::string_view text) { return std::copy(text.begin(), text.end(), at); }
+
+/// A start, three numbers with the shortest digits that read back the same, and a line end.
 template <class Numbers>
-void append_line(std::string& text, const char* start, const Numbers& numbers) {
-  text += start;
-  const char* before = "";
+char* append_line(char* at, std::string_view start, const Numbers& numbers) {
+  at = append(at, start);
   for (const auto x : numbers) {
-    text += before;
-    append_number(text, x);
-    before = " ";
+    at = std::to_chars(at, at + longest_number, x).ptr;
+    *at++ = ' ';
   }
-  text += '\n';
+  at[-1] = '\n';
+  return at;
 }
 
+constexpr std::size_t longest_line(std::string_view start) { return start.size() + 3 * (longest_number + 1); }
+
 /// One line per vertex, then one per triangle, with the given starts and the first index.
-void write_lines(MeshView mesh, Sink& sink, const char* vertex_start, const char* face_start, std::uint32_t first) {
-  write_blocks(sink, mesh.vertices.size(),
-               [&](std::size_t i, std::string& text) { append_line(text, vertex_start, mesh.vertices[i]); });
-  write_blocks(sink, mesh.triangles.size(), [&](std::size_t i, std::string& text) {
+void write_lines(MeshView mesh, Sink& sink, std::string_view vertex_start, std::string_view face_start,
+                 std::uint32_t first) {
+  write_blocks(sink, mesh.vertices.size(), longest_line(vertex_start),
+               [&](std::size_t i, char* at) { return append_line(at, vertex_start, mesh.vertices[i]); });
+  write_blocks(sink, mesh.triangles.size(), longest_line(face_start), [&](std::size_t i, char* at) {
     const Triangle& t = mesh.triangles[i];
-    append_line(text, face_start, Triangle{t[0] + first, t[1] + first, t[2] + first});
+    return append_line(at, face_start, Triangle{t[0] + first, t[1] + first, t[2] + first});
   });
 }
 
@@ -47,12 +59,15 @@ void write_ply_ascii(MeshView mesh, Sink& sink) {
 }
 
 void write_stl_ascii(MeshView mesh, Sink& sink) {
+  constexpr std::string_view normal = "facet normal ", loop = " outer loop\n", vertex = "  vertex ",
+                             end = " endloop\nendfacet\n";
+  constexpr std::size_t most = longest_line(normal) + loop.size() + 3 * longest_line(vertex) + end.size();
   sink.write("solid strata\n");
-  write_blocks(sink, mesh.triangles.size(), [&](std::size_t i, std::string& text) {
-    append_line(text, "facet normal ", face_normal(mesh, mesh.triangles[i]));
-    text += " outer loop\n";
-    for (const std::uint32_t v : mesh.triangles[i]) append_line(text, "  vertex ", mesh.vertices[v]);
-    text += " endloop\nendfacet\n";
+  write_blocks(sink, mesh.triangles.size(), most, [&](std::size_t i, char* at) {
+    at = append_line(at, normal, face_normal(mesh, mesh.triangles[i]));
+    at = append(at, loop);
+    for (const std::uint32_t v : mesh.triangles[i]) at = append_line(at, vertex, mesh.vertices[v]);
+    return append(at, end);
   });
   sink.write("endsolid strata\n");
 }
