@@ -46,7 +46,7 @@ def heading(results: dict) -> str:
 - **Right** is a closed result whose volume is within 1e-6 of the one known by construction, else of the one on which
   most independent engines agree. What is wrong is struck out and does not count.
 - CGAL works on one thread: its times stand for any number. trueform f32 gets the coordinates rounded to floats.
-  Manifold, trueform and MeshLib are called through their Python bindings, which for large meshes costs nothing."""
+  Manifold, trueform and MeshLib are called through their Python bindings: what these take to convert arrays counts."""
 
 
 def target_table(results: dict) -> str:
