@@ -5,10 +5,10 @@
 #include <map>
 #include <random>
 
-#include "strata/io/polygon_signs.h"
+#include "strata/io/planar_polygon.h"
+#include "strata/kernel/predicates.h"
 
 using namespace strata;
-using io::PlanePoint;
 
 namespace {
 
@@ -49,7 +49,7 @@ bool has_the_sides_of_the_polygon(const Result& r, std::size_t n) {
 bool all_turn_left(const Result& r, const std::vector<Vertex>& loop) {
   return std::all_of(r.triangles.begin(), r.triangles.end(), [&](const Triangle& t) {
     const auto at = [&](std::size_t k) { return PlanePoint{loop[t[k]][0], loop[t[k]][1]}; };
-    return io::turn(at(0), at(1), at(2)) == Sign::positive;
+    return orient2d(at(0), at(1), at(2)) == Sign::positive;
   });
 }
 
@@ -88,10 +88,10 @@ TEST_CASE("Differences far below rounding decide", "[io][polygon]") {
   const double up = std::nextafter(1.0, 2.0), down = std::nextafter(1.0, 0.0);
   check_exact({{0, 0}, {1, down}, {2, 2}, {0, 2}});
   check_exact({{0, 0}, {1e-300, 0}, {1e300, 1e300}, {0, 1e-300}});
-  CHECK(io::turn({0, 0}, {1, up}, {2, 2}) == Sign::negative);
-  CHECK(io::turn({0, 0}, {5e-324, 5e-324}, {1e308, 1e308}) == Sign::zero);
-  CHECK(io::turn({0, 0}, {5e-324, 5e-324}, {1e308, std::nextafter(1e308, 0)}) == Sign::negative);
-  CHECK(io::turn({0.1, 0.1}, {0.2, 0.2}, {0.3, 0.3}) == Sign::zero);
+  CHECK(orient2d({0, 0}, {1, up}, {2, 2}) == Sign::negative);
+  CHECK(orient2d({0, 0}, {5e-324, 5e-324}, {1e308, 1e308}) == Sign::zero);
+  CHECK(orient2d({0, 0}, {5e-324, 5e-324}, {1e308, std::nextafter(1e308, 0)}) == Sign::negative);
+  CHECK(orient2d({0.1, 0.1}, {0.2, 0.2}, {0.3, 0.3}) == Sign::zero);
 }
 
 TEST_CASE("Polygons in any plane keep their orientation", "[io][polygon]") {
@@ -119,6 +119,24 @@ TEST_CASE("Planarity is decided exactly", "[io][polygon]") {
   CHECK_FALSE(io::is_planar(std::vector<Vertex>{{0, 0, 0}, {1, 0, 1}, {1, 1, std::nextafter(2, 3)}, {0, 1, 1}}));
   CHECK_FALSE(io::is_planar(std::vector<Vertex>{{0, 0, 0}, {1e200, 0, 0}, {1, 1, 5e-324}, {0, 1e-200, 0}}));
   CHECK(io::is_planar(std::vector<Vertex>{{0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 4}}));
+}
+
+TEST_CASE("The sign of a polygon's area is exact", "[io][polygon]") {
+  const std::vector<PlanePoint> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  CHECK(area_sign(square) == Sign::positive);
+  CHECK(area_sign(std::vector(square.rbegin(), square.rend())) == Sign::negative);
+  CHECK(area_sign(std::vector<PlanePoint>{{0, 0}, {4, 4}, {4, 0}, {0, 4}}) == Sign::zero);  // a bow
+  CHECK(area_sign(std::vector<PlanePoint>{{0.1, 0.1}, {0.2, 0.2}, {0.3, 0.3}}) == Sign::zero);
+  // Two triangles of opposite sense, one larger by a unit in the last place, at three scales.
+  for (const double scale : {1.0, 1e-310, 1e300})
+    for (const bool above : {false, true}) {
+      const double tip = std::nextafter(scale, above ? 2 * scale : 0);
+      const std::vector<PlanePoint> bow{{0, 0}, {scale, scale},  {scale, -scale},
+                                        {0, 0}, {-scale, scale}, {-scale, -tip}};
+      CHECK(area_sign(bow) == (above ? Sign::positive : Sign::negative));
+    }
+  CHECK(area_sign(std::vector<PlanePoint>{{-1e308, -1e308}, {1e308, -1e308}, {1e308, 1e308}}) == Sign::positive);
+  CHECK(area_sign(square) != area_sign(std::vector<PlanePoint>{{0, 0}, {5e-324, 5e-324}}));
 }
 
 TEST_CASE("Polygons that are not planar or not simple are divided all the same", "[io][polygon]") {

@@ -22,7 +22,7 @@ EarClipper::EarClipper(std::span<const PlanePoint> points)
 }
 
 Sign EarClipper::turn_at(std::uint32_t corner) const {
-  return turn(points_[previous_[corner]], points_[corner], points_[next_[corner]]);
+  return orient2d(points_[previous_[corner]], points_[corner], points_[next_[corner]]);
 }
 
 /// Column or row of a coordinate. Monotone, so that a box of points maps into a box of cells; no decision rests on it.
@@ -60,7 +60,8 @@ bool EarClipper::is_in_the_way(std::uint32_t candidate, std::uint32_t corner) co
   const PlanePoint &u = points_[previous_[corner]], &v = points_[corner], &w = points_[next_[corner]];
   const PlanePoint& p = points_[candidate];
   if (p == u || p == v || p == w) return false;
-  return turn(u, v, p) != Sign::negative && turn(v, w, p) != Sign::negative && turn(w, u, p) != Sign::negative;
+  return orient2d(u, v, p) != Sign::negative && orient2d(v, w, p) != Sign::negative &&
+         orient2d(w, u, p) != Sign::negative;
 }
 
 std::uint32_t EarClipper::find_obstacle(std::uint32_t corner) const {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "strata/exact/sign.h"
-#include "strata/io/polygon_signs.h"
+#include "strata/kernel/predicates.h"
 #include "strata/mesh/mesh.h"
 
 namespace strata::io {

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "strata/io/ear_clipper.h"
-#include "strata/io/polygon_signs.h"
+#include "strata/io/planar_polygon.h"
+#include "strata/kernel/predicates.h"
 
 namespace strata::io {
 namespace {
@@ -49,7 +50,7 @@ bool is_strictly_convex(std::span<const PlanePoint> p) {
   const auto points_left = [&](std::size_t i) { return p[(i + 1) % n] < p[i]; };
   int runs = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    if (turn(p[i], p[(i + 1) % n], p[(i + 2) % n]) != Sign::positive) return false;
+    if (orient2d(p[i], p[(i + 1) % n], p[(i + 2) % n]) != Sign::positive) return false;
     runs += !points_left(i) && points_left((i + 1) % n);
   }
   return runs == 1;

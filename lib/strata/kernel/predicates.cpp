@@ -1,5 +1,7 @@
 #include "strata/kernel/predicates.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
@@ -13,6 +15,23 @@
 namespace strata {
 namespace {
 
+/// Sign of an integer, `ask(null)` of the least type that has `bits` bits.
+template <class Ask>
+Sign sign_in_bits(int bits, const Ask& ask) {
+  const auto sign = [&]<class Int>(Tier tier, const Int* type) {
+    count(tier);
+    return sign_of_integer(Int(ask(type)));
+  };
+  if (bits <= 128) return sign(Tier::bits_128, static_cast<const WideInt<2>*>(nullptr));
+  if (bits <= 256) return sign(Tier::bits_256, static_cast<const WideInt<4>*>(nullptr));
+  if (bits <= 512) return sign(Tier::bits_512, static_cast<const WideInt<8>*>(nullptr));
+  if (bits <= 1024) return sign(Tier::bits_1024, static_cast<const WideInt<16>*>(nullptr));
+  return sign(Tier::unbounded, static_cast<const Integer*>(nullptr));
+}
+
+/// Bits for a value of `width` bits and its sign, from integers of a lattice, which are shifted in limbs.
+int bits_for(int width, const Lattice& lattice) { return std::max(width + 1, lattice.bits() + 65); }
+
 /// Asks a question of exact integers that are wide enough. `width(b)` says how many bits it takes on a lattice of b
 /// bits; one more holds the sign.
 template <class Width, class Question>
@@ -20,16 +39,9 @@ Sign decide(const Carriers& carriers, std::initializer_list<const Point*> points
             const Question& question) {
   const Ground ground(carriers, {points.begin(), points.size()});
   const Lattice& lattice = ground.lattice();
-  const int bits = ground.rational() ? 1 << 30 : std::max(width(lattice.bits()) + 1, lattice.bits() + 65);
-  const auto ask = [&]<class Int>(Tier tier, const Int*) {
-    count(tier);
-    return sign_of_integer(Int(question(ExactEvaluation<Int>(carriers, lattice))));
-  };
-  if (bits <= 128) return ask(Tier::bits_128, static_cast<const WideInt<2>*>(nullptr));
-  if (bits <= 256) return ask(Tier::bits_256, static_cast<const WideInt<4>*>(nullptr));
-  if (bits <= 512) return ask(Tier::bits_512, static_cast<const WideInt<8>*>(nullptr));
-  if (bits <= 1024) return ask(Tier::bits_1024, static_cast<const WideInt<16>*>(nullptr));
-  return ask(Tier::unbounded, static_cast<const Integer*>(nullptr));
+  const int bits = ground.rational() ? 1 << 30 : bits_for(width(lattice.bits()), lattice);
+  return sign_in_bits(bits,
+                      [&]<class Int>(const Int*) { return Int(question(ExactEvaluation<Int>(carriers, lattice))); });
 }
 
 std::optional<Sign> filtered(const Bounded& value) {
@@ -72,16 +84,34 @@ std::optional<Sign> filtered_orient3d(const Carriers::Coordinates& a, const Carr
 }
 
 /// The same for the turn of three points, by Shewchuk's bound (3 + 16 u) u.
-std::optional<Sign> filtered_turn(const Point& p, const Point& q, const Point& r, std::size_t u, std::size_t v) {
-  const double qu = q.at[u].value - p.at[u].value, qv = q.at[v].value - p.at[v].value;
-  const double ru = r.at[u].value - p.at[u].value, rv = r.at[v].value - p.at[v].value;
+std::optional<Sign> filtered_turn(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r) {
+  const double qu = q[0] - p[0], qv = q[1] - p[1];
+  const double ru = r[0] - p[0], rv = r[1] - p[1];
   const double left = qu * rv, right = qv * ru, value = left - right;
   constexpr double factor = (3 + 16 * 0x1p-53) * 0x1p-53;
   const double bound = factor * (std::abs(left) + std::abs(right)) + 0x1p-1000;
   if (value > bound) return Sign::positive;
   if (-value > bound) return Sign::negative;
   if ((qu == 0 || rv == 0) && (qv == 0 || ru == 0)) return Sign::zero;
-  if (q.at[u].value == r.at[u].value && q.at[v].value == r.at[v].value) return Sign::zero;
+  if (q == r) return Sign::zero;
+  return std::nullopt;
+}
+
+/// Each product is off by a relative 3u + 3u^2 at most, each difference by u, the sum of n of them by n u more; the
+/// constant is twice that and leaves room for rounding the magnitude. Products that vanish are off by 2^-1075, which is
+/// far below the bound where magnitudes reach 2^-900.
+std::optional<Sign> filtered_area(std::span<const PlanePoint> polygon) {
+  const auto [x, y] = polygon[0];
+  double value = 0, magnitude = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const auto &p = polygon[i], &q = polygon[i + 1];
+    const double left = (p[0] - x) * (q[1] - y), right = (p[1] - y) * (q[0] - x);
+    value += left - right;
+    magnitude += std::abs(left) + std::abs(right);
+  }
+  const double bound = (static_cast<double>(polygon.size()) + 8) * 0x1p-52 * magnitude;
+  if (magnitude > 0x1p-900 && value > bound) return Sign::positive;
+  if (magnitude > 0x1p-900 && -value > bound) return Sign::negative;
   return std::nullopt;
 }
 
@@ -112,6 +142,15 @@ Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Po
   });
 }
 
+Sign orient3d(const Carriers::Coordinates& a, const Carriers::Coordinates& b, const Carriers::Coordinates& c,
+              const Carriers::Coordinates& d) {
+  if (const auto sign = filtered_orient3d(a, b, c, d)) {
+    count(Tier::filter);
+    return *sign;
+  }
+  return orient3d(Carriers(), Point::free(a), Point::free(b), Point::free(c), Point::free(d));
+}
+
 Sign orient3d(const Carriers& carriers, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
   if (!carriers.has_rationals()) {
     if (const auto sign =
@@ -140,7 +179,8 @@ Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p) 
 std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, const Point& q, const Point& r) {
   const auto u = static_cast<std::size_t>(projection.u), v = static_cast<std::size_t>(projection.v);
   if (is_exact(p) && is_exact(q) && is_exact(r)) {
-    const auto s = filtered_turn(p, q, r, u, v);
+    const auto seen = [&](const Point& x) { return PlanePoint{x.at[u].value, x.at[v].value}; };
+    const auto s = filtered_turn(seen(p), seen(q), seen(r));
     if (s) count(Tier::filter);
     return s;
   }
@@ -168,10 +208,18 @@ Sign exact_orient2d(const Carriers& carriers, Projection projection, const Point
 
 Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q, const Point& r) {
   if (const auto sign = filtered_orient2d(projection, p, q, r)) return *sign;
-  if (const auto sign =
-          refined_orient2d(projection, refine(carriers, p), refine(carriers, q), refine(carriers, r)))
+  if (const auto sign = refined_orient2d(projection, refine(carriers, p), refine(carriers, q), refine(carriers, r)))
     return *sign;
   return exact_orient2d(carriers, projection, p, q, r);
+}
+
+Sign orient2d(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
+  if (const auto sign = filtered_turn(a, b, c)) {
+    count(Tier::filter);
+    return *sign;
+  }
+  const auto point = [](const PlanePoint& p) { return Point::free({p[0], p[1], 0}); };
+  return orient2d(Carriers(), {.u = 0, .v = 1}, point(a), point(b), point(c));
 }
 
 Sign compare(const Carriers& carriers, int axis, const Point& p, const Point& q) {
@@ -231,6 +279,28 @@ Projection projection_of(const Carriers& carriers, std::uint32_t face) {
     return s == Sign::positive ? Projection{u, v} : Projection{v, u};
   }
   return {};
+}
+
+Sign area_sign(std::span<const PlanePoint> polygon) {
+  if (polygon.size() < 3) return Sign::zero;
+  if (const auto sign = filtered_area(polygon)) {
+    count(Tier::filter);
+    return *sign;
+  }
+  Lattice lattice;
+  for (const auto& p : polygon)
+    for (const double x : p) lattice.add(x);
+  // The sum of n products of two differences, less than 2^(2b + 1) each.
+  const int width = 2 * lattice.bits() + 1 + static_cast<int>(std::bit_width(polygon.size()));
+  return sign_in_bits(bits_for(width, lattice), [&]<class Int>(const Int*) {
+    Int sum = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const auto &p = polygon[i], &q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+      const auto integer = [&](double x) { return lattice.integer<Int>(x); };
+      sum = sum + Int(integer(p[0]) * integer(q[1]) - integer(p[1]) * integer(q[0]));
+    }
+    return sum;
+  });
 }
 
 bool is_degenerate(const Carriers& carriers, std::uint32_t face) {

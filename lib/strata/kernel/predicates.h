@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "strata/exact/sign.h"
 #include "strata/exact/twofold.h"
@@ -31,12 +33,22 @@ struct Projection {
 [[nodiscard]] Sign orient3d(const Carriers& carriers, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                             std::uint32_t d);
 
+/// The same for doubles that are nobody's vertices.
+[[nodiscard]] Sign orient3d(const Carriers::Coordinates& a, const Carriers::Coordinates& b,
+                            const Carriers::Coordinates& c, const Carriers::Coordinates& d);
+
 /// Side of p relative to the plane of a face: positive on its outer side.
 [[nodiscard]] Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p);
 
 /// Turn of p, q, r in the projection: positive when counter-clockwise; zero: collinear there.
 [[nodiscard]] Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q,
                             const Point& r);
+
+/// A point of a plane, in doubles.
+using PlanePoint = std::array<double, 2>;
+
+/// The same for doubles that are nobody's vertices.
+[[nodiscard]] Sign orient2d(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 
 /// The first tier of orient2d alone: nullopt when running errors do not decide.
 [[nodiscard]] std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, const Point& q,
@@ -67,6 +79,11 @@ struct Projection {
 
 /// A projection for the plane of a face. Requires a face of positive area.
 [[nodiscard]] Projection projection_of(const Carriers& carriers, std::uint32_t face);
+
+/// Sign of the area that a closed polygon of doubles in the plane encloses, every part as often as the polygon goes
+/// round it: positive when counter-clockwise. Laws: turning the polygon around negates the sign, another start keeps
+/// it. O(n).
+[[nodiscard]] Sign area_sign(std::span<const PlanePoint> polygon);
 
 /// True when the three vertices of a face are collinear.
 [[nodiscard]] bool is_degenerate(const Carriers& carriers, std::uint32_t face);
