@@ -9,9 +9,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <optional>
 #include <utility>
+
+#include "strata/csg/arena.h"
 
 namespace {
 
@@ -26,9 +27,24 @@ void print_notes(const std::string& path, const std::vector<std::string>& notes,
 }
 
 std::string read_all(std::istream& stream, const std::string& name) {
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  constexpr std::size_t block = 1 << 20;
+  std::string bytes;
+  while (stream) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + block);
+    stream.read(bytes.data() + before, block);
+    bytes.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
   if (stream.bad()) throw strata::IoError(name, {}, "read error");
   return bytes;
+}
+
+// Runs on as many threads as were asked for.
+template <class Work>
+auto on_threads(const Settings& settings, const Work& work) {
+  strata::Options options;
+  options.threads = settings.threads;
+  return strata::arena_for(options).execute(work);
 }
 
 std::optional<Format> input_format(const Settings& settings) {
@@ -86,7 +102,7 @@ void write_file(const std::string& path, std::string_view text) {
 std::vector<LoadedMesh> read_operands(const Settings& settings) {
   std::vector<LoadedMesh> operands;
   for (const std::string& path : settings.operands) {
-    strata::MeshFile file = read_operand(path, settings);
+    strata::MeshFile file = on_threads(settings, [&] { return read_operand(path, settings); });
     print_notes(path, file.notes, settings);
     operands.push_back({path, {std::move(file.mesh), {}}});
   }
@@ -107,10 +123,12 @@ Format output_format(const Settings& settings) {
 
 void write_output(const Settings& settings, Format format, const strata::Mesh& mesh) {
   if (settings.output == "-") {
-    print_notes("standard output", strata::write_mesh(std::cout, mesh, format, "standard output"), settings);
+    const auto write = [&] { return strata::write_mesh(std::cout, mesh, format, "standard output"); };
+    print_notes("standard output", on_threads(settings, write), settings);
     if (!std::cout.flush()) throw strata::IoError("standard output", {}, std::strerror(errno));
   } else {
-    print_notes(settings.output, strata::write_mesh(settings.output, mesh, format), settings);
+    const auto write = [&] { return strata::write_mesh(settings.output, mesh, format); };
+    print_notes(settings.output, on_threads(settings, write), settings);
   }
 }
 
