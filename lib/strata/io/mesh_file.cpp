@@ -1,12 +1,7 @@
 #include "strata/io/mesh_file.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <cmath>
 #include <ostream>
 #include <utility>
 
@@ -40,66 +35,6 @@ std::string lower(std::string text) {
                     (io::can_read_other(".glb") ? ", and glb, gltf, 3mf, fbx, dae and others for reading" : ""));
 }
 
-MeshFile with_emptiness_noted(MeshFile file) {
-  if (file.mesh.triangles.empty()) file.notes.emplace_back("the file holds no faces");
-  return file;
-}
-
-std::optional<MeshFile> read_piece_by_piece(const io::File& file, Format format, std::size_t piece) {
-  if (file.size() <= piece) return {};
-  if (format == Format::stl || format == Format::stl_ascii) return io::read_binary_stl(file, piece);
-  if (format == Format::ply || format == Format::ply_ascii || format == Format::ply_big_endian)
-    return io::read_binary_ply(file, piece);
-  return {};
-}
-
-MeshFile read_bytes(const io::Input& input, Format format) {
-  switch (format) {
-    case Format::stl:
-    case Format::stl_ascii:
-      return io::read_stl(input);
-    case Format::obj:
-      return io::read_obj(input);
-    case Format::off:
-      return io::read_off(input);
-    case Format::ply:
-    case Format::ply_ascii:
-    case Format::ply_big_endian:
-      return io::read_ply(input);
-    case Format::other:
-      return io::read_other(input);
-  }
-  return {};
-}
-
-/// The first item that is not as it must be, or the end. In parallel as long as all are.
-template <class Item, class IsGood>
-auto find_bad(std::span<const Item> items, const IsGood& is_good) {
-  std::atomic<bool> all = true;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, items.size(), 1 << 14), [&](const auto& range) {
-    const auto part = items.subspan(range.begin(), range.size());
-    if (!std::all_of(part.begin(), part.end(), is_good)) all = false;
-  });
-  return all ? items.end() : std::find_if_not(items.begin(), items.end(), is_good);
-}
-
-/// What no format can hold, or no reader would take back.
-void check_writable(MeshView mesh, const std::string& name) {
-  const auto [vertices, triangles] = mesh;
-  const auto vertex = find_bad(
-      vertices, [](const Vertex& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); });
-  if (vertex != vertices.end())
-    throw IoError(name, {}, "cannot write: vertex " + std::to_string(vertex - vertices.begin()) + " is not finite");
-  const auto is_in_range = [&](std::uint32_t v) { return v < mesh.vertices.size(); };
-  const auto triangle = find_bad(
-      triangles, [&](const Triangle& t) { return is_in_range(t[0]) && is_in_range(t[1]) && is_in_range(t[2]); });
-  if (triangle == triangles.end()) return;
-  throw IoError(name, {},
-                "cannot write: triangle " + std::to_string(triangle - triangles.begin()) + " uses vertex " +
-                    std::to_string(*std::find_if_not(triangle->begin(), triangle->end(), is_in_range)) + " of " +
-                    std::to_string(vertices.size()));
-}
-
 std::vector<std::string> write(MeshView mesh, Format format, io::Sink& sink, const std::string& name) {
   switch (format) {
     case Format::stl:
@@ -130,25 +65,6 @@ std::vector<std::string> write(MeshView mesh, Format format, io::Sink& sink, con
 
 }  // namespace
 
-namespace io {
-
-MeshFile read(const Input& input, Format format) {
-  try {
-    if (input.data.empty()) fail("the file is empty");
-    return with_emptiness_noted(read_bytes(input, format));
-  } catch (const Malformed& malformed) {
-    throw input.error(malformed);
-  }
-}
-
-MeshFile read(const File& file, Format format, std::size_t piece) {
-  if (auto mesh = read_piece_by_piece(file, format, piece)) return with_emptiness_noted(std::move(*mesh));
-  const FileBytes bytes(file);
-  return read(Input{file.name(), bytes.view(), piece}, format);
-}
-
-}  // namespace io
-
 Format format_of(const std::filesystem::path& path) {
   const std::string extension = lower(path.extension().string());
   for (const auto& [word, format] : names)
@@ -173,10 +89,9 @@ MeshFile read_mesh(const std::filesystem::path& path, std::optional<Format> form
   const Format chosen = format.value_or(format_of(path));
   // Files that are not there are told apart from formats that are not known.
   const io::File file(path);
-  if (chosen != Format::other) return io::read(file, chosen);
-  if (io::FileBytes(file).view().empty()) throw IoError(path.string(), {}, "the file is empty");
-  if (!io::can_read_other(lower(path.extension().string()))) fail_unknown(path.string(), path.extension().string());
-  return with_emptiness_noted(io::read_other(path));
+  const std::string extension = path.extension().string();
+  if (chosen == Format::other && !io::can_read_other(lower(extension))) fail_unknown(path.string(), extension);
+  return io::read(file, chosen);
 }
 
 MeshFile read_mesh(std::string_view data, Format format, std::string name) {
@@ -192,7 +107,7 @@ MeshFile read_mesh(std::span<const std::byte> data, Format format, std::string n
 std::vector<std::string> write_mesh(const std::filesystem::path& path, MeshView mesh, std::optional<Format> format) {
   const Format chosen = format.value_or(format_of(path));
   if (chosen == Format::other) fail_unknown(path.string(), path.extension().string());
-  check_writable(mesh, path.string());
+  io::check_writable(mesh, path.string());
   io::FileSink sink(path);
   auto notes = write(mesh, chosen, sink, path.string());
   sink.finish();
@@ -200,7 +115,7 @@ std::vector<std::string> write_mesh(const std::filesystem::path& path, MeshView 
 }
 
 std::vector<std::string> write_mesh(std::ostream& stream, MeshView mesh, Format format, std::string name) {
-  check_writable(mesh, name);
+  io::check_writable(mesh, name);
   io::StreamSink sink(stream, name);
   auto notes = write(mesh, format, sink, name);
   sink.finish();
@@ -208,7 +123,7 @@ std::vector<std::string> write_mesh(std::ostream& stream, MeshView mesh, Format 
 }
 
 std::string to_string(MeshView mesh, Format format) {
-  check_writable(mesh, "memory");
+  io::check_writable(mesh, "memory");
   io::StringSink sink;
   (void)write(mesh, format, sink, "memory");
   return sink.take();

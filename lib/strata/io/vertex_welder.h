@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "strata/io/corner_hash.h"
@@ -32,8 +31,7 @@ class VertexWelder {
   }
 
   /// The different points so far, by number.
-  [[nodiscard]] std::span<const Point> points() const { return points_; }
-  [[nodiscard]] std::vector<Point> take_points() { return std::move(points_); }
+  [[nodiscard]] std::vector<Point> copy_points() const { return points_; }
 
   /// Forgets all points, keeps the memory.
   void clear() {

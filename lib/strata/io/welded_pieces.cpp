@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "strata/io/corner_hash.h"
+#include "strata/io/face_list.h"
 #include "strata/io/large_pages.h"
 
 namespace strata::io {
@@ -91,7 +92,9 @@ class Joint {
   std::vector<Vertex> number_first_uses() {
     std::vector<std::size_t> next(pieces_.size());
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
-      for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) next[i] += first_use_[k] == k;
+      std::size_t count = 0;
+      for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) count += first_use_[k] == k;
+      next[i] = count;
     });
     std::size_t total = 0;
     for (std::size_t& n : next) total += std::exchange(n, total);
@@ -127,14 +130,29 @@ class Joint {
   std::vector<std::uint32_t> vertex_;     ///< per point
 };
 
+bool is_flat(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+void leave_out_flat_triangles(MeshFile& file, const std::string& name) {
+  const auto& triangles = file.mesh.triangles;
+  if (std::none_of(triangles.begin(), triangles.end(), is_flat)) return;
+  FaceList faces;
+  for (const Triangle& t : triangles) faces.add(t);
+  file.mesh.triangles = {};
+  gather_faces({&faces, 1}, file, name);
+}
+
 }  // namespace
 
 template <class Scalar>
-std::vector<Vertex> join(std::span<const WeldedPiece<Scalar>> pieces) {
-  return Joint<Scalar>(pieces).join();
+MeshFile join(std::span<const WeldedPiece<Scalar>> pieces, std::vector<Triangle> triangles, const std::string& name) {
+  MeshFile file;
+  file.mesh.vertices = Joint<Scalar>(pieces).join();
+  file.mesh.triangles = std::move(triangles);
+  leave_out_flat_triangles(file, name);
+  return file;
 }
 
-template std::vector<Vertex> join(std::span<const WeldedPiece<float>> pieces);
-template std::vector<Vertex> join(std::span<const WeldedPiece<double>> pieces);
+template MeshFile join(std::span<const WeldedPiece<float>>, std::vector<Triangle>, const std::string&);
+template MeshFile join(std::span<const WeldedPiece<double>>, std::vector<Triangle>, const std::string&);
 
 }  // namespace strata::io

@@ -7,6 +7,10 @@
 
 namespace strata::io {
 
+/// Throws IoError for what no format can hold, or no reader would take back: coordinates that are not finite, indices
+/// out of range.
+void check_writable(MeshView mesh, const std::string& name);
+
 /// One writer per format. Requires finite coordinates and indices in range.
 void write_stl_ascii(MeshView mesh, Sink& sink);
 void write_obj(MeshView mesh, Sink& sink);
