@@ -105,8 +105,13 @@ bool Triangulation::is_on_edge(Side s, std::uint32_t a, std::uint32_t b) const {
 Sign Triangulation::inner_side(Side s, std::int32_t p) const {
   const PointName& name = points_[at(p)].name;
   const bool is_crossed = name.kind == PointName::Kind::edge_face && name.id[2] == face_;
-  if (given_names_ == Names::lowest && name.kind == PointName::Kind::edge_face)
-    return !is_crossed && is_on_edge(s, name.id[0], name.id[1]) ? Sign::zero : Sign::positive;
+  if (given_names_ == Names::lowest && name.kind == PointName::Kind::edge_face) {
+    if (is_crossed) return Sign::positive;
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = corners_[at(i)], b = corners_[at(next(i))];
+      if (is_on_edge(s, a, b)) return named_on_edge(name, a, b) ? Sign::zero : Sign::positive;
+    }
+  }
   const std::int32_t from = tri(s.triangle).v[at(s.index)], to = tri(s.triangle).v[at(next(s.index))];
   if (const auto sign = filtered_orient2d(projection_, points_[at(from)], points_[at(to)], points_[at(p)]))
     return *sign;

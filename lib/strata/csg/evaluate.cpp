@@ -4,6 +4,7 @@
 
 #include "strata/cells/cell_tree.h"
 #include "strata/csg/stopwatch.h"
+#include "strata/overlap/coincidences.h"
 #include "strata/overlap/pairs.h"
 #include "strata/select/merge.h"
 #include "strata/select/split_faces.h"
@@ -19,12 +20,13 @@ bool may_merge(const Carriers& carriers, const Meetings& meetings, bool self) {
 
 }  // namespace
 
-Boundary evaluate(const Carriers& carriers, const Rule& rule, bool self, const Monitor& monitor, Profile& profile) {
+Boundary evaluate(Carriers carriers, const Rule& rule, bool self, const Monitor& monitor, Profile& profile) {
   Stopwatch watch(profile);
   const CellTree cells(carriers, {.self = self, .monitor = monitor});
   watch.lap("cells");
   monitor.report(0.3);
   monitor.check();
+  carriers.identify(find_coincidences(carriers, cells, monitor));
   const Meetings meetings = find_meetings(carriers, cells, self, monitor);
   watch.lap("overlap");
   monitor.report(0.55);

@@ -9,7 +9,7 @@ namespace strata {
 
 /// The whole pipeline on operands that are ready: cells -> overlap -> arrange -> layers -> select.
 /// `self`: faces of one operand may meet each other, and winding numbers are whatever they are.
-[[nodiscard]] Boundary evaluate(const Carriers& carriers, const Rule& rule, bool self, const Monitor& monitor,
+[[nodiscard]] Boundary evaluate(Carriers carriers, const Rule& rule, bool self, const Monitor& monitor,
                                 Profile& profile);
 
 }  // namespace strata

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace strata {
@@ -14,10 +15,40 @@ void Carriers::add(std::span<const Coordinates> points, std::span<const Indices>
   blocks_.push_back({points, faces, exact, vertex_end_, face_end_});
   vertex_end_ += static_cast<std::uint32_t>(points.size());
   face_end_ += static_cast<std::uint32_t>(faces.size());
-  const std::uint32_t operand = operand_count() - 1;
-  while (operand_at_vertex_.size() << stride < vertex_end_) operand_at_vertex_.push_back(operand);
-  while (operand_at_face_.size() << stride < face_end_) operand_at_face_.push_back(operand);
+  constexpr std::uint32_t many = 64;
+  if (operand_count() == many) {
+    stride_ = 3;
+    operand_at_vertex_.clear();
+    operand_at_face_.clear();
+    for (std::uint32_t o = 0; o + 1 < many; ++o) list_operand(o);
+  }
+  list_operand(operand_count() - 1);
   has_rationals_ = has_rationals_ || !exact.empty();
+}
+
+void Carriers::list_operand(std::uint32_t operand) {
+  const Block& b = blocks_[operand];
+  while (operand_at_vertex_.size() << stride_ < b.first_vertex + b.points.size()) operand_at_vertex_.push_back(operand);
+  while (operand_at_face_.size() << stride_ < b.first_face + b.faces.size()) operand_at_face_.push_back(operand);
+}
+
+void Carriers::identify(std::span<const std::pair<std::uint32_t, std::uint32_t>> equal) {
+  if (equal.empty()) return;
+  if (same_.empty()) {
+    same_.resize(vertex_end_);
+    std::iota(same_.begin(), same_.end(), 0u);
+    shared_.resize(vertex_end_);
+  }
+  const auto root = [&](std::uint32_t v) {
+    while (same_[v] != v) v = same_[v] = same_[same_[v]];
+    return v;
+  };
+  for (const auto& [a, b] : equal) {
+    const std::uint32_t x = root(a), y = root(b);
+    same_[std::max(x, y)] = std::min(x, y);
+    shared_[a] = shared_[b] = true;
+  }
+  for (std::uint32_t v = 0; v < vertex_end_; ++v) same_[v] = same_[same_[v]];
 }
 
 const RationalPoint* Carriers::find_exact(std::uint32_t vertex) const {

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "strata/kernel/exact_vertex.h"
@@ -20,6 +21,14 @@ class Carriers {
   /// `points` then holds their nearest doubles. Indices in `faces` are local to the operand.
   void add(std::span<const Coordinates> points, std::span<const Indices> faces,
            std::span<const ExactVertex> exact = {});
+
+  /// Vertices at one place, as pairs: from now on faces name the lowest of them. Vertices keep their coordinates.
+  void identify(std::span<const std::pair<std::uint32_t, std::uint32_t>> equal);
+  /// The vertex that stands for this one in `face`.
+  [[nodiscard]] std::uint32_t identified(std::uint32_t vertex) const { return same_.empty() ? vertex : same_[vertex]; }
+  [[nodiscard]] bool has_identified() const { return !same_.empty(); }
+  /// True when other vertices were identified with this one.
+  [[nodiscard]] bool is_shared(std::uint32_t vertex) const { return !shared_.empty() && shared_[vertex]; }
 
   [[nodiscard]] std::uint32_t operand_count() const { return static_cast<std::uint32_t>(blocks_.size()); }
   [[nodiscard]] std::uint32_t vertex_count() const { return vertex_end_; }
@@ -45,7 +54,8 @@ class Carriers {
   [[nodiscard]] Indices face(std::uint32_t face) const {
     const Block& b = blocks_[find<false>(face)];
     const Indices& t = b.faces[face - b.first_face];
-    return {t[0] + b.first_vertex, t[1] + b.first_vertex, t[2] + b.first_vertex};
+    const Indices v{t[0] + b.first_vertex, t[1] + b.first_vertex, t[2] + b.first_vertex};
+    return same_.empty() ? v : Indices{same_[v[0]], same_[v[1]], same_[v[2]]};
   }
   /// The rational place of a vertex, or null when its doubles are exact. O(log) in operands that have any.
   [[nodiscard]] const RationalPoint* exact(std::uint32_t vertex) const {
@@ -64,19 +74,22 @@ class Carriers {
 
   [[nodiscard]] const RationalPoint* find_exact(std::uint32_t vertex) const;
 
-  /// Operands at every 64th number: where a search starts.
-  static constexpr int stride = 6;
+  void list_operand(std::uint32_t operand);
 
   template <bool Vertex>
   [[nodiscard]] std::uint32_t find(std::uint32_t id) const {
     const auto first = [&](std::uint32_t o) { return Vertex ? blocks_[o].first_vertex : blocks_[o].first_face; };
-    std::uint32_t o = (Vertex ? operand_at_vertex_ : operand_at_face_)[id >> stride];
+    std::uint32_t o = (Vertex ? operand_at_vertex_ : operand_at_face_)[id >> stride_];
     while (o + 1 < blocks_.size() && first(o + 1) <= id) ++o;
     return o;
   }
 
   std::vector<Block> blocks_;
+  /// Operands at every 2^stride-th number: where a search starts. Closer together when there are many small operands.
+  int stride_ = 6;
   std::vector<std::uint32_t> operand_at_vertex_, operand_at_face_;
+  std::vector<std::uint32_t> same_;  ///< per vertex, if any are identified
+  std::vector<bool> shared_;
   std::uint32_t vertex_end_ = 0;
   std::uint32_t face_end_ = 0;
   bool has_rationals_ = false;

@@ -10,6 +10,7 @@
 #include "strata/kernel/approximation.h"
 #include "strata/kernel/counters.h"
 #include "strata/kernel/exact_evaluation.h"
+#include "strata/kernel/filtered_plane.h"
 #include "strata/kernel/filters.h"
 
 namespace strata {
@@ -61,25 +62,14 @@ std::optional<Sign> filtered(const Twofold& value) {
 
 Point input_point(const Carriers& carriers, std::uint32_t v) { return make_point(carriers, PointName::input(v)); }
 
-/// Shewchuk's bound for the determinant of differences, and 2^-1000 of the last factors for products that underflow.
-/// theory.md, "Filters".
+/// FilteredPlane, and the zeros that doubles show.
 std::optional<Sign> filtered_orient3d(const Carriers::Coordinates& a, const Carriers::Coordinates& b,
                                       const Carriers::Coordinates& c, const Carriers::Coordinates& d) {
-  const double ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
-  const double vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
-  const double wx = d[0] - a[0], wy = d[1] - a[1], wz = d[2] - a[2];
-  const double yz = uy * vz, zy = uz * vy, zx = uz * vx, xz = ux * vz, xy = ux * vy, yx = uy * vx;
-  const double value = (yz - zy) * wx + (zx - xz) * wy + (xy - yx) * wz;
-  const double magnitude = (std::abs(yz) + std::abs(zy)) * std::abs(wx) + (std::abs(zx) + std::abs(xz)) * std::abs(wy) +
-                           (std::abs(xy) + std::abs(yx)) * std::abs(wz);
-  constexpr double factor = (7 + 56 * 0x1p-53) * 0x1p-53;
-  const double bound = factor * magnitude + 0x1p-1000 * (1 + std::abs(wx) + std::abs(wy) + std::abs(wz));
-  if (value > bound) return Sign::positive;
-  if (-value > bound) return Sign::negative;
-  // Differences of doubles are zero only when they are exactly: equal points, and planes across an axis.
-  const auto flat = [](double x, double y, double z) { return x == 0 && y == 0 && z == 0; };
-  if (flat(ux, vx, wx) || flat(uy, vy, wy) || flat(uz, vz, wz) || flat(wx, wy, wz)) return Sign::zero;
-  if (b == d || c == d || a == c || b == c || a == b) return Sign::zero;
+  if (const int side = FilteredPlane(a, b, c).side(d); side != 0) return side > 0 ? Sign::positive : Sign::negative;
+  // Equal points, and planes across an axis.
+  for (std::size_t i = 0; i < 3; ++i)
+    if (a[i] == b[i] && a[i] == c[i] && a[i] == d[i]) return Sign::zero;
+  if (a == d || b == d || c == d || a == c || b == c || a == b) return Sign::zero;
   return std::nullopt;
 }
 

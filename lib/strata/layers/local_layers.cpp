@@ -1,13 +1,15 @@
 #include "strata/layers/local_layers.h"
 
+#include <algorithm>
+
 #include "strata/cells/walk.h"
 
 namespace strata {
 
-Windings LocalLayers::around(const Point& q, std::uint32_t own) const { return walk(q, own); }
+Windings LocalLayers::around(const Point& q, std::uint32_t own) const { return walk(q, own, {}); }
 
 Windings LocalLayers::above(std::uint32_t face, const Point& q, std::span<const std::uint32_t> covering) const {
-  Windings w = walk(q, nobody);
+  Windings w = walk(q, nobody, covering);
   // The walk ends at the face. From below it goes through the covering faces to reach the upper side.
   const auto& cell = cells_.cells()[cells_.cell_at(grid_of(q))];
   if (side_of_origin(carriers_, face, cell.origin) == Sign::positive) return w;
@@ -25,7 +27,7 @@ std::array<std::int32_t, 3> LocalLayers::grid_of(const Point& q) const {
   return low == high ? low : cells_.grid().at(nearest_doubles(carriers_, q));
 }
 
-Windings LocalLayers::walk(const Point& q, std::uint32_t own) const {
+Windings LocalLayers::walk(const Point& q, std::uint32_t own, std::span<const std::uint32_t> through_q) const {
   const auto target = grid_of(q);
   const Cell& cell = cells_.cells()[cells_.cell_at(target)];
   Windings w = *cell.windings;
@@ -43,6 +45,7 @@ Windings LocalLayers::walk(const Point& q, std::uint32_t own) const {
       end = carriers_.first_face(operand) + carriers_.face_count(operand);
     }
     if (operand == own || !f.box.overlaps(way)) continue;
+    if (std::find(through_q.begin(), through_q.end(), f.face) != through_q.end()) continue;  // not crossed
     w.add(operand, crossing(carriers_, f.face, cell.origin, q));
   }
   return w;

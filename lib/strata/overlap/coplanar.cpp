@@ -1,5 +1,6 @@
 #include "strata/overlap/coplanar.h"
 
+#include <algorithm>
 #include <boost/container/static_vector.hpp>
 
 #include "strata/kernel/predicates.h"
@@ -24,14 +25,15 @@ class CoplanarMeeting {
         orientation_(same_orientation(carriers, f, g)) {
     for (std::size_t i = 0; i < 3; ++i) pf_[i] = make_point(carriers, PointName::input(vf_[i]));
     for (std::size_t i = 0; i < 3; ++i) pg_[i] = make_point(carriers, PointName::input(vg_[i]));
-    for (std::size_t e = 0; e < 3; ++e)
-      for (std::size_t p = 0; p < 3; ++p) {
-        f_vertex_side_[p][e] = side(pg_[e], pg_[(e + 1) % 3], pf_[p]);
-        g_vertex_side_[p][e] = side(pf_[e], pf_[(e + 1) % 3], pg_[p]);
-      }
   }
 
   bool find(Meetings& meetings) {
+    for (std::size_t e = 0; e < 3; ++e) {
+      for (std::size_t p = 0; p < 3; ++p) g_vertex_side_[p][e] = side(pf_[e], pf_[(e + 1) % 3], pg_[p]);
+      if (is_beyond(e)) return false;
+    }
+    for (std::size_t e = 0; e < 3; ++e)
+      for (std::size_t p = 0; p < 3; ++p) f_vertex_side_[p][e] = side(pg_[e], pg_[(e + 1) % 3], pf_[p]);
     std::array<Ends, 3> g_edges, f_edges;
     bool any = false;
     for (int k = 0; k < 3; ++k) {
@@ -40,8 +42,8 @@ class CoplanarMeeting {
       for (const SharedPoint& p : g_edges[static_cast<std::size_t>(k)]) any = any || !is_shared(p);
       for (const SharedPoint& p : f_edges[static_cast<std::size_t>(k)]) any = any || !is_shared(p);
     }
-    if (!any && !covers_same_side()) return false;
-    append_coplanar(meetings);
+    if (!any) return false;  // nothing but shared vertices
+    meet_same_face(f_, vf_, g_, vg_, meetings);
     for (int k = 0; k < 3; ++k) {
       append_to_f(meetings, k, g_edges[static_cast<std::size_t>(k)]);
       append_to_g(meetings, k, f_edges[static_cast<std::size_t>(k)]);
@@ -50,6 +52,15 @@ class CoplanarMeeting {
   }
 
  private:
+  /// True when all of g is strictly on the outer side of an edge of f, but for vertices that f has too on that edge.
+  [[nodiscard]] bool is_beyond(std::size_t edge) const {
+    for (std::size_t p = 0; p < 3; ++p) {
+      const Sign s = g_vertex_side_[p][edge];
+      const bool is_end = vg_[p] == vf_[edge] || vg_[p] == vf_[(edge + 1) % 3];
+      if (s != Sign::negative && !is_end) return false;
+    }
+    return true;
+  }
   [[nodiscard]] Sign side(const Point& a, const Point& b, const Point& p) const {
     return orient2d(carriers_, projection_, a, b, p);
   }
@@ -96,15 +107,6 @@ class CoplanarMeeting {
     return p.on_f.kind == Feature::Kind::vertex && p.on_g.kind == Feature::Kind::vertex &&
            vf_[p.on_f.index] == vg_[p.on_g.index];
   }
-  /// Faces whose only common points are shared vertices: they overlap when all three vertices are shared, or when an
-  /// edge is and both lie on the same side of it.
-  [[nodiscard]] bool covers_same_side() const {
-    int shared = 0;
-    for (const std::uint32_t a : vf_)
-      for (const std::uint32_t b : vg_) shared += a == b;
-    return shared == 3;
-  }
-
   /// Orders two ends along the direction from a to b.
   void order(Ends& ends, const Point& a, const Point& b) const {
     if (ends.size() < 2) return;
@@ -123,12 +125,6 @@ class CoplanarMeeting {
         meetings.equal.push_back({vf_[p.on_f.index], vg_[p.on_g.index]});
   }
 
-  void append_coplanar(Meetings& meetings) const {
-    const auto nowhere = ConstraintLine{};
-    const PointName of_f = PointName::input(vf_[0]), of_g = PointName::input(vg_[0]);
-    meetings.constraints.push_back({f_, g_, ConstraintKind::coplanar, nowhere, of_f, of_f});
-    meetings.constraints.push_back({g_, f_, ConstraintKind::coplanar, nowhere, of_g, of_g});
-  }
   void append_to_f(Meetings& meetings, int k, Ends ends) const {
     if (ends.empty()) return;
     const auto a = static_cast<std::size_t>(k), b = (a + 1) % 3;
@@ -167,6 +163,15 @@ class CoplanarMeeting {
 
 bool meet_coplanar_faces(const Carriers& carriers, std::uint32_t f, std::uint32_t g, Meetings& meetings) {
   return CoplanarMeeting(carriers, f, g).find(meetings);
+}
+
+bool meet_same_face(std::uint32_t f, const Carriers::Indices& vf, std::uint32_t g, const Carriers::Indices& vg,
+                    Meetings& meetings) {
+  const auto nowhere = ConstraintLine{};
+  const PointName of_f = PointName::input(vf[0]), of_g = PointName::input(vg[0]);
+  meetings.constraints.push_back({f, g, ConstraintKind::coplanar, nowhere, of_f, of_f});
+  meetings.constraints.push_back({g, f, ConstraintKind::coplanar, nowhere, of_g, of_g});
+  return true;
 }
 
 }  // namespace strata

@@ -1,5 +1,7 @@
 #include "strata/overlap/meeting.h"
 
+#include <algorithm>
+
 #include "strata/kernel/predicates.h"
 #include "strata/overlap/coplanar.h"
 #include "strata/overlap/triangle.h"
@@ -146,10 +148,27 @@ class TransversalMeeting {
   std::array<std::optional<Sign>, 9> between_{};
 };
 
+int common_vertices(const Carriers::Indices& f, const Carriers::Indices& g) {
+  int n = 0;
+  for (const std::uint32_t a : f)
+    for (const std::uint32_t b : g) n += a == b;
+  return n;
+}
+
+bool is_coplanar(const Carriers& carriers, const Carriers::Indices& f, const Carriers::Indices& g) {
+  for (const std::uint32_t v : g)
+    if (std::find(f.begin(), f.end(), v) == f.end() && orient3d(carriers, f[0], f[1], f[2], v) != Sign::zero)
+      return false;
+  return true;
+}
+
 }  // namespace
 
 bool meet_faces(const Carriers& carriers, std::uint32_t f, std::uint32_t g, Meetings& meetings) {
   const auto vf = carriers.face(f), vg = carriers.face(g);
+  const int common = common_vertices(vf, vg);
+  if (common == 3) return meet_same_face(f, vf, g, vg, meetings);
+  if (common == 2 && !is_coplanar(carriers, vf, vg)) return false;
   const Signs of_g = sides_of(carriers, vf, vg);
   if (all(of_g, Sign::positive) || all(of_g, Sign::negative)) return false;
   if (all(of_g, Sign::zero)) return meet_coplanar_faces(carriers, f, g, meetings);

@@ -1,5 +1,6 @@
 #include "strata/overlap/pairs.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
@@ -7,53 +8,85 @@
 #include <tuple>
 #include <utility>
 
+#include "strata/kernel/filtered_plane.h"
 #include "strata/overlap/meeting.h"
 
 namespace strata {
 namespace {
 
+/// A face of a cell with all that a first look needs.
+struct SweptFace {
+  CellFace in_cell;
+  std::uint32_t operand = 0;
+  Carriers::Indices vertices{};
+  std::array<Carriers::Coordinates, 3> corners{};
+  FilteredPlane plane;
+
+  /// True when all of another face, but for vertices that both have, is strictly on one side of this one's plane.
+  [[nodiscard]] bool is_beside(const SweptFace& other) const {
+    int above = 0, below = 0, common = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t v = other.vertices[i];
+      if (v == vertices[0] || v == vertices[1] || v == vertices[2]) {
+        ++common;
+      } else {
+        const int side = plane.side(other.corners[i]);
+        above += side > 0;
+        below += side < 0;
+      }
+    }
+    return common < 3 && (above + common == 3 || below + common == 3);
+  }
+};
+
 /// The pairs of one cell. Faces are swept along x, so that only those that overlap there are compared.
 class CellPairs {
  public:
-  CellPairs(const Carriers& carriers, const CellTree& cells, const Cell& cell, bool self, Meetings& meetings)
-      : carriers_(carriers), cells_(cells), cell_(cell), self_(self), meetings_(meetings) {}
+  CellPairs(const Carriers& carriers, const CellTree& cells, bool self)
+      : carriers_(carriers), cells_(cells), self_(self) {}
 
-  void find() {
-    struct Swept {
-      CellFace face;
-      std::uint32_t operand;
-    };
-    std::vector<Swept> faces;
-    faces.reserve(cell_.faces.size());
-    std::uint32_t operand = 0, end = 0;
-    for (const CellFace& f : cell_.faces) {  // by increasing face, hence by operand
-      if (f.face >= end) {
-        operand = carriers_.operand_of_face(f.face);
-        end = carriers_.first_face(operand) + carriers_.face_count(operand);
+  void find(const Cell& cell, Meetings& meetings) {
+    load(cell);
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const SweptFace& a = faces_[i];
+      for (std::size_t j = i + 1; j < faces_.size() && faces_[j].in_cell.box.lower[0] <= a.in_cell.box.upper[0]; ++j) {
+        const SweptFace& b = faces_[j];
+        if ((self_ || a.operand != b.operand) && a.in_cell.box.overlaps(b.in_cell.box) &&
+            cells_.owns(cell, a.in_cell, b.in_cell))
+          test(a, b, meetings);
       }
-      faces.push_back({f, operand});
     }
-    std::sort(faces.begin(), faces.end(), [](const Swept& a, const Swept& b) {
-      return std::tie(a.face.box.lower[0], a.face.face) < std::tie(b.face.box.lower[0], b.face.face);
-    });
-    for (std::size_t i = 0; i < faces.size(); ++i)
-      for (std::size_t j = i + 1; j < faces.size() && faces[j].face.box.lower[0] <= faces[i].face.box.upper[0]; ++j)
-        if (self_ || faces[i].operand != faces[j].operand) test(faces[i].face, faces[j].face);
   }
 
  private:
-  void test(const CellFace& a, const CellFace& b) {
-    if (!a.box.overlaps(b.box)) return;
-    if (!cells_.owns(cell_, a, b)) return;
-    ++meetings_.pairs_tested;
-    if (meet_faces(carriers_, std::min(a.face, b.face), std::max(a.face, b.face), meetings_)) ++meetings_.pairs_meeting;
+  void load(const Cell& cell) {
+    faces_.clear();
+    for (const CellFace& f : cell.faces) {
+      SweptFace& s = faces_.emplace_back();
+      s.in_cell = f;
+      s.operand = carriers_.operand_of_face(f.face);
+      s.vertices = carriers_.face(f.face);
+      const auto points = carriers_.points(s.operand);
+      const auto& t = carriers_.faces(s.operand)[f.face - carriers_.first_face(s.operand)];
+      for (std::size_t i = 0; i < 3; ++i) s.corners[i] = points[t[i]];
+      if (!carriers_.has_rationals()) s.plane = FilteredPlane(s.corners[0], s.corners[1], s.corners[2]);
+    }
+    std::sort(faces_.begin(), faces_.end(), [](const SweptFace& a, const SweptFace& b) {
+      return std::tie(a.in_cell.box.lower[0], a.in_cell.face) < std::tie(b.in_cell.box.lower[0], b.in_cell.face);
+    });
+  }
+
+  void test(const SweptFace& a, const SweptFace& b, Meetings& meetings) const {
+    ++meetings.pairs_tested;
+    if (a.is_beside(b) || b.is_beside(a)) return;
+    const auto [f, g] = std::minmax(a.in_cell.face, b.in_cell.face);
+    if (meet_faces(carriers_, f, g, meetings)) ++meetings.pairs_meeting;
   }
 
   const Carriers& carriers_;
   const CellTree& cells_;
-  const Cell& cell_;
   bool self_;
-  Meetings& meetings_;
+  std::vector<SweptFace> faces_;
 };
 
 /// What all cells found, constraints sorted by face and other face. All constraints of a pair come from one cell, in
@@ -91,11 +124,12 @@ Meetings gathered(std::vector<Meetings> per_cell) {
 
 Meetings find_meetings(const Carriers& carriers, const CellTree& cells, bool self, const Monitor& monitor) {
   std::vector<Meetings> per_cell(cells.cells().size());
+  tbb::enumerable_thread_specific<CellPairs> pairs([&] { return CellPairs(carriers, cells, self); });
   tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t i) {
     const Cell& cell = cells.cells()[i];
     if (!cell.mixed) return;
     monitor.check();
-    CellPairs(carriers, cells, cell, self, per_cell[i]).find();
+    pairs.local().find(cell, per_cell[i]);
   });
   return gathered(std::move(per_cell));
 }

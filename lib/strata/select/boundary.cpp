@@ -20,10 +20,12 @@ class VertexNumbers {
  public:
   VertexNumbers(const Carriers& carriers, const PointTable& table)
       : table_(table), input_(carriers.vertex_count(), unused), constructed_(table.size(), unused) {
-    if (table.replaced().empty()) return;
+    if (table.replaced().empty() && !carriers.has_identified()) return;
     same_.resize(carriers.vertex_count());
     std::iota(same_.begin(), same_.end(), 0u);
     for (const EqualVertices& e : table.replaced()) same_[e.a] = e.b;
+    for (std::uint32_t v = 0; v < same_.size(); ++v)
+      if (const std::uint32_t w = carriers.identified(v); w != v) same_[v] = same_[w];
   }
 
   /// Threads may use vertices at the same time.

@@ -32,8 +32,10 @@ class FaceSplitter {
     face_ = constraints.front().face;
     operand_ = carriers_.operand_of_face(face_);
     constraints_ = constraints;
+    if (is_one_of_the_same()) return collect_whole(result);
     triangulate();
-    if (self_ || carriers_.operand_count() > 2) triangulation_.connect_names(self_);
+    if (self_ || carriers_.operand_count() > 2)
+      triangulation_.connect_names(self_ || carriers_.has_identified());
     spread(start());
     judge();
     collect(result);
@@ -45,6 +47,35 @@ class FaceSplitter {
     std::int32_t triangle = 0;
     Region region;
   };
+
+  /// True when the face meets nothing but faces with its own three vertices.
+  [[nodiscard]] bool is_one_of_the_same() const {
+    const auto same = [this](const Constraint& c) {
+      if (c.kind != ConstraintKind::coplanar) return false;
+      const auto v = carriers_.face(face_), w = carriers_.face(c.other);
+      return std::all_of(w.begin(), w.end(), [&](std::uint32_t x) { return x == v[0] || x == v[1] || x == v[2]; });
+    };
+    return std::all_of(constraints_.begin(), constraints_.end(), same);
+  }
+
+  void collect_whole(SplitFace& result) {
+    result.face = face_;
+    Region region;
+    for (const Constraint& c : constraints_) region.covers.push_back(c.other);
+    if (region.covers.front() < face_) return;  // sorted; that one speaks for all
+    const Point q = make_point(carriers_, PointName::weighted(face_, 1));
+    std::vector<std::uint32_t> covering = region.covers;
+    covering.push_back(face_);
+    region.above = self_ ? layers_.above(face_, q, covering) : above_others(q, covering);
+    const Verdict verdict = verdict_on(region);
+    if (verdict == Verdict::drop) return;
+    PieceTriangle piece;
+    piece.turned = verdict == Verdict::keep_turned;
+    piece.outline = 7;
+    for (const std::uint32_t v : carriers_.face(face_)) result.points.push_back(PointName::input(v));
+    piece.v = piece.turned ? std::array<std::uint32_t, 3>{2, 1, 0} : std::array<std::uint32_t, 3>{0, 1, 2};
+    result.triangles.push_back(piece);
+  }
 
   void triangulate() {
     triangulation_.start(face_, Triangulation::Names::lowest);
@@ -67,7 +98,7 @@ class FaceSplitter {
   [[nodiscard]] Start start() {
     const auto corners = carriers_.face(face_);
     for (std::size_t i = 0; i < 3 && !self_; ++i) {
-      if (corner_touched_[i] || !coplanar_.empty()) continue;
+      if (corner_touched_[i] || carriers_.is_shared(corners[i]) || !coplanar_.empty()) continue;
       return {triangulation_.triangle_at(static_cast<std::int32_t>(i)), {known_corners_.around(corners[i], operand_), {}}};
     }
     return start_inside();
@@ -90,19 +121,15 @@ class FaceSplitter {
           covering.push_back(g);
         }
       std::sort(region.covers.begin(), region.covers.end());
-      if (self_) {
-        region.above = layers_.above(face_, q, {covering.data(), covering.size()});
-      } else {
-        region.above = above_others(q, region);
-      }
+      region.above = self_ ? layers_.above(face_, q, covering) : above_others(q, covering);
       return {l.triangle, region};
     }
     fail("no point inside a face off its constraints", face_);
   }
 
-  /// Winding numbers of the other operands just above.
-  [[nodiscard]] Windings above_others(const Point& q, const Region& region) const {
-    Windings w = layers_.above(face_, q, {region.covers.data(), region.covers.size()});
+  /// Winding numbers of the other operands just above. `covering` are the faces through q, this one included.
+  [[nodiscard]] Windings above_others(const Point& q, const std::vector<std::uint32_t>& covering) const {
+    Windings w = layers_.above(face_, q, covering);
     w.set(operand_, 0);
     return w;
   }
@@ -191,14 +218,16 @@ class FaceSplitter {
 
   void judge() {
     verdicts_.clear();
-    for (const Region& r : regions_) {
-      Windings below = r.above;
-      below.add(operand_, 1);
-      for (const std::uint32_t g : r.covers)
-        below.add(carriers_.operand_of_face(g), to_int(same_orientation(carriers_, face_, g)));
-      const bool owner = r.covers.empty() || face_ < r.covers.front();
-      verdicts_.push_back(owner ? verdict(rule_.inside(r.above), rule_.inside(below)) : Verdict::drop);
-    }
+    for (const Region& r : regions_) verdicts_.push_back(verdict_on(r));
+  }
+
+  [[nodiscard]] Verdict verdict_on(const Region& r) const {
+    if (!r.covers.empty() && r.covers.front() < face_) return Verdict::drop;  // that one speaks for all
+    Windings below = r.above;
+    below.add(operand_, 1);
+    for (const std::uint32_t g : r.covers)
+      below.add(carriers_.operand_of_face(g), to_int(same_orientation(carriers_, face_, g)));
+    return verdict(rule_.inside(r.above), rule_.inside(below));
   }
 
   void collect(SplitFace& result) const {

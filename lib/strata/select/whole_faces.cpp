@@ -29,9 +29,11 @@ class FaceJudge {
     if (cell == known_cell_ && (vertex == known_vertex_ || one_for_all_)) return known_;
     const bool mixed = cells_.cells()[cell].mixed;
     Windings w;
-    if (self_) {
+    const bool is_shared = carriers_.is_shared(vertex);
+    if (self_ || is_shared) {
       const std::uint32_t face = carriers_.first_face(operand_) + i;
       w = layers_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1});
+      if (!self_) w.set(operand_, 0);
     } else if (mixed) {
       w = corners_.around(vertex, operand_);
     } else {
@@ -39,7 +41,7 @@ class FaceJudge {
       w.set(operand_, 0);
     }
     known_ = verdict_of(w);
-    if (self_) return known_;
+    if (self_ || is_shared) return known_;
     one_for_all_ = !mixed;
     known_cell_ = cell;
     known_vertex_ = vertex;

@@ -1,0 +1,39 @@
+#pragma once
+#include <cmath>
+
+#include "strata/kernel/carriers.h"
+
+namespace strata {
+
+/// The plane through three points, ready for many questions of sides, in doubles. A plane by default is uncertain of
+/// everything.
+///
+/// The value of orient3d(a, b, c, p) by Shewchuk's bound for the determinant of differences, with 2^-1000 of the last
+/// factors for products that underflow; kernel/theory.md, "Filters".
+class FilteredPlane {
+ public:
+  FilteredPlane() = default;
+  FilteredPlane(const Carriers::Coordinates& a, const Carriers::Coordinates& b, const Carriers::Coordinates& c)
+      : a_(a) {
+    const double ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
+    const double vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
+    const double yz = uy * vz, zy = uz * vy, zx = uz * vx, xz = ux * vz, xy = ux * vy, yx = uy * vx;
+    normal_ = {yz - zy, zx - xz, xy - yx};
+    magnitude_ = {std::abs(yz) + std::abs(zy), std::abs(zx) + std::abs(xz), std::abs(xy) + std::abs(yx)};
+  }
+
+  /// 1 above (on the outer side), -1 below, 0 when doubles do not tell.
+  [[nodiscard]] int side(const Carriers::Coordinates& p) const {
+    const double wx = p[0] - a_[0], wy = p[1] - a_[1], wz = p[2] - a_[2];
+    const double value = normal_[0] * wx + normal_[1] * wy + normal_[2] * wz;
+    const double size = magnitude_[0] * std::abs(wx) + magnitude_[1] * std::abs(wy) + magnitude_[2] * std::abs(wz);
+    constexpr double factor = (7 + 56 * 0x1p-53) * 0x1p-53;
+    const double bound = factor * size + 0x1p-1000 * (1 + std::abs(wx) + std::abs(wy) + std::abs(wz));
+    return static_cast<int>(value > bound) - static_cast<int>(-value > bound);
+  }
+
+ private:
+  Carriers::Coordinates a_{}, normal_{}, magnitude_{};
+};
+
+}  // namespace strata
