@@ -1,7 +1,9 @@
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <thread>
 
 #include "tetrahedron.h"
 
@@ -87,6 +89,19 @@ TEST_CASE("Paths that cannot be read are told apart", "[io][files]") {
   if (::geteuid() == 0) return;  // nothing is unreadable for root
   fs::permissions(scratch.path / "empty.obj", fs::perms::none);
   CHECK(reading("empty.obj").find("Permission denied") != std::string::npos);
+}
+
+TEST_CASE("A pipe is read to its end, however long it is", "[io][files]") {
+  const Scratch scratch;
+  const auto path = scratch.path / "pipe.off";
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  std::string text = "OFF\n40000 1 0\n";
+  for (int i = 0; i < 40'000; ++i) text.append(std::to_string(i)).append(" 1 2\n");
+  std::thread writer([&] { std::ofstream(path, std::ios::binary) << text << "3 0 1 39999"; });
+  const Mesh mesh = read_mesh(path).mesh;
+  writer.join();
+  CHECK(mesh.vertices.size() == 40'000);
+  CHECK(mesh.triangles == std::vector<Triangle>{{0, 1, 39'999}});
 }
 
 TEST_CASE("Paths that cannot be written are told apart", "[io][files]") {

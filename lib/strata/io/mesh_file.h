@@ -46,8 +46,9 @@ struct MeshFile {
 /// planar in doubles are noted. STL corners with equal coordinates (-0 = 0) become one vertex, in order of first use.
 /// Faces with fewer than three different vertices are left out and noted.
 /// Throws IoError: missing, unreadable, empty, truncated or malformed files, coordinates that are not finite or beyond
-/// the range of doubles, indices out of range, unknown formats. O(size of the file), plus O(k^2) at worst for a face
-/// of k corners.
+/// the range of doubles, indices out of range, unknown formats; of several errors the first in the file.
+/// O(size of the file), plus O(k^2) at worst for a face of k corners, on all threads of the calling arena. The result
+/// does not depend on their number. Source: theory.md.
 [[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path, std::optional<Format> format = {});
 
 /// The same for bytes in memory. `name` stands for the path in messages; for `other` its extension picks the reader.
@@ -57,7 +58,7 @@ struct MeshFile {
 /// Writes a mesh, the format by extension unless given. Text and PLY keep every double exactly (shortest digits that
 /// read back the same); binary STL rounds to floats. Returns notes: what did not survive.
 /// The file is written beside the target and renamed when complete: the target is never half written. A target that
-/// is no regular file (a device, a pipe) is written in place.
+/// is no regular file (a device, a pipe) is written in place. Same bytes for any number of threads.
 /// Throws IoError: unwritable targets, full disks, formats that cannot be written, coordinates that are not finite or
 /// too large for the format, indices out of range.
 std::vector<std::string> write_mesh(const std::filesystem::path& path, MeshView mesh,

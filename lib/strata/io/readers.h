@@ -14,7 +14,7 @@ namespace strata::io {
 
 /// One reader per format. Each throws Malformed with the line or byte, never reads outside the data, and allocates in
 /// proportion to the size of the data only. Data are read in pieces in parallel; results and errors are the same for
-/// pieces of any size.
+/// pieces of any size (theory.md).
 [[nodiscard]] MeshFile read_stl(const Input& input);
 [[nodiscard]] MeshFile read_obj(const Input& input);
 [[nodiscard]] MeshFile read_off(const Input& input);

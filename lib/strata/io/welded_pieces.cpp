@@ -75,7 +75,7 @@ class Joint {
     });
   }
 
-  /// Points come in order, so the one that is in the table is the first.
+  /// Points come in order, so the one that is in a table is the first.
   void find_first_uses(std::span<const Dealt> points) {
     std::vector<std::uint32_t> slots(std::bit_ceil(2 * points.size() + 1));
     const std::size_t mask = slots.size() - 1;
@@ -102,11 +102,12 @@ class Joint {
     resize_in_large_pages(vertices, total);
     resize_in_large_pages(vertex_, count());
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
+      std::size_t vertex = next[i];
       for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
         if (first_use_[k] != k) continue;
         const Point& p = pieces_[i].points[k - first_[i]];
-        vertices[next[i]] = {p[0], p[1], p[2]};
-        vertex_[k] = static_cast<std::uint32_t>(next[i]++);
+        vertices[vertex] = {p[0], p[1], p[2]};
+        vertex_[k] = static_cast<std::uint32_t>(vertex++);
       }
     });
     return vertices;
