@@ -11,7 +11,8 @@ using namespace strata;
 
 namespace {
 
-/// Every two faces of different operands whose boxes overlap are one cell's business, unless they are apart for certain.
+/// Every two faces of different operands whose boxes overlap are one cell's business, unless they are apart for
+/// certain.
 void check_pairs(const Carriers& carriers, const CellTree& tree) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> owners;
   for (const Cell& cell : tree.cells())

@@ -70,8 +70,7 @@ Triangulation::Location Triangulation::locate(std::int32_t p) {
     int zeros = 0, zero = 0, other = 0, beyond = -1;
     for (int k = 0; k < 3 && beyond < 0; ++k) {
       const int i = static_cast<int>((static_cast<std::size_t>(k) + step) % 3);
-      const Sign s =
-          tri(t).n[at(i)] < 0 ? inner_side({t, i}, p) : turn(tri(t).v[at(i)], tri(t).v[at(next(i))], p);
+      const Sign s = tri(t).n[at(i)] < 0 ? inner_side({t, i}, p) : turn(tri(t).v[at(i)], tri(t).v[at(next(i))], p);
       if (s == Sign::negative) beyond = i;
       if (s == Sign::zero) {
         ++zeros;

@@ -43,7 +43,8 @@ GridBox BrickGrid::box(BrickCode code) const {
         lower_[at(axis)] + (static_cast<std::int64_t>(BrickBox::along(code, axis)) - 1) * (std::int64_t{1} << shift_);
     // The last brick may reach beyond the grid, where no coordinate is.
     r.lower[at(axis)] = static_cast<std::int32_t>(low);
-    r.upper[at(axis)] = static_cast<std::int32_t>(std::min(low + (std::int64_t{1} << shift_), Grid::extent + std::int64_t{1}));
+    r.upper[at(axis)] =
+        static_cast<std::int32_t>(std::min(low + (std::int64_t{1} << shift_), Grid::extent + std::int64_t{1}));
   }
   return r;
 }

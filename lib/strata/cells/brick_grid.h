@@ -45,9 +45,9 @@ struct BrickBox {
   }
 };
 
-/// The space of interest, cut into cubic bricks of equal size with one layer of outside around them. Bricks are numbered
-/// x fastest, the outside layer included. A brick holds the points whose grid coordinates are in its box; like the grid,
-/// the map of points to bricks is monotone along each axis.
+/// The space of interest, cut into cubic bricks of equal size with one layer of outside around them. Bricks are
+/// numbered x fastest, the outside layer included. A brick holds the points whose grid coordinates are in its box; like
+/// the grid, the map of points to bricks is monotone along each axis.
 class BrickGrid {
  public:
   static constexpr std::uint32_t most_per_axis = 254;

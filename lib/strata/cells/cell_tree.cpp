@@ -56,10 +56,8 @@ void CellTree::make_cells(const Carriers& carriers, const CellOptions& options) 
   std::vector<Target> targets;
   for (const auto* places : {&regions_->regions(), &regions_->mixed()})
     for (const std::uint32_t brick : *places) targets.push_back({lines.add(bricks_.code_of(brick)), brick});
-  const NearFaces near =
-      find_near_faces(carriers, space_.grid, bricks_, raster, *codes_, *regions_, lines, monitor);
-  const std::vector<Windings> windings =
-      walk_to_origins(carriers, space_, bricks_, near.line_faces, targets, monitor);
+  const NearFaces near = find_near_faces(carriers, space_.grid, bricks_, raster, *codes_, *regions_, lines, monitor);
+  const std::vector<Windings> windings = walk_to_origins(carriers, space_, bricks_, near.line_faces, targets, monitor);
 
   tbb::concurrent_vector<Cell> cells;
   cells.push_back(std::move(cells_.front()));
@@ -141,7 +139,8 @@ std::uint32_t CellTree::mixed_cell_of_vertex(std::uint32_t place, std::uint32_t 
 
 std::uint32_t CellTree::descend(std::uint32_t node, const std::array<std::int32_t, 3>& g) const {
   while (nodes_[node].axis >= 0)
-    node = g[static_cast<std::size_t>(nodes_[node].axis)] < nodes_[node].split ? nodes_[node].below : nodes_[node].above;
+    node =
+        g[static_cast<std::size_t>(nodes_[node].axis)] < nodes_[node].split ? nodes_[node].below : nodes_[node].above;
   return nodes_[node].below;
 }
 

@@ -64,8 +64,8 @@ NearFaces find_near_faces(const Carriers& carriers, const Grid& grid, const Bric
   return all;
 }
 
-BrickFaces::BrickFaces(const Carriers& carriers, const Raster& raster, const BrickCodes& codes,
-                       const Regions& regions, std::span<const CellFace> near)
+BrickFaces::BrickFaces(const Carriers& carriers, const Raster& raster, const BrickCodes& codes, const Regions& regions,
+                       std::span<const CellFace> near)
     : near_(near), first_(regions.mixed().size() + 1) {
   const auto for_each = [&](const auto& visit) {  // visit(index of a near face, number of a mixed brick)
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, near.size(), 1 << 12), [&](const auto& range) {

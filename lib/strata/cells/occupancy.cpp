@@ -7,11 +7,13 @@
 #include <atomic>
 
 #include "strata/cells/face_blocks.h"
+#include "strata/mesh/huge_pages.h"
 
 namespace strata {
 
 BrickCodes::BrickCodes(const Carriers& carriers, const Grid& grid, const BrickGrid& bricks, const Monitor& monitor)
     : codes_(std::make_unique_for_overwrite<BrickCode[]>(carriers.vertex_count())) {
+  prefer_huge_pages(codes_.get(), carriers.vertex_count() * sizeof(BrickCode));
   for (std::uint32_t o = 0; o < carriers.operand_count(); ++o) {
     const auto points = carriers.points(o);
     BrickCode* codes = codes_.get() + carriers.first_vertex(o);
@@ -23,8 +25,8 @@ BrickCodes::BrickCodes(const Carriers& carriers, const Grid& grid, const BrickGr
 }
 
 Occupancy::Occupancy(const Carriers& carriers, const BrickGrid& bricks, const Raster& raster, const BrickCodes& codes,
-                     bool self, const Monitor& monitor)
-    : owners_(bricks.brick_count(), nobody) {
+                     bool self, const Monitor& monitor) {
+  resize_fresh(owners_, bricks.brick_count(), nobody);
   const std::vector<FaceBlock> blocks = face_blocks(carriers);
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t n) {
     monitor.check();

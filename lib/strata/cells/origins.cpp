@@ -19,8 +19,7 @@ std::vector<Windings> walk_to_origins(const Carriers& carriers, const Space& spa
     const auto on_line = std::equal_range(line_faces.begin(), line_faces.end(), LineFace{targets[n].line, 0},
                                           [](const LineFace& a, const LineFace& b) { return a.line < b.line; });
     for (auto f = on_line.first; f != on_line.second; ++f)
-      windings[n].add(carriers.operand_of_face(f->face),
-                      crossing_along_axis(carriers, f->face, outside, origin, 0));
+      windings[n].add(carriers.operand_of_face(f->face), crossing_along_axis(carriers, f->face, outside, origin, 0));
   });
   return windings;
 }

@@ -14,8 +14,7 @@ BrickBounds::BrickBounds(const BrickGrid& bricks) {
   }
 }
 
-PlaneFilter::PlaneFilter(const Carriers::Coordinates& a, const Carriers::Coordinates& b,
-                         const Carriers::Coordinates& c)
+PlaneFilter::PlaneFilter(const Carriers::Coordinates& a, const Carriers::Coordinates& b, const Carriers::Coordinates& c)
     : a_(a) {
   Carriers::Coordinates u, v;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -53,7 +53,9 @@ class Raster {
   [[nodiscard]] bool thins(const BrickBox& box) const { return is_exact_ && box.size() > few_bricks; }
 
   /// May the plane pass through the brick?
-  [[nodiscard]] bool meets(const PlaneFilter& plane, BrickCode brick) const { return meets(plane, {brick, brick}, PlaneFilter::slack); }
+  [[nodiscard]] bool meets(const PlaneFilter& plane, BrickCode brick) const {
+    return meets(plane, {brick, brick}, PlaneFilter::slack);
+  }
 
   /// Visits the bricks of a face that spans `box`.
   template <class Visit>

@@ -134,7 +134,6 @@ Refinement::Cuts Refinement::cuts(const Branch& branch) const {
   return r;
 }
 
-
 /// Cuts a cell in two. False, and nothing changed, when the cut would not help or no origin can be placed.
 bool Refinement::divide(Branch& branch, const Cut& cut) const {
   const std::size_t a = at(cut.axis), n = branch.faces.size();
@@ -172,7 +171,6 @@ bool Refinement::divide(Branch& branch, const Cut& cut) const {
   return true;
 }
 
-
 /// A cut of a large cell is good when it takes faces away from either side or many from one. Small cells are about to
 /// be compared pair by pair: there a cut is good when it leaves clearly fewer pairs, which it does not where many
 /// sheets lie on one another.
@@ -185,11 +183,10 @@ bool Refinement::is_worthwhile(std::size_t n, const FaceList& low, const FaceLis
   return pairs(low) + pairs(high) < 0.9 * static_cast<double>(n) * static_cast<double>(n);
 }
 
-
 /// One pass over the faces of a cell: hands them down to the halves, measures what fills those, and walks from the
 /// cell's origin to a new one. Returns the winding numbers there.
 Windings Refinement::share(const Branch& branch, const Cut& cut, const Carriers::Coordinates& to, Branch& low,
-                             Branch& high) const {
+                           Branch& high) const {
   const std::size_t a = at(cut.axis);
   const GridBox low_box = closed(low.box), high_box = closed(high.box);
   const auto from_grid = grid_.at(branch.origin), to_grid = grid_.at(to);
@@ -215,10 +212,9 @@ Windings Refinement::share(const Branch& branch, const Cut& cut, const Carriers:
   return windings;
 }
 
-
 /// The origin moved along one axis well into a box, unless doubles are too coarse there.
 std::optional<Carriers::Coordinates> Refinement::place_origin(Carriers::Coordinates origin, const GridBox& box,
-                                                                int axis) const {
+                                                              int axis) const {
   const std::size_t a = at(axis);
   // Off the middle: inputs are often symmetric, and an origin in a face's plane costs an exact evaluation.
   const double g = box.lower[a] + (static_cast<double>(box.upper[a]) - box.lower[a]) * 0.4638;
@@ -227,6 +223,5 @@ std::optional<Carriers::Coordinates> Refinement::place_origin(Carriers::Coordina
   if (placed < box.lower[a] || placed >= box.upper[a]) return std::nullopt;
   return origin;
 }
-
 
 }  // namespace strata

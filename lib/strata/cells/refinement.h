@@ -14,7 +14,7 @@ namespace strata {
 
 struct CellOptions {
   bool self = false;            ///< faces of one operand may meet each other
-  std::size_t leaf_faces = 32;  ///< refine cells with more faces
+  std::size_t leaf_faces = 64;  ///< refine cells with more faces
   Monitor monitor = {};         ///< asked at every cut
 };
 
@@ -40,7 +40,8 @@ struct Branch {
 class Refinement {
  public:
   /// Leaves are appended to `cells`.
-  Refinement(const Carriers& carriers, const CellOptions& options, const Grid& grid, tbb::concurrent_vector<Cell>& cells)
+  Refinement(const Carriers& carriers, const CellOptions& options, const Grid& grid,
+             tbb::concurrent_vector<Cell>& cells)
       : carriers_(carriers), options_(options), grid_(grid), cells_(cells) {}
 
   /// Refines a cell that has everything but its content. Thread-safe; forks where cells are large.

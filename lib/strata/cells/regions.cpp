@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "strata/mesh/huge_pages.h"
+
 namespace strata {
 
-Regions::Regions(const BrickGrid& bricks, const Occupancy& occupancy)
-    : places_(bricks.brick_count(), 0) {
+Regions::Regions(const BrickGrid& bricks, const Occupancy& occupancy) {
+  resize_fresh(places_, bricks.brick_count());
   const std::uint32_t nx = bricks.size(0), ny = bricks.size(1), nz = bricks.size(2);
   for (std::uint32_t z = 0; z < nz; ++z)
     for (std::uint32_t y = 0; y < ny; ++y) {

@@ -7,10 +7,10 @@ namespace strata {
 /// Where faces may meet, on a grid over everything.
 struct Space {
   Grid grid;
-  GridBox interest;   ///< half-open: outside of it no operand is met by another
+  GridBox interest;                ///< half-open: outside of it no operand is met by another
   Carriers::Coordinates corner{};  ///< its lower corner
-  double beyond = 0;  ///< in the sense of walk.h, a point with this x is outside of every operand
-  bool empty = true;  ///< no two operands share any space
+  double beyond = 0;               ///< in the sense of walk.h, a point with this x is outside of every operand
+  bool empty = true;               ///< no two operands share any space
 };
 
 /// Bounds every operand and finds the space that the bounds of different ones share; all space if `self`.

@@ -1,5 +1,8 @@
 #include "strata/csg/combine.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <exception>
 #include <utility>
 
@@ -7,6 +10,7 @@
 #include "strata/csg/check.h"
 #include "strata/csg/evaluate.h"
 #include "strata/csg/stopwatch.h"
+#include "strata/mesh/huge_pages.h"
 #include "strata/mesh/prepare.h"
 #include "strata/round/rounding.h"
 
@@ -28,14 +32,22 @@ class Operands {
   }
 
   [[nodiscard]] const Carriers& carriers() const { return carriers_; }
+  [[nodiscard]] std::vector<Source> sources(const std::vector<std::uint32_t>& global_faces) const {
+    std::vector<Source> result;
+    resize_fresh(result, global_faces.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, result.size(), 1 << 13), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i) result[i] = source(global_faces[i]);
+    });
+    return result;
+  }
+
+ private:
   [[nodiscard]] Source source(std::uint32_t global_face) const {
     const std::uint32_t operand = carriers_.operand_of_face(global_face);
     const std::uint32_t face = global_face - carriers_.first_face(operand);
     const auto& renumbered = prepared_[operand].source_face;
     return {operand, renumbered.empty() ? face : renumbered[face]};
   }
-
- private:
   static Prepared prepare(const Operand& operand, InputClass input, std::size_t index) {
     if (!operand.exact.empty()) return {};  // a result of ours
     switch (input) {
@@ -54,7 +66,7 @@ class Operands {
 
 /// The boundary of operands that are what was declared is closed. If it is not, one of them was not: finds out which.
 void ensure_closed(const Mesh& result, std::span<const Operand> given, const Options& options) {
-  if (screen(result).chain_closed) return;
+  if (chain_is_closed(result)) return;
   if (options.input == InputClass::solid)
     for (std::size_t i = 0; i < given.size(); ++i) {
       if (!given[i].exact.empty()) continue;
@@ -80,8 +92,7 @@ BooleanResult combine_here(Operation operation, std::span<const Operand> given, 
   Stopwatch output(result.profile);
   result.mesh.vertices = round_to_doubles(carriers, boundary.inputs, boundary.constructed, monitor);
   result.mesh.triangles = std::move(boundary.triangles);
-  result.sources.reserve(boundary.sources.size());
-  for (const std::uint32_t f : boundary.sources) result.sources.push_back(operands.source(f));
+  result.sources = operands.sources(boundary.sources);
   output.lap("round");
   ensure_closed(result.mesh, given, options);
   output.lap("ensure");

@@ -29,8 +29,7 @@ class LocalLayers {
 
  private:
   static constexpr std::uint32_t nobody = 0xffffffffu;
-  [[nodiscard]] Windings walk(const Point& q, std::uint32_t own,
-                              std::span<const std::uint32_t> through_q) const;
+  [[nodiscard]] Windings walk(const Point& q, std::uint32_t own, std::span<const std::uint32_t> through_q) const;
 
   const Carriers& carriers_;
   const CellTree& cells_;

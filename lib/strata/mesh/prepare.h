@@ -10,17 +10,20 @@ namespace strata {
 
 /// What one streaming pass over a mesh can tell.
 struct Screening {
-  bool finite = true;              ///< every coordinate of a used vertex is finite
-  bool indices_valid = true;       ///< every index names a vertex
-  bool chain_closed = true;        ///< directed edges cancel: random linear hash, wrong with probability < 2^-60
-  bool degenerate = false;         ///< some triangle has zero area, decided exactly
-  int orientation = 0;             ///< sign of the signed volume, exact; 0 too unless closed, finite and valid
+  bool finite = true;         ///< every coordinate of a used vertex is finite
+  bool indices_valid = true;  ///< every index names a vertex
+  bool chain_closed = true;   ///< directed edges cancel: random linear hash, wrong with probability < 2^-60
+  bool degenerate = false;    ///< some triangle has zero area, decided exactly
+  int orientation = 0;        ///< sign of the signed volume, exact; 0 too unless closed, finite and valid
 };
 
 /// Streams once over vertices and triangles, in parallel. O(n), no allocation in proportion to n.
 /// Decisions are made in doubles with proven error bounds, and exactly where these do not suffice.
 /// A mesh without triangles is closed and has orientation 0.
 [[nodiscard]] Screening screen(MeshView mesh);
+
+/// Screening::chain_closed alone.
+[[nodiscard]] bool chain_is_closed(MeshView mesh);
 
 /// An operand made ready for the engine. `mesh` is empty when the input can be used as it is.
 struct Prepared {

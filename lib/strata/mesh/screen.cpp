@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 #include "strata/mesh/edge_table.h"
 #include "strata/mesh/prepare.h"
@@ -167,6 +168,16 @@ bool indices_in_range(MeshView mesh) {
 }
 
 }  // namespace
+
+bool chain_is_closed(MeshView mesh) {
+  const Chunks chunks(mesh.triangles.size());
+  std::array<Wide, max_chunks> parts{};
+  chunks.for_each([&](std::size_t k, std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f)
+      if (!repeats_vertex(mesh.triangles[f])) parts[k] += boundary_number(mesh.triangles[f]);
+  });
+  return std::accumulate(parts.begin(), parts.end(), Wide{0}) == 0;
+}
 
 Screening screen(MeshView mesh) {
   Screening result;

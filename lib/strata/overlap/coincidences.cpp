@@ -4,16 +4,15 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <tuple>
 
 namespace strata {
 namespace {
 
 struct Place {
-  Carriers::Coordinates at;
+  double x;
   std::uint32_t vertex;
 
-  friend bool operator<(const Place& a, const Place& b) { return std::tie(a.at, a.vertex) < std::tie(b.at, b.vertex); }
+  friend bool operator<(const Place& a, const Place& b) { return a.x < b.x || (a.x == b.x && a.vertex < b.vertex); }
 };
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -25,15 +24,16 @@ void find_in_cell(const Carriers& carriers, const Grid& grid, const Cell& cell, 
   for (const CellFace& f : cell.faces)
     for (const std::uint32_t v : carriers.face(f.face)) {
       const Carriers::Coordinates& p = carriers.vertex(v);
-      if (!cell.box.holds(grid.at(p)) || carriers.exact(v) != nullptr) continue;
-      places.push_back({{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, v});  // -0 is 0
+      if (cell.box.holds(grid.at(p)) && carriers.exact(v) == nullptr) places.push_back({p[0], v});
     }
   std::sort(places.begin(), places.end());
-  for (std::size_t i = 1, first = 0; i < places.size(); ++i) {
-    if (places[i].at != places[first].at) {
-      first = i;
-    } else if (places[i].vertex != places[i - 1].vertex) {
-      pairs.emplace_back(places[first].vertex, places[i].vertex);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (i > 0 && places[i].vertex == places[i - 1].vertex) continue;
+    for (std::size_t j = i + 1; j < places.size() && places[j].x == places[i].x; ++j) {
+      if (places[j].vertex == places[j - 1].vertex) continue;
+      if (carriers.vertex(places[j].vertex) != carriers.vertex(places[i].vertex)) continue;
+      pairs.emplace_back(places[i].vertex, places[j].vertex);
+      break;  // the next one of the place is paired in its turn
     }
   }
 }

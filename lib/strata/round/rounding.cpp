@@ -5,6 +5,8 @@
 
 #include <optional>
 
+#include "strata/mesh/huge_pages.h"
+
 namespace strata {
 namespace {
 
@@ -20,7 +22,8 @@ void for_each_index(std::size_t count, const Monitor& monitor, const Body& body)
 
 std::vector<Vertex> round_to_doubles(const Carriers& carriers, const std::vector<std::uint32_t>& inputs,
                                      const std::vector<PointName>& points, const Monitor& monitor) {
-  std::vector<Vertex> rounded(inputs.size() + points.size());
+  std::vector<Vertex> rounded;
+  resize_fresh(rounded, inputs.size() + points.size());
   for_each_index(inputs.size(), monitor, [&](std::size_t i) { rounded[i] = carriers.vertex(inputs[i]); });
   for_each_index(points.size(), monitor, [&](std::size_t i) {
     rounded[inputs.size() + i] = nearest_doubles(carriers, make_point(carriers, points[i]));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "strata/cells/face_blocks.h"
+#include "strata/mesh/huge_pages.h"
 
 namespace strata {
 namespace {
@@ -18,8 +19,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Numbers the vertices of the result.
 class VertexNumbers {
  public:
-  VertexNumbers(const Carriers& carriers, const PointTable& table)
-      : table_(table), input_(carriers.vertex_count(), unused), constructed_(table.size(), unused) {
+  VertexNumbers(const Carriers& carriers, const PointTable& table) : table_(table), constructed_(table.size(), unused) {
+    resize_fresh(input_, carriers.vertex_count(), unused);
     if (table.replaced().empty() && !carriers.has_identified()) return;
     same_.resize(carriers.vertex_count());
     std::iota(same_.begin(), same_.end(), 0u);
@@ -72,7 +73,7 @@ class VertexNumbers {
       first[n + 1] = count;
     });
     std::partial_sum(first.begin(), first.end(), first.begin());
-    inputs.resize(first.back());
+    resize_fresh(inputs, first.back());
     tbb::parallel_for(std::size_t{0}, runs, [&](std::size_t n) {
       std::uint32_t number = first[n];
       for (std::size_t v = n * run; v < end_of(n); ++v)
@@ -158,8 +159,8 @@ Boundary gather_boundary(const Carriers& carriers, const std::vector<Verdict>& w
 
   Boundary result;
   numbers.assign(result);
-  result.triangles.resize(first.back());
-  result.sources.resize(first.back());
+  resize_fresh(result.triangles, first.back());
+  resize_fresh(result.sources, first.back());
   whole_faces.write(numbers, result);
   tbb::parallel_for(std::size_t{0}, split.faces.size(), [&](std::size_t i) {
     const SplitFace& face = split.faces[i];

@@ -17,7 +17,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// What is known about one region of a split face.
 struct Region {
-  Windings above;                                           ///< winding numbers just above the face
+  Windings above;                     ///< winding numbers just above the face
   std::vector<std::uint32_t> covers;  ///< other coplanar faces that cover it, sorted
 };
 
@@ -25,7 +25,12 @@ struct Region {
 class FaceSplitter {
  public:
   FaceSplitter(const Carriers& carriers, const CellTree& cells, const Rule& rule, bool self)
-      : carriers_(carriers), layers_(carriers, cells), known_corners_(carriers, layers_), rule_(rule), self_(self), triangulation_(carriers) {}
+      : carriers_(carriers),
+        layers_(carriers, cells),
+        known_corners_(carriers, layers_),
+        rule_(rule),
+        self_(self),
+        triangulation_(carriers) {}
 
   void split(std::span<const Constraint> constraints, SplitFace& result,
              std::vector<std::pair<PointName, PointName>>& equal) {
@@ -34,8 +39,7 @@ class FaceSplitter {
     constraints_ = constraints;
     if (is_one_of_the_same()) return collect_whole(result);
     triangulate();
-    if (self_ || carriers_.operand_count() > 2)
-      triangulation_.connect_names(self_ || carriers_.has_identified());
+    if (self_ || carriers_.operand_count() > 2) triangulation_.connect_names(self_ || carriers_.has_identified());
     spread(start());
     judge();
     collect(result);
@@ -99,7 +103,8 @@ class FaceSplitter {
     const auto corners = carriers_.face(face_);
     for (std::size_t i = 0; i < 3 && !self_; ++i) {
       if (corner_touched_[i] || carriers_.is_shared(corners[i]) || !coplanar_.empty()) continue;
-      return {triangulation_.triangle_at(static_cast<std::int32_t>(i)), {known_corners_.around(corners[i], operand_), {}}};
+      return {triangulation_.triangle_at(static_cast<std::int32_t>(i)),
+              {known_corners_.around(corners[i], operand_), {}}};
     }
     return start_inside();
   }

@@ -3,6 +3,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "strata/cells/face_blocks.h"
 
@@ -15,7 +17,6 @@ class FaceJudge {
   FaceJudge(const Carriers& carriers, const CellTree& cells, const Rule& rule, std::uint32_t operand, bool self)
       : carriers_(carriers),
         layers_(carriers, cells),
-        corners_(carriers, layers_),
         cells_(cells),
         rule_(rule),
         operand_(operand),
@@ -23,36 +24,52 @@ class FaceJudge {
         faces_(carriers.faces(operand)),
         first_vertex_(carriers.first_vertex(operand)) {}
 
-  /// Local face number `i`.
+  /// Local face number `i`. A face that meets no other has one verdict with all its corners, so neighbours tell.
   [[nodiscard]] Verdict judge(std::uint32_t i) {
-    const std::uint32_t vertex = first_vertex_ + faces_[i][0], cell = cells_.cell_of_vertex(vertex);
-    if (cell == known_cell_ && (vertex == known_vertex_ || one_for_all_)) return known_;
-    const bool mixed = cells_.cells()[cell].mixed;
-    Windings w;
-    const bool is_shared = carriers_.is_shared(vertex);
-    if (self_ || is_shared) {
-      const std::uint32_t face = carriers_.first_face(operand_) + i;
-      w = layers_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1});
-      if (!self_) w.set(operand_, 0);
-    } else if (mixed) {
-      w = corners_.around(vertex, operand_);
-    } else {
-      w = *cells_.cells()[cell].windings;
-      w.set(operand_, 0);
-    }
-    known_ = verdict_of(w);
-    if (self_ || is_shared) return known_;
-    one_for_all_ = !mixed;
-    known_cell_ = cell;
-    known_vertex_ = vertex;
-    return known_;
+    const auto& corners = faces_[i];
+    const std::uint32_t vertex = first_vertex_ + corners[0], cell = cells_.cell_of_vertex(vertex);
+    if (self_) return judge_inside(i);
+    if (!cells_.cells()[cell].mixed) return judge_in_region(cell);
+    for (const std::uint32_t v : corners)
+      if (const Known& known = place_of(v); known.vertex == v) return remember(corners, known.verdict);
+    if (carriers_.is_shared(vertex)) return judge_inside(i);
+    return remember(corners, verdict_of(layers_.around(make_point(carriers_, PointName::input(vertex)), operand_)));
   }
 
  private:
   static constexpr std::uint32_t nobody = 0xffffffffu;
+  struct Known {
+    std::uint32_t vertex = nobody;  ///< local
+    Verdict verdict{};
+  };
+
+  [[nodiscard]] Known& place_of(std::uint32_t vertex) { return known_[vertex % known_.size()]; }
+
+  /// Vertices that other operands have too may lie on faces of theirs: they tell nothing.
+  Verdict remember(const Carriers::Indices& corners, Verdict verdict) {
+    for (const std::uint32_t v : corners)
+      if (!carriers_.is_shared(first_vertex_ + v)) place_of(v) = {v, verdict};
+    return verdict;
+  }
+
+  [[nodiscard]] Verdict judge_in_region(std::uint32_t cell) {
+    if (cell == known_cell_) return of_known_cell_;
+    Windings w = *cells_.cells()[cell].windings;
+    w.set(operand_, 0);
+    known_cell_ = cell;
+    return of_known_cell_ = verdict_of(std::move(w));
+  }
+
+  /// By a point inside.
+  [[nodiscard]] Verdict judge_inside(std::uint32_t i) const {
+    const std::uint32_t face = carriers_.first_face(operand_) + i;
+    Windings w = layers_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1});
+    if (!self_) w.set(operand_, 0);
+    return verdict_of(std::move(w));
+  }
 
   /// From the winding numbers just above a face.
-  [[nodiscard]] Verdict verdict_of(Windings& w) const {
+  [[nodiscard]] Verdict verdict_of(Windings w) const {
     const bool above = rule_.inside(w);
     w.add(operand_, 1);
     return verdict(above, rule_.inside(w));
@@ -60,16 +77,15 @@ class FaceJudge {
 
   const Carriers& carriers_;
   const LocalLayers layers_;
-  CornerWindings corners_;
   const CellTree& cells_;
   const Rule& rule_;
   const std::uint32_t operand_;
   const bool self_;
   const std::span<const Carriers::Indices> faces_;
   const std::uint32_t first_vertex_;
-  std::uint32_t known_cell_ = nobody, known_vertex_ = nobody;
-  bool one_for_all_ = false;  ///< the cell is of one operand
-  Verdict known_{};
+  std::uint32_t known_cell_ = nobody;
+  Verdict of_known_cell_{};
+  std::array<Known, 2048> known_{};
 };
 
 }  // namespace
