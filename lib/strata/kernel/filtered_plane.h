@@ -32,6 +32,14 @@ class FilteredPlane {
     return static_cast<int>(value > bound) - static_cast<int>(-value > bound);
   }
 
+  /// The axis along which the normal is longest, in doubles.
+  [[nodiscard]] std::size_t widest_axis() const {
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (std::abs(normal_[i]) > std::abs(normal_[axis])) axis = i;
+    return axis;
+  }
+
  private:
   Carriers::Coordinates a_{}, normal_{}, magnitude_{};
 };

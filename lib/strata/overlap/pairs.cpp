@@ -5,6 +5,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -13,6 +14,17 @@
 
 namespace strata {
 namespace {
+
+/// Turn of three points seen along an axis: 1, -1, or 0 when doubles do not tell. Shewchuk's bound (3 + 16 u) u, and
+/// 2^-1000 for underflow.
+int filtered_turn(const Carriers::Coordinates& p, const Carriers::Coordinates& q, const Carriers::Coordinates& r,
+                  std::size_t axis) {
+  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const double left = (q[u] - p[u]) * (r[v] - p[v]), right = (q[v] - p[v]) * (r[u] - p[u]), value = left - right;
+  constexpr double factor = (3 + 16 * 0x1p-53) * 0x1p-53;
+  const double bound = factor * (std::abs(left) + std::abs(right)) + 0x1p-1000;
+  return static_cast<int>(value > bound) - static_cast<int>(-value > bound);
+}
 
 /// A face of a cell with all that a first look needs.
 struct SweptFace {
@@ -37,13 +49,31 @@ struct SweptFace {
     }
     return common < 3 && (above + common == 3 || below + common == 3);
   }
+
+  /// True when, seen along the axis across which this face is widest, the line of one of its edges has the face on one
+  /// side and all of the other face strictly on the other one, but for ends of the edge that both have.
+  [[nodiscard]] bool is_off(const SweptFace& other) const {
+    const std::size_t axis = plane.widest_axis();
+    for (std::size_t e = 0; e < 3; ++e) {
+      const std::size_t from = e, to = (e + 1) % 3;
+      const int own = filtered_turn(corners[from], corners[to], corners[(e + 2) % 3], axis);
+      bool off = own != 0;
+      for (std::size_t i = 0; i < 3 && off; ++i) {
+        const std::uint32_t v = other.vertices[i];
+        off = v == vertices[from] || v == vertices[to] ||
+              filtered_turn(corners[from], corners[to], other.corners[i], axis) == -own;
+      }
+      if (off) return true;
+    }
+    return false;
+  }
 };
 
 /// The pairs of one cell. Faces are swept along x, so that only those that overlap there are compared.
 class CellPairs {
  public:
   CellPairs(const Carriers& carriers, const CellTree& cells, bool self)
-      : carriers_(carriers), cells_(cells), self_(self) {}
+      : carriers_(carriers), cells_(cells), self_(self), exact_(!carriers.has_rationals()) {}
 
   void find(const Cell& cell, Meetings& meetings) {
     load(cell);
@@ -69,7 +99,7 @@ class CellPairs {
       const auto points = carriers_.points(s.operand);
       const auto& t = carriers_.faces(s.operand)[f.face - carriers_.first_face(s.operand)];
       for (std::size_t i = 0; i < 3; ++i) s.corners[i] = points[t[i]];
-      if (!carriers_.has_rationals()) s.plane = FilteredPlane(s.corners[0], s.corners[1], s.corners[2]);
+      if (exact_) s.plane = FilteredPlane(s.corners[0], s.corners[1], s.corners[2]);
     }
     std::sort(faces_.begin(), faces_.end(), [](const SweptFace& a, const SweptFace& b) {
       return std::tie(a.in_cell.box.lower[0], a.in_cell.face) < std::tie(b.in_cell.box.lower[0], b.in_cell.face);
@@ -79,6 +109,7 @@ class CellPairs {
   void test(const SweptFace& a, const SweptFace& b, Meetings& meetings) const {
     ++meetings.pairs_tested;
     if (a.is_beside(b) || b.is_beside(a)) return;
+    if (exact_ && (a.is_off(b) || b.is_off(a))) return;
     const auto [f, g] = std::minmax(a.in_cell.face, b.in_cell.face);
     if (meet_faces(carriers_, f, g, meetings)) ++meetings.pairs_meeting;
   }
@@ -86,6 +117,7 @@ class CellPairs {
   const Carriers& carriers_;
   const CellTree& cells_;
   bool self_;
+  bool exact_;  ///< vertices are where their doubles say
   std::vector<SweptFace> faces_;
 };
 
