@@ -1,0 +1,38 @@
+#include "strata/kernel/filtered_plane.h"
+
+#include <catch2/catch.hpp>
+
+using namespace strata;
+
+TEST_CASE("a plane in doubles is certain only of what is so", "[kernel]") {
+  const Carriers::Coordinates a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
+  const FilteredPlane plane(a, b, c);
+  CHECK(plane.side({0.3, 0.3, 1}) == 1);
+  CHECK(plane.side({0.3, 0.3, -1e-200}) == -1);
+  CHECK(plane.side({5, 7, 0}) == 0);
+  CHECK(FilteredPlane().side({1, 2, 3}) == 0);
+  CHECK(plane.widest_axis() == 2);
+  const FilteredPlane huge({0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0});
+  CHECK(huge.side({0, 0, 1}) == 0);  // it overflows: nothing is certain
+}
+
+TEST_CASE("identified vertices stand for each other in faces", "[kernel]") {
+  const std::vector<Carriers::Coordinates> first{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+      second{{1, 0, 0}, {0, 0, 0}, {0, 0, 1}};
+  const std::vector<Carriers::Indices> faces{{0, 1, 2}};
+  Carriers carriers;
+  carriers.add(first, faces);
+  carriers.add(second, faces);
+  const std::pair<std::uint32_t, std::uint32_t> equal[] = {{1, 3}, {0, 4}};
+  carriers.identify(equal);
+  CHECK(carriers.face(0) == Carriers::Indices{0, 1, 2});
+  CHECK(carriers.face(1) == Carriers::Indices{1, 0, 5});
+  CHECK(carriers.is_shared(3));
+  CHECK(carriers.is_shared(1));
+  CHECK_FALSE(carriers.is_shared(5));
+  CHECK(carriers.vertex(3) == carriers.vertex(1));
+  const std::pair<std::uint32_t, std::uint32_t> more[] = {{3, 2}};
+  carriers.identify(more);
+  CHECK(carriers.identified(3) == 1);
+  CHECK(carriers.identified(2) == 1);
+}
