@@ -33,8 +33,8 @@ void validate(const Carriers& carriers, const Triangulation& t) {
   const auto triangles = t.triangles();
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& x = triangles[i];
-    const Point &p = t.points()[std::size_t(x.v[0])], &q = t.points()[std::size_t(x.v[1])],
-                &r = t.points()[std::size_t(x.v[2])];
+    const Point &p = t.points()[x.v[0]], &q = t.points()[x.v[1]],
+                &r = t.points()[x.v[2]];
     REQUIRE(orient2d(carriers, xy, p, q, r) == Sign::positive);
     const auto a = exact_position(carriers, p), b = exact_position(carriers, q), c = exact_position(carriers, r);
     area += (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -67,11 +67,12 @@ TEST_CASE("random segments on a lattice, with all their coincidences", "[arrange
       walls.push_back(plate.wall(x0, y0, x1, y1));
     }
     plate.build();
-    Triangulation t(plate.carriers);
+    const PointTable table(plate.carriers);
+  Triangulation t(plate.carriers, table);
     t.start(0, Triangulation::Names::any);
     std::vector<std::pair<std::int32_t, std::int32_t>> ends;
     for (const std::uint32_t v : walls)
-      ends.emplace_back(t.add_point(PointName::input(v)), t.add_point(PointName::input(v + 1)));
+      ends.emplace_back(t.add_point(v), t.add_point(v + 1));
     for (std::size_t i = 0; i < walls.size(); ++i)
       t.add_segment(ends[i].first, ends[i].second, std::int32_t(i), ConstraintLine::along_edge(walls[i], walls[i] + 1));
     validate(plate.carriers, t);
@@ -82,8 +83,8 @@ TEST_CASE("random segments on a lattice, with all their coincidences", "[arrange
         for (std::size_t k = 0; k < 3; ++k)
           for (std::int32_t n = x.c[k]; n >= 0; n = t.note(n).next) {
             if (t.note(n).constraint != std::int32_t(i) || !t.note(n).forward) continue;
-            const auto a = exact_position(plate.carriers, t.points()[std::size_t(x.v[k])]);
-            const auto b = exact_position(plate.carriers, t.points()[std::size_t(x.v[(k + 1) % 3])]);
+            const auto a = exact_position(plate.carriers, t.points()[x.v[k]]);
+            const auto b = exact_position(plate.carriers, t.points()[x.v[(k + 1) % 3]]);
             dx += b[0] - a[0];
             dy += b[1] - a[1];
           }
@@ -102,11 +103,12 @@ TEST_CASE("points of one place and different names become one vertex, and are no
   Plate plate;
   const auto a = plate.wall(1, 1, 5, 5), b = plate.wall(5, 5, 9, 1);  // they touch in (5, 5) with vertices of their own
   plate.build();
-  Triangulation t(plate.carriers);
+  const PointTable table(plate.carriers);
+  Triangulation t(plate.carriers, table);
   t.start(0, Triangulation::Names::any);
-  CHECK(t.add_point(PointName::input(a + 1)) == t.add_point(PointName::input(b)));
+  CHECK(t.add_point(a + 1) == t.add_point(b));
   REQUIRE(t.equal_names().size() == 1);
-  CHECK(t.add_point(PointName::input(b)) == 3);
+  CHECK(t.add_point(b) == 3);
 }
 
 TEST_CASE("concurrent segments share one vertex", "[arrange][degenerate]") {
@@ -114,13 +116,14 @@ TEST_CASE("concurrent segments share one vertex", "[arrange][degenerate]") {
   std::vector<std::uint32_t> walls;
   for (int k = -6; k <= 6; ++k) walls.push_back(plate.wall(10 - 7, 10 - k, 10 + 7, 10 + k));
   plate.build();
-  Triangulation t(plate.carriers);
+  const PointTable table(plate.carriers);
+  Triangulation t(plate.carriers, table);
   t.start(0, Triangulation::Names::any);
   for (std::size_t i = 0; i < walls.size(); ++i) {
-    const auto p = t.add_point(PointName::input(walls[i])), q = t.add_point(PointName::input(walls[i] + 1));
+    const auto p = t.add_point(walls[i]), q = t.add_point(walls[i] + 1);
     t.add_segment(p, q, std::int32_t(i), ConstraintLine::along_edge(walls[i], walls[i] + 1));
   }
-  CHECK(t.points().size() == 3 + 2 * walls.size() + 1);
+  CHECK(t.points().size() == std::int32_t(3 + 2 * walls.size() + 1));
   validate(plate.carriers, t);
 }
 
@@ -132,9 +135,10 @@ TEST_CASE("thousands of points in one face are located in little time", "[arrang
     plate.wall(x, y, x + 0.001, y);
   }
   plate.build();
-  Triangulation t(plate.carriers);
+  const PointTable table(plate.carriers);
+  Triangulation t(plate.carriers, table);
   t.start(0, Triangulation::Names::any);
-  for (std::uint32_t v = 3; v < plate.points.size(); v += 3) t.add_point(PointName::input(v));
+  for (std::uint32_t v = 3; v < plate.points.size(); v += 3) t.add_point(v);
   CHECK(t.points().size() > 3900);
   validate(plate.carriers, t);
 }

@@ -21,7 +21,11 @@ struct Pair {
   Pair(const std::array<std::array<double, 3>, 3>& a, const std::array<std::array<double, 3>, 3>& b) : f(a), g(b) {
     carriers.add(f, face);
     carriers.add(g, face);
-    meet = meet_faces(carriers, 0, 1, meetings);
+    meet = meet_faces(carriers, FilteredFace(carriers, 0), FilteredFace(carriers, 1), meetings);
+  }
+  [[nodiscard]] PointName name(PointId id) const {
+    const std::uint32_t vertices = carriers.vertex_count();
+    return id < vertices ? PointName::input(id) : meetings.constructed[id - vertices];
   }
   [[nodiscard]] std::vector<Constraint> on(std::uint32_t x) const {
     std::vector<Constraint> r;
@@ -48,8 +52,8 @@ TEST_CASE("a face that pierces another: a segment, with the deeper side on its l
   REQUIRE(on_f.size() == 1);
   REQUIRE(on_g.size() == 1);
   CHECK(on_f[0].kind == ConstraintKind::crossing);
-  CHECK(on_f[0].tail.kind == PointName::Kind::edge_face);
-  const Point tail = make_point(p.carriers, on_f[0].tail), head = make_point(p.carriers, on_f[0].head);
+  CHECK(p.name(on_f[0].tail).kind == PointName::Kind::edge_face);
+  const Point tail = make_point(p.carriers, p.name(on_f[0].tail)), head = make_point(p.carriers, p.name(on_f[0].head));
   // Left of the segment, seen from above, is x < 1: it runs towards +y.
   CHECK(compare(p.carriers, 1, head, tail) == Sign::positive);
   CHECK(on_g[0].tail == on_f[0].head);  // seen from the wall, inside the floor's operand is below
@@ -61,7 +65,7 @@ TEST_CASE("the cases of the table", "[overlap][degenerate]") {
     const Pair p(floor_face, {{{1, 1, 0}, {1, 2, 1}, {2, 1, 1}}});
     REQUIRE(p.on(0).size() == 1);
     CHECK(p.on(0)[0].kind == ConstraintKind::point);
-    CHECK(p.on(0)[0].tail == PointName::input(3));
+    CHECK(p.on(0)[0].tail == 3);
   }
   SECTION("a vertex beside a face") { CHECK_FALSE(Pair(floor_face, {{{3, 3, 0}, {1, 2, 1}, {2, 1, 1}}}).meet); }
   SECTION("an edge on a face, the rest above: a crossing") {
@@ -79,7 +83,7 @@ TEST_CASE("the cases of the table", "[overlap][degenerate]") {
     const Pair p(floor_face, {{{1, 0, -1}, {1, 0, 1}, {1, -2, 0}}});
     REQUIRE(p.on(0).size() == 1);
     CHECK(p.on(0)[0].kind == ConstraintKind::point);
-    CHECK(p.on(0)[0].tail.kind == PointName::Kind::edge_edge);
+    CHECK(p.name(p.on(0)[0].tail).kind == PointName::Kind::edge_edge);
     CHECK(p.on(0)[0].tail == p.on(1)[0].tail);
   }
   SECTION("equal vertices are noted") {
@@ -87,8 +91,8 @@ TEST_CASE("the cases of the table", "[overlap][degenerate]") {
     REQUIRE(p.meetings.equal.size() >= 1);
     CHECK(p.meetings.equal[0].a == 0);
     CHECK(p.meetings.equal[0].b == 3);
-    CHECK(p.on(0)[0].tail == PointName::input(0));
-    CHECK(p.on(1)[0].tail == PointName::input(3));
+    CHECK(p.on(0)[0].tail == 0);
+    CHECK(p.on(1)[0].tail == 3);
   }
   SECTION("coplanar faces, one inside the other") {
     const Pair p(floor_face, {{{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}});
@@ -119,8 +123,8 @@ TEST_CASE("meeting is symmetric, and its points lie on both faces", "[overlap][p
     REQUIRE(p.on(0).size() == q.on(1).size());
     meetings += p.meet;
     for (const Constraint& c : p.meetings.constraints)
-      for (const PointName& name : {c.tail, c.head}) {
-        const Point x = make_point(p.carriers, name);
+      for (const PointId id : {c.tail, c.head}) {
+        const Point x = make_point(p.carriers, p.name(id));
         REQUIRE(side_of_face(p.carriers, c.face, x) == Sign::zero);
         if (c.kind != ConstraintKind::coplanar) REQUIRE(side_of_face(p.carriers, c.other, x) == Sign::zero);
       }

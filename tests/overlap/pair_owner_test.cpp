@@ -34,7 +34,7 @@ void check_pairs(const Carriers& carriers, const CellTree& tree) {
         ++owned;
       } else {
         ++apart;
-        REQUIRE_FALSE(meet_faces(carriers, f, g, meetings));
+        REQUIRE_FALSE(meet_faces(carriers, FilteredFace(carriers, f), FilteredFace(carriers, g), meetings));
       }
     }
   CHECK(owned > 0);

@@ -42,11 +42,12 @@ TEST_CASE("constructed points round to the nearest doubles, ties included", "[ro
     carriers.add(points, faces);
     const auto name = random.once_in(2) ? PointName::edge_face(0, 1, 1) : PointName::three_faces(0, 1, 2);
     if (!meet_in_one_point(points, name)) continue;
-    const std::vector<PointName> names{name};
-    const auto rounded = round_to_doubles(carriers, {}, names, {});
+    PointTable table(carriers);
+    const Boundary boundary{{}, table.add(std::vector{name}, {}), {}, {}};
+    const auto rounded = round_to_doubles(carriers, table, boundary, {});
     const RationalPoint exact = exact_position(carriers, make_point(carriers, name));
     for (std::size_t i = 0; i < 3; ++i) REQUIRE(rounded[0][i] == to_nearest_double(exact[i]));
-    const auto places = exact_places(carriers, {}, names, rounded, {});
+    const auto places = exact_places(carriers, table, boundary, rounded, {});
     const bool is_double = to_rational(rounded[0][0]) == exact[0] && to_rational(rounded[0][1]) == exact[1] &&
                            to_rational(rounded[0][2]) == exact[2];
     REQUIRE(places.size() == (is_double ? 0 : 1));

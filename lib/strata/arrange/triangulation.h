@@ -2,11 +2,11 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "strata/kernel/predicates.h"
+#include "strata/arrange/face_points.h"
+#include "strata/arrange/path_polygons.h"
 #include "strata/overlap/constraint.h"
 
 namespace strata {
@@ -38,7 +38,10 @@ class Triangulation {
     int index = 0;  ///< of the side or vertex in the triangle
   };
 
-  explicit Triangulation(const Carriers& carriers) : carriers_(carriers) {}
+  Triangulation(const Carriers& carriers, const PointTable& table)
+      : carriers_(carriers), points_(carriers, table), paths_(carriers, points_) {}
+  Triangulation(const Triangulation&) = delete;
+  Triangulation& operator=(const Triangulation&) = delete;
 
   /// What the names of points given to `add_point` tell about the face's own edges.
   enum class Names : std::uint8_t {
@@ -49,8 +52,13 @@ class Triangulation {
   /// Starts over with one triangle: the face itself, its corners being local vertices 0, 1, 2.
   void start(std::uint32_t face, Names names);
 
-  /// Local vertex of a named point; inserted if there is none at its place. Requires a point of the closed face.
-  std::int32_t add_point(const PointName& name);
+  /// Inserts all constraints at once, right after `start`, if they are simple paths through the face, as where two
+  /// surfaces cross and nothing else happens: constraint i gets the number i. Else returns false, and nothing is done.
+  /// Requires names of the lowest features.
+  bool add_paths(std::span<const Constraint> constraints);
+
+  /// Local vertex of a point; inserted if there is none at its place. Requires a point of the closed face.
+  std::int32_t add_point(PointId id);
 
   /// Inserts a segment between two local vertices as constraint number `constraint`, carried by `line`.
   void add_segment(std::int32_t tail, std::int32_t head, std::int32_t constraint, const ConstraintLine& line);
@@ -63,8 +71,8 @@ class Triangulation {
   /// Where a point of the closed face lies.
   [[nodiscard]] Location locate(const Point& p);
 
-  [[nodiscard]] std::uint32_t face() const { return face_; }
-  [[nodiscard]] std::span<const Point> points() const { return points_; }
+  [[nodiscard]] std::uint32_t face() const { return points_.face(); }
+  [[nodiscard]] const FacePoints& points() const { return points_; }
   [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
   [[nodiscard]] const Note& note(std::int32_t i) const { return notes_[static_cast<std::size_t>(i)]; }
   /// Some triangle at a vertex.
@@ -83,15 +91,9 @@ class Triangulation {
     std::int32_t vertex = -1;  ///< else the vertex it reaches along a side
   };
 
-  [[nodiscard]] Sign turn(std::int32_t a, std::int32_t b, std::int32_t c) const;
-  [[nodiscard]] const RealPoint<Twofold>& refined(std::int32_t vertex) const;
+  [[nodiscard]] Sign turn(std::int32_t a, std::int32_t b, std::int32_t c) const { return points_.turn(a, b, c); }
   [[nodiscard]] Sign inner_side(Side s, std::int32_t p) const;
-  [[nodiscard]] bool is_on_edge(Side s, std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] Location locate(std::int32_t vertex);
-  [[nodiscard]] bool collinear_by_name(const Point& p, const Point& q, const Point& r) const;
-  [[nodiscard]] bool leaves_plane(const Carriers::Indices& vertices) const;
-  [[nodiscard]] std::int32_t find(const PointName& name) const;
-  void remember(const PointName& name, std::int32_t vertex);
   std::int32_t new_vertex(const Point& p);
   void drop_vertex();
 
@@ -108,6 +110,21 @@ class Triangulation {
   void improve(std::int32_t vertex);
   [[nodiscard]] bool prefers_flip(Side s) const;
 
+  /// A side of the polygon of which ears are cut.
+  struct PolygonSide {
+    PathPolygons::Side side;  ///< with its carrier, unless
+    Side inner;               ///< a triangle is there already
+    Sign turn = Sign::zero;   ///< at `from`, if known
+    bool turn_known = false;
+  };
+  bool cut_ears(std::span<const PathPolygons::Side> sides);
+  [[nodiscard]] Sign corner_turn(std::size_t i);
+  [[nodiscard]] bool is_ear(std::size_t i);
+  void cut_ear(std::size_t i);
+  std::int32_t new_triangle(std::int32_t a, std::int32_t b, std::int32_t c);
+  void attach(Side s, const PolygonSide& given);
+  [[nodiscard]] double squared_length(std::int32_t a, std::int32_t b) const;
+
   [[nodiscard]] Departure depart(std::int32_t from, std::int32_t to) const;
   std::int32_t advance(std::int32_t from, std::int32_t to, const ConstraintLine& line);
   void open_way(std::int32_t from, std::int32_t to, std::vector<std::pair<std::int32_t, std::int32_t>>& crossed);
@@ -118,22 +135,15 @@ class Triangulation {
   void add_note(Side s, std::int32_t constraint, bool forward);
 
   const Carriers& carriers_;
-  std::uint32_t face_ = 0;
-  Carriers::Indices corners_{};
-  Projection projection_;
   Names given_names_ = Names::any;
-  std::vector<Point> points_;
-  struct Refined {
-    RealPoint<Twofold> at;
-    bool known = false;
-  };
-  mutable std::vector<Refined> refined_;  ///< per local vertex, when it was needed
+  FacePoints points_;
+  PathPolygons paths_;
+  std::vector<PolygonSide> polygon_;
+  std::vector<Side> halves_;  ///< per constraint: triangles' sides backward and forward along it
   std::vector<Triangle> triangles_;
   std::vector<std::int32_t> at_;
   std::vector<Note> notes_;
   std::vector<ConstraintLine> lines_;  ///< per constraint number
-  std::unordered_map<std::uint64_t, std::int32_t> by_hash_;
-  std::vector<std::pair<PointName, std::int32_t>> names_;
   std::vector<std::pair<PointName, PointName>> equal_;
   std::vector<std::pair<std::int32_t, std::int32_t>> crossed_, stack_;
   std::int32_t last_ = 0;

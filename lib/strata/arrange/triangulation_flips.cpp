@@ -90,18 +90,19 @@ bool Triangulation::is_flippable(Side s) const {
   return turn(p, d, c) == Sign::positive && turn(d, q, c) == Sign::positive;
 }
 
+double Triangulation::squared_length(std::int32_t a, std::int32_t b) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double d = points_[a].at[i].value - points_[b].at[i].value;
+    sum += d * d;
+  }
+  return sum;
+}
+
 bool Triangulation::prefers_flip(Side s) const {
   const Side o = twin(s);
-  const auto length = [&](std::int32_t a, std::int32_t b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double d = points_[at(a)].at[i].value - points_[at(b)].at[i].value;
-      sum += d * d;
-    }
-    return sum;
-  };
   const std::int32_t c = tri(s.triangle).v[at(previous(s.index))], d = tri(o.triangle).v[at(previous(o.index))];
-  return length(c, d) < length(tri(s.triangle).v[at(s.index)], tri(s.triangle).v[at(next(s.index))]);
+  return squared_length(c, d) < squared_length(tri(s.triangle).v[at(s.index)], tri(s.triangle).v[at(next(s.index))]);
 }
 
 /// Flips sides opposite to a new vertex for shorter diagonals. Ends: every flip replaces a side by one whose length, as

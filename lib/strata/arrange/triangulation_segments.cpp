@@ -39,7 +39,7 @@ Triangulation::Departure Triangulation::depart(std::int32_t from, std::int32_t t
     } while (t >= 0 && t != start);
     if (t == start) break;
   }
-  fail("a segment leaves its face", face_);
+  fail("a segment leaves its face", face());
 }
 
 /// Makes the segment's first part, up to the first vertex or constraint that it meets, a side. Returns where it ends.
@@ -56,7 +56,7 @@ std::int32_t Triangulation::advance(std::int32_t from, std::int32_t to, const Co
     const std::int32_t x = tri(s.triangle).v[at(s.index)], y = tri(s.triangle).v[at(next(s.index))];
     crossed_.emplace_back(x, y);
     const Side o = twin(s);
-    if (o.triangle < 0) fail("a segment leaves its face", face_);
+    if (o.triangle < 0) fail("a segment leaves its face", face());
     const std::int32_t z = tri(o.triangle).v[at(previous(o.index))];
     const Sign side = z == to ? Sign::zero : turn(from, to, z);
     // o runs from y to x: its next side is x -> z (the segment passes right of z), then z -> y.
@@ -91,7 +91,7 @@ PointName Triangulation::name_of_crossing(const ConstraintLine& a, const Constra
   if (a.edge && b.edge) return PointName::edge_edge(a.a, a.b, b.a, b.b);
   if (a.edge) return PointName::edge_face(a.a, a.b, b.a);
   if (b.edge) return PointName::edge_face(b.a, b.b, a.a);
-  return PointName::three_faces(face_, a.a, b.a);
+  return PointName::three_faces(face(), a.a, b.a);
 }
 
 std::uint32_t Triangulation::operand_of(const ConstraintLine& line) const {
@@ -117,10 +117,10 @@ void Triangulation::connect_names(bool same_operand) {
         add(b, a, lines_[at(note(n).constraint)]);
       }
       for (int k = 0; k < 3 && t.n[at(i)] < 0; ++k) {  // the face's own edges
-        const std::uint32_t u = corners_[at(k)], v = corners_[at(next(k))];
-        if (!named_on_edge(points_[at(a)].name, u, v) || !named_on_edge(points_[at(b)].name, u, v)) continue;
-        add(a, b, ConstraintLine::along_edge(u, v));
-        add(b, a, ConstraintLine::along_edge(u, v));
+        if (!points_.are_on_edge(k, a, b)) continue;
+        const auto own = ConstraintLine::along_edge(points_.corners()[at(k)], points_.corners()[at(next(k))]);
+        add(a, b, own);
+        add(b, a, own);
       }
     }
   std::stable_sort(arms.begin(), arms.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
@@ -132,8 +132,8 @@ void Triangulation::connect_names(bool same_operand) {
         const Arm &x = arms[i].second, &y = arms[j].second;
         if (x.line == y.line || (!same_operand && x.operand == y.operand)) continue;
         const PointName name = name_of_crossing(x.line, y.line);
-        if (name == points_[at(v)].name || turn(v, x.end, y.end) == Sign::zero) continue;
-        equal_.emplace_back(name, points_[at(v)].name);
+        if (name == points_[v].name || turn(v, x.end, y.end) == Sign::zero) continue;
+        equal_.emplace_back(name, points_[v].name);
       }
   }
 }
@@ -145,9 +145,8 @@ std::int32_t Triangulation::cross_constraint(Side s, const ConstraintLine& line)
     const PointName name = name_of_crossing(line, lines_[at(note(n).constraint)]);
     if (v < 0) {
       v = new_vertex(make_point(carriers_, name));
-      remember(name, v);
-    } else if (name != points_[at(v)].name) {
-      equal_.emplace_back(name, points_[at(v)].name);
+    } else if (name != points_[v].name) {
+      equal_.emplace_back(name, points_[v].name);
     }
   }
   split_side(s, v);

@@ -36,7 +36,8 @@ class Inspection {
 
   [[nodiscard]] std::vector<Defect> find() {
     const CellTree cells(carriers_, {.self = true, .monitor = monitor_});
-    std::vector<Defect> defects = intersections(find_meetings(carriers_, cells, true, monitor_));
+    PointTable points(carriers_);
+    std::vector<Defect> defects = intersections(find_meetings(carriers_, cells, true, points, monitor_), points);
     if (defects.empty()) defects = wrong_shells(cells);
     return defects;
   }
@@ -44,7 +45,7 @@ class Inspection {
  private:
   [[nodiscard]] std::uint32_t source(std::uint32_t f) const { return source_.empty() ? f : source_[f]; }
 
-  [[nodiscard]] std::vector<Defect> intersections(const Meetings& meetings) const {
+  [[nodiscard]] std::vector<Defect> intersections(const Meetings& meetings, const PointTable& points) const {
     DefectList list(DefectKind::self_intersection, Severity::error,
                     "declare the input as overlapping, which resolves intersections exactly");
     std::uint32_t f = 0, g = 0;
@@ -52,7 +53,7 @@ class Inspection {
       if (c.other < c.face || (list.count() > 0 && c.face == f && c.other == g)) continue;
       f = c.face;
       g = c.other;
-      const Point p = make_point(carriers_, c.tail);
+      const Point p = points.point(c.tail);
       list.add(Vertex{p.at[0].value, p.at[1].value, p.at[2].value}, {source(f), source(g)}, [&] {
         return "faces " + std::to_string(source(f)) + " and " + std::to_string(source(g)) +
                (c.kind == ConstraintKind::coplanar ? " overlap in one plane"
@@ -126,7 +127,8 @@ bool is_embedded(MeshView mesh, const Options& options) {
     const std::vector<Triangle> triangles = on_first_vertices(mesh);
     carriers.add(mesh.vertices, triangles);
     const CellTree cells(carriers, {.self = true, .monitor = monitor});
-    return find_meetings(carriers, cells, true, monitor).pairs_meeting == 0;
+    PointTable points(carriers);
+    return find_meetings(carriers, cells, true, points, monitor).pairs_meeting == 0;
   });
 }
 

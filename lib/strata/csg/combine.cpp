@@ -85,19 +85,20 @@ BooleanResult combine_here(Operation operation, std::span<const Operand> given, 
   const Operands operands(given, options.input, result.notes);
   watch.lap("prepare");
   monitor.report(0.05);
-  const Carriers& carriers = operands.carriers();
+  Carriers carriers = operands.carriers();
+  PointTable points(carriers);
   const Rule rule(operation, carriers.operand_count());
   const bool self = options.input != InputClass::solid;
-  Boundary boundary = evaluate(carriers, rule, self, monitor, result.profile);
+  Boundary boundary = evaluate(carriers, rule, self, points, monitor, result.profile);
   Stopwatch output(result.profile);
-  result.mesh.vertices = round_to_doubles(carriers, boundary.inputs, boundary.constructed, monitor);
+  result.mesh.vertices = round_to_doubles(carriers, points, boundary, monitor);
   result.mesh.triangles = std::move(boundary.triangles);
   result.sources = operands.sources(boundary.sources);
   output.lap("round");
   ensure_closed(result.mesh, given, options);
   output.lap("ensure");
   if (options.exact_vertices) {
-    result.exact = exact_places(carriers, boundary.inputs, boundary.constructed, result.mesh.vertices, monitor);
+    result.exact = exact_places(carriers, points, boundary, result.mesh.vertices, monitor);
     output.lap("exact");
   }
   monitor.report(1);

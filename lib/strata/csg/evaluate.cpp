@@ -20,23 +20,23 @@ bool may_merge(const Carriers& carriers, const Meetings& meetings, bool self) {
 
 }  // namespace
 
-Boundary evaluate(Carriers carriers, const Rule& rule, bool self, const Monitor& monitor, Profile& profile) {
+Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
+                  Profile& profile) {
   Stopwatch watch(profile);
   const CellTree cells(carriers, {.self = self, .monitor = monitor});
   watch.lap("cells");
   monitor.report(0.3);
   monitor.check();
   carriers.identify(find_coincidences(carriers, cells, monitor));
-  const Meetings meetings = find_meetings(carriers, cells, self, monitor);
+  const Meetings meetings = find_meetings(carriers, cells, self, points, monitor);
   watch.lap("overlap");
   monitor.report(0.55);
-  SplitFaces split = split_faces(carriers, cells, rule, meetings.constraints, self, monitor);
+  std::vector<SplitFace> split = split_faces(carriers, cells, rule, meetings, self, points, monitor);
   watch.lap("arrange");
   monitor.report(0.8);
-  const auto whole = judge_whole_faces(carriers, cells, rule, split.faces, self, monitor);
+  const auto whole = judge_whole_faces(carriers, cells, rule, split, self, monitor);
   watch.lap("layers");
   monitor.report(0.85);
-  const PointTable points(split, meetings.equal);
   if (may_merge(carriers, meetings, self)) merge_pieces(carriers, points, split, monitor);
   Boundary boundary = gather_boundary(carriers, whole, split, points);
   watch.lap("select");
@@ -44,7 +44,7 @@ Boundary evaluate(Carriers carriers, const Rule& rule, bool self, const Monitor&
   profile.counts = {{"cells", cells.cells().size()},
                     {"pairs_tested", meetings.pairs_tested},
                     {"pairs_meeting", meetings.pairs_meeting},
-                    {"split_faces", split.faces.size()}};
+                    {"split_faces", split.size()}};
   return boundary;
 }
 

@@ -21,9 +21,12 @@ bool is_tight(const BoundedPoint& p) {
   return true;
 }
 
-Carriers::Coordinates nearest_exact(const Carriers& carriers, const Point& point) {
-  const RationalPoint exact = exact_position(carriers, point);
-  return {to_nearest_double(exact[0]), to_nearest_double(exact[1]), to_nearest_double(exact[2])};
+/// The nearest double, and the nearest one to what is left.
+Twofold nearest_twofold(const Rational& x) {
+  const double value = to_nearest_double(x);
+  if (!std::isfinite(value)) return {value, 0, HUGE_VAL};
+  const double low = to_nearest_double(x - to_rational(value));
+  return {value, low, std::abs(low) * Bounded::rounding + Bounded::underflow};
 }
 
 }  // namespace
@@ -66,14 +69,18 @@ bool named_on_edge(const PointName& name, std::uint32_t a, std::uint32_t b) {
 }
 
 Point make_point(const Carriers& carriers, const PointName& name) {
-  Point p{name, approximate<Bounded>(carriers, name)};
-  if (name.kind == PointName::Kind::input || is_tight(p.at)) return p;
-  const auto finer = approximate<Twofold>(carriers, name);
-  for (std::size_t i = 0; i < 3; ++i) p.at[i] = finer[i].bounded();
+  Point p{name, {}, approximate<Twofold>(carriers, name)};
+  if (name.kind == PointName::Kind::input) {
+    p.at = approximate_vertex<Bounded>(carriers, name.id[0]);
+    return p;
+  }
+  for (std::size_t i = 0; i < 3; ++i) p.at[i] = p.fine[i].bounded();
   if (is_tight(p.at)) return p;
-  const auto nearest = nearest_exact(carriers, p);
-  for (std::size_t i = 0; i < 3; ++i)
-    p.at[i] = {nearest[i], std::abs(nearest[i]) * Bounded::rounding + Bounded::underflow};
+  const RationalPoint exact = exact_position(carriers, p);
+  for (std::size_t i = 0; i < 3; ++i) {
+    p.fine[i] = nearest_twofold(exact[i]);
+    p.at[i] = p.fine[i].bounded();
+  }
   return p;
 }
 
@@ -95,10 +102,11 @@ RationalPoint exact_position(const Carriers& carriers, const Point& point) {
 Carriers::Coordinates nearest_doubles(const Carriers& carriers, const Point& point) {
   if (point.name.kind == PointName::Kind::input) return carriers.vertex(point.name.id[0]);
   if (point.name.kind == PointName::Kind::free) return {point.at[0].value, point.at[1].value, point.at[2].value};
-  const auto fine = approximate<Twofold>(carriers, point.name);
+  const auto& fine = point.fine;
   if (fine[0].rounds_to_value() && fine[1].rounds_to_value() && fine[2].rounds_to_value())
     return {fine[0].value, fine[1].value, fine[2].value};
-  return nearest_exact(carriers, point);
+  const RationalPoint exact = exact_position(carriers, point);
+  return {to_nearest_double(exact[0]), to_nearest_double(exact[1]), to_nearest_double(exact[2])};
 }
 
 }  // namespace strata

@@ -5,7 +5,9 @@
 #include <cstdint>
 
 #include "strata/exact/bounded.h"
+#include "strata/exact/twofold.h"
 #include "strata/kernel/carriers.h"
+#include "strata/kernel/filters.h"
 
 namespace strata {
 
@@ -50,10 +52,13 @@ struct PointName {
 /// A point with a name and bounded approximations of its coordinates. The name decides, the bounds make it quick.
 struct Point {
   PointName name;
-  std::array<Bounded, 3> at;
+  BoundedPoint at;          ///< for a first look
+  RealPoint<Twofold> fine;  ///< for a second one
 
   /// A point at given doubles.
-  static Point free(const Carriers::Coordinates& p) { return {PointName{}, {p[0], p[1], p[2]}}; }
+  static Point free(const Carriers::Coordinates& p) {
+    return {PointName{}, {p[0], p[1], p[2]}, {p[0], p[1], p[2]}};
+  }
 };
 
 /// True when the name itself says that the point lies in the plane of face f, whose vertices are v.
@@ -62,8 +67,8 @@ struct Point {
 /// True when the name itself says that the point lies on the line through the vertices a and b.
 [[nodiscard]] bool named_on_edge(const PointName& name, std::uint32_t a, std::uint32_t b);
 
-/// Approximates the named point. Its coordinates are within the bounds; these are a few ulps wide where the carriers
-/// meet at a fair angle, and never wider than one ulp around the exact place where they do not.
+/// Approximates the named point. Its coordinates are within the bounds, which are about an ulp wide. Where carriers meet
+/// at an angle so small that doubles in pairs do not reach this, they are found from the exact place.
 /// Requires a kind other than free whose carriers do meet in one point. O(1), with rationals in the ill-posed case.
 [[nodiscard]] Point make_point(const Carriers& carriers, const PointName& name);
 

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "strata/exact/twofold.h"
-#include "strata/kernel/approximation.h"
 #include "strata/kernel/counters.h"
 #include "strata/kernel/exact_evaluation.h"
 #include "strata/kernel/filtered_plane.h"
@@ -120,9 +119,7 @@ Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Po
   } else if (const auto sign = filtered(orient3d_of(p.at, q.at, r.at, s.at))) {
     return *sign;
   }
-  if (const auto sign =
-          filtered(orient3d_of(refine(carriers, p), refine(carriers, q), refine(carriers, r), refine(carriers, s))))
-    return *sign;
+  if (const auto sign = filtered(orient3d_of(p.fine, q.fine, r.fine, s.fine))) return *sign;
   const auto width = [&](int b) {
     return width_of_value(width_of_plane(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b)),
                           width_of(s.name, b));
@@ -177,14 +174,8 @@ std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, con
   return filtered(turn_of(p.at, q.at, r.at, projection.u, projection.v));
 }
 
-RealPoint<Twofold> refine(const Carriers& carriers, const Point& p) {
-  if (p.name.kind == PointName::Kind::free) return {p.at[0], p.at[1], p.at[2]};
-  return approximate<Twofold>(carriers, p.name);
-}
-
-std::optional<Sign> refined_orient2d(Projection projection, const RealPoint<Twofold>& p, const RealPoint<Twofold>& q,
-                                     const RealPoint<Twofold>& r) {
-  return filtered(turn_of(p, q, r, projection.u, projection.v));
+std::optional<Sign> refined_orient2d(Projection projection, const Point& p, const Point& q, const Point& r) {
+  return filtered(turn_of(p.fine, q.fine, r.fine, projection.u, projection.v));
 }
 
 Sign exact_orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q, const Point& r) {
@@ -198,8 +189,7 @@ Sign exact_orient2d(const Carriers& carriers, Projection projection, const Point
 
 Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q, const Point& r) {
   if (const auto sign = filtered_orient2d(projection, p, q, r)) return *sign;
-  if (const auto sign = refined_orient2d(projection, refine(carriers, p), refine(carriers, q), refine(carriers, r)))
-    return *sign;
+  if (const auto sign = refined_orient2d(projection, p, q, r)) return *sign;
   return exact_orient2d(carriers, projection, p, q, r);
 }
 
@@ -219,7 +209,7 @@ Sign compare(const Carriers& carriers, int axis, const Point& p, const Point& q)
     count(Tier::names);
     return Sign::zero;
   }
-  if (const auto sign = filtered(refine(carriers, p)[i] - refine(carriers, q)[i])) return *sign;
+  if (const auto sign = filtered(p.fine[i] - q.fine[i])) return *sign;
   const auto width = [&](int b) {
     const PointWidth wp = width_of(p.name, b), wq = width_of(q.name, b);
     return std::max(wp.xyz + wq.w, wq.xyz + wp.w) + 1;

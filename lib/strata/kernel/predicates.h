@@ -54,12 +54,9 @@ using PlanePoint = std::array<double, 2>;
 [[nodiscard]] std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, const Point& q,
                                                     const Point& r);
 
-/// Coordinates of a point in doubles in pairs: for many questions about the same point.
-[[nodiscard]] RealPoint<Twofold> refine(const Carriers& carriers, const Point& p);
-
-/// The second tier of orient2d alone, on refined points: nullopt when it does not decide.
-[[nodiscard]] std::optional<Sign> refined_orient2d(Projection projection, const RealPoint<Twofold>& p,
-                                                   const RealPoint<Twofold>& q, const RealPoint<Twofold>& r);
+/// The second tier of orient2d alone, by doubles in pairs: nullopt when it does not decide.
+[[nodiscard]] std::optional<Sign> refined_orient2d(Projection projection, const Point& p, const Point& q,
+                                                   const Point& r);
 
 /// The last tier of orient2d alone: integers.
 [[nodiscard]] Sign exact_orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q,

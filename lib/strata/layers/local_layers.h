@@ -35,29 +35,29 @@ class LocalLayers {
   const CellTree& cells_;
 };
 
-/// LocalLayers::around for corners of faces, which are shared by many: remembers the last ones. For one thread.
+/// Winding numbers around corners of faces, which many faces share: remembers the last ones. For one thread.
 class CornerWindings {
  public:
-  CornerWindings(const Carriers& carriers, const LocalLayers& layers) : carriers_(carriers), layers_(layers) {}
-
-  /// Winding numbers about all operands but the corner's own.
-  [[nodiscard]] const Windings& around(std::uint32_t vertex, std::uint32_t own) {
-    if (known_.empty()) known_.resize(1024);
-    auto& [known, windings] = known_[vertex % known_.size()];
-    if (known != vertex) {
-      windings = layers_.around(make_point(carriers_, PointName::input(vertex)), own);
-      known = vertex;
-    }
-    return windings;
+  /// Winding numbers about all operands but the corner's own, or null if they were not told of late.
+  [[nodiscard]] const Windings* find(std::uint32_t vertex) const {
+    if (known_.empty()) return nullptr;
+    const Known& k = known_[vertex % size];
+    return k.vertex == vertex ? &k.windings : nullptr;
+  }
+  void remember(std::uint32_t vertex, const Windings& windings) {
+    if (known_.empty()) known_.resize(size);
+    Known& k = known_[vertex % size];
+    if (k.vertex == vertex) return;
+    k.vertex = vertex;
+    k.windings = windings;
   }
 
  private:
+  static constexpr std::size_t size = 4096;
   struct Known {
     std::uint32_t vertex = 0xffffffffu;
     Windings windings;
   };
-  const Carriers& carriers_;
-  const LocalLayers& layers_;
   std::vector<Known> known_;
 };
 

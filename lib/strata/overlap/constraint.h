@@ -1,8 +1,11 @@
 #pragma once
+#include <algorithm>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
 #include "strata/kernel/point.h"
+#include "strata/overlap/point_table.h"
 
 namespace strata {
 
@@ -27,13 +30,13 @@ enum class ConstraintKind : std::uint8_t {
   coplanar,     ///< the other face lies in the same plane and may cover parts; no geometry (tail, head: a corner)
 };
 
-/// A point or segment in which a face meets another face, named exactly.
+/// A point or segment in which a face meets another face, exactly.
 struct Constraint {
   std::uint32_t face = 0;   ///< the face it constrains
   std::uint32_t other = 0;  ///< the face it meets
   ConstraintKind kind = ConstraintKind::point;
   ConstraintLine line;
-  PointName tail, head;
+  PointId tail = 0, head = 0;
 };
 
 /// Two input vertices at the same place.
@@ -44,7 +47,11 @@ struct EqualVertices {
 
 /// Everything found between pairs of faces.
 struct Meetings {
+  /// Number of a point; a constructed one is listed, unless it is one of the last that were.
+  [[nodiscard]] PointId number(const Carriers& carriers, const PointName& name);
+
   std::vector<Constraint> constraints;
+  std::vector<PointName> constructed;  ///< until they are in a PointTable, constructed points are numbered by this list
   std::vector<EqualVertices> equal;
   std::uint64_t pairs_tested = 0;   ///< pairs whose boxes overlap
   std::uint64_t pairs_meeting = 0;  ///< pairs that share a point

@@ -134,8 +134,9 @@ class CoplanarMeeting {
     const ConstraintKind kind = ends.size() == 1 ? ConstraintKind::point
                                 : left           ? ConstraintKind::cover_left
                                                  : ConstraintKind::cover_right;
-    meetings.constraints.push_back({f_, g_, kind, ConstraintLine::along_edge(vg_[a], vg_[b]),
-                                    name_of(ends.front(), f_, vf_, g_, vg_), name_of(ends.back(), f_, vf_, g_, vg_)});
+    const auto number = [&](const SharedPoint& p) { return meetings.number(carriers_, name_of(p, f_, vf_, g_, vg_)); };
+    meetings.constraints.push_back(
+        {f_, g_, kind, ConstraintLine::along_edge(vg_[a], vg_[b]), number(ends.front()), number(ends.back())});
   }
   void append_to_g(Meetings& meetings, int i, Ends ends) const {
     if (ends.empty()) return;
@@ -145,9 +146,11 @@ class CoplanarMeeting {
     const ConstraintKind kind = ends.size() == 1 ? ConstraintKind::point
                                 : left           ? ConstraintKind::cover_left
                                                  : ConstraintKind::cover_right;
-    const auto name = [&](const SharedPoint& p) { return name_of({p.on_g, p.on_f}, g_, vg_, f_, vf_); };
+    const auto number = [&](const SharedPoint& p) {
+      return meetings.number(carriers_, name_of({p.on_g, p.on_f}, g_, vg_, f_, vf_));
+    };
     meetings.constraints.push_back(
-        {g_, f_, kind, ConstraintLine::along_edge(vf_[a], vf_[b]), name(ends.front()), name(ends.back())});
+        {g_, f_, kind, ConstraintLine::along_edge(vf_[a], vf_[b]), number(ends.front()), number(ends.back())});
   }
 
   const Carriers& carriers_;
@@ -168,9 +171,8 @@ bool meet_coplanar_faces(const Carriers& carriers, std::uint32_t f, std::uint32_
 bool meet_same_face(std::uint32_t f, const Carriers::Indices& vf, std::uint32_t g, const Carriers::Indices& vg,
                     Meetings& meetings) {
   const auto nowhere = ConstraintLine{};
-  const PointName of_f = PointName::input(vf[0]), of_g = PointName::input(vg[0]);
-  meetings.constraints.push_back({f, g, ConstraintKind::coplanar, nowhere, of_f, of_f});
-  meetings.constraints.push_back({g, f, ConstraintKind::coplanar, nowhere, of_g, of_g});
+  meetings.constraints.push_back({f, g, ConstraintKind::coplanar, nowhere, vf[0], vf[0]});
+  meetings.constraints.push_back({g, f, ConstraintKind::coplanar, nowhere, vg[0], vg[0]});
   return true;
 }
 

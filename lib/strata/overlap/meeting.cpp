@@ -11,10 +11,12 @@ namespace {
 
 bool all(const Signs& s, Sign x) { return s[0] == x && s[1] == x && s[2] == x; }
 
-Signs sides_of(const Carriers& carriers, const Carriers::Indices& plane, const Carriers::Indices& v) {
-  return {orient3d(carriers, plane[0], plane[1], plane[2], v[0]),
-          orient3d(carriers, plane[0], plane[1], plane[2], v[1]),
-          orient3d(carriers, plane[0], plane[1], plane[2], v[2])};
+/// Sides of which doubles are not certain are asked for exactly.
+Signs completed(const Carriers& carriers, Signs sides, const FilteredFace& plane, const FilteredFace& other) {
+  const auto& p = plane.vertices;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (sides[i] == Sign::zero) sides[i] = orient3d(carriers, p[0], p[1], p[2], other.vertices[i]);
+  return sides;
 }
 
 /// Where a triangle with vertices on sides s of a plane leaves it (tail) and enters its positive side (head), walking
@@ -56,8 +58,17 @@ bool reaches(const Signs& s, Sign side) { return s[0] == side || s[1] == side ||
 /// Two triangles in different planes that cross each other's plane.
 class TransversalMeeting {
  public:
-  TransversalMeeting(const Carriers& carriers, std::uint32_t f, std::uint32_t g, const Signs& of_f, const Signs& of_g)
-      : carriers_(carriers), f_(f), g_(g), vf_(carriers.face(f)), vg_(carriers.face(g)), of_f_(of_f), of_g_(of_g) {}
+  TransversalMeeting(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g, const Signs& of_f,
+                     const Signs& of_g)
+      : carriers_(carriers),
+        face_f_(f),
+        face_g_(g),
+        f_(f.face),
+        g_(g.face),
+        vf_(f.vertices),
+        vg_(g.vertices),
+        of_f_(of_f),
+        of_g_(of_g) {}
 
   bool find(Meetings& meetings) {
     // Both sections lie on one line; directed along n_f x n_g, g's is as it comes and f's the other way round.
@@ -92,12 +103,9 @@ class TransversalMeeting {
     const int k = edge_through(end, of_g_);
     return {between(0, k), between(1, k), between(2, k)};
   }
-  /// orient3d of edge i of f and edge k of g; the same with the edges swapped, since that is an even permutation.
   Sign between(int i, int k) {
     auto& known = between_[static_cast<std::size_t>(3 * i + k)];
-    if (!known)
-      known = orient3d(carriers_, vf_[static_cast<std::size_t>(i)], vf_[static_cast<std::size_t>(next(i))],
-                       vg_[static_cast<std::size_t>(k)], vg_[static_cast<std::size_t>(next(k))]);
+    if (!known) known = orient_edges(carriers_, face_f_, i, face_g_, k);
     return *known;
   }
 
@@ -109,9 +117,11 @@ class TransversalMeeting {
   void append(Meetings& meetings, const SharedPoint& tail, const SharedPoint& head) const {
     note_equal(meetings, tail);
     note_equal(meetings, head);
-    const PointName tail_f = name_of(tail, f_, vf_, g_, vg_), head_f = name_of(head, f_, vf_, g_, vg_);
-    const PointName tail_g = name_of({tail.on_g, tail.on_f}, g_, vg_, f_, vf_),
-                    head_g = name_of({head.on_g, head.on_f}, g_, vg_, f_, vf_);
+    const auto on_f = [&](const SharedPoint& p) { return meetings.number(carriers_, name_of(p, f_, vf_, g_, vg_)); };
+    const auto on_g = [&](const SharedPoint& p) {
+      return meetings.number(carriers_, name_of({p.on_g, p.on_f}, g_, vg_, f_, vf_));
+    };
+    const PointId tail_f = on_f(tail), head_f = on_f(head), tail_g = on_g(tail), head_g = on_g(head);
     if (tail == head) {
       meetings.constraints.push_back({f_, g_, ConstraintKind::point, ConstraintLine::trace_of(g_), tail_f, tail_f});
       meetings.constraints.push_back({g_, f_, ConstraintKind::point, ConstraintLine::trace_of(f_), tail_g, tail_g});
@@ -142,16 +152,17 @@ class TransversalMeeting {
   }
 
   const Carriers& carriers_;
+  const FilteredFace &face_f_, &face_g_;
   std::uint32_t f_, g_;
-  Carriers::Indices vf_, vg_;
-  Signs of_f_, of_g_;
+  const Carriers::Indices &vf_, &vg_;
+  const Signs &of_f_, &of_g_;
   std::array<std::optional<Sign>, 9> between_{};
 };
 
 int common_vertices(const Carriers::Indices& f, const Carriers::Indices& g) {
   int n = 0;
   for (const std::uint32_t a : f)
-    for (const std::uint32_t b : g) n += a == b;
+    for (const std::uint32_t b : g) n += static_cast<int>(a == b);
   return n;
 }
 
@@ -164,15 +175,18 @@ bool is_coplanar(const Carriers& carriers, const Carriers::Indices& f, const Car
 
 }  // namespace
 
-bool meet_faces(const Carriers& carriers, std::uint32_t f, std::uint32_t g, Meetings& meetings) {
-  const auto vf = carriers.face(f), vg = carriers.face(g);
-  const int common = common_vertices(vf, vg);
-  if (common == 3) return meet_same_face(f, vf, g, vg, meetings);
-  if (common == 2 && !is_coplanar(carriers, vf, vg)) return false;
-  const Signs of_g = sides_of(carriers, vf, vg);
+bool meet_faces(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g, Meetings& meetings) {
+  Signs of_g = f.sides_of(g);
+  if (f.is_beside(g, of_g)) return false;
+  Signs of_f = g.sides_of(f);
+  if (g.is_beside(f, of_f) || f.is_off(g) || g.is_off(f)) return false;
+  const int common = common_vertices(f.vertices, g.vertices);
+  if (common == 3) return meet_same_face(f.face, f.vertices, g.face, g.vertices, meetings);
+  if (common == 2 && !is_coplanar(carriers, f.vertices, g.vertices)) return false;
+  of_g = completed(carriers, of_g, f, g);
   if (all(of_g, Sign::positive) || all(of_g, Sign::negative)) return false;
-  if (all(of_g, Sign::zero)) return meet_coplanar_faces(carriers, f, g, meetings);
-  const Signs of_f = sides_of(carriers, vg, vf);
+  if (all(of_g, Sign::zero)) return meet_coplanar_faces(carriers, f.face, g.face, meetings);
+  of_f = completed(carriers, of_f, g, f);
   if (all(of_f, Sign::positive) || all(of_f, Sign::negative)) return false;
   return TransversalMeeting(carriers, f, g, of_f, of_g).find(meetings);
 }

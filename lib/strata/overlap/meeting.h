@@ -1,8 +1,7 @@
 #pragma once
-#include <cstdint>
-
 #include "strata/kernel/carriers.h"
 #include "strata/overlap/constraint.h"
+#include "strata/overlap/filtered_face.h"
 
 namespace strata {
 
@@ -14,6 +13,6 @@ namespace strata {
 /// mesh share by index are no meeting. Requires faces of positive area. At most 6 + 9 orient3d signs for faces in
 /// general position. Table of cases: theory.md. Returns true when the faces share a point (other than shared vertices
 /// and edges).
-bool meet_faces(const Carriers& carriers, std::uint32_t f, std::uint32_t g, Meetings& meetings);
+bool meet_faces(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g, Meetings& meetings);
 
 }  // namespace strata

@@ -8,7 +8,8 @@ namespace strata {
 /// All constraints, grouped by face: those of one face are adjacent, in a fixed order.
 /// Every pair of faces of different operands (with `self`: of any operands) is tested in exactly one cell: the one that
 /// holds the lower corner of the intersection of their boxes. The same for any number of threads.
-[[nodiscard]] Meetings find_meetings(const Carriers& carriers, const CellTree& cells, bool self,
+/// Constructed points become points of the table.
+[[nodiscard]] Meetings find_meetings(const Carriers& carriers, const CellTree& cells, bool self, PointTable& points,
                                      const Monitor& monitor);
 
 }  // namespace strata

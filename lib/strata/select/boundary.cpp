@@ -19,75 +19,56 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Numbers the vertices of the result.
 class VertexNumbers {
  public:
-  VertexNumbers(const Carriers& carriers, const PointTable& table) : table_(table), constructed_(table.size(), unused) {
-    resize_fresh(input_, carriers.vertex_count(), unused);
-    if (table.replaced().empty() && !carriers.has_identified()) return;
-    same_.resize(carriers.vertex_count());
-    std::iota(same_.begin(), same_.end(), 0u);
-    for (const EqualVertices& e : table.replaced()) same_[e.a] = e.b;
-    for (std::uint32_t v = 0; v < same_.size(); ++v)
-      if (const std::uint32_t w = carriers.identified(v); w != v) same_[v] = same_[w];
+  VertexNumbers(const Carriers& carriers, const PointTable& points) : points_(points) {
+    resize_fresh(number_, points.end(), unused);
+    if (!points.has_identified() && !carriers.has_identified()) return;
+    same_.resize(points.first());
+    for (std::uint32_t v = 0; v < same_.size(); ++v) same_[v] = points.representative(carriers.identified(v));
   }
 
-  /// Threads may use vertices at the same time.
-  void use_input(std::uint32_t v) {
-    std::atomic_ref<std::uint32_t>(input_[same(v)]).store(0, std::memory_order_relaxed);
-  }
-  /// A point of the table.
-  void use(std::uint32_t id) {
-    const PointName& name = table_.name(id);
-    if (name.kind == PointName::Kind::input) {
-      use_input(name.id[0]);
-    } else {
-      constructed_[id] = 0;
-    }
-  }
+  /// A vertex of a whole face. Threads may use vertices at the same time.
+  void use_input(std::uint32_t v) { use(same(v)); }
+  /// A point that represents itself.
+  void use(PointId id) { std::atomic_ref<std::uint32_t>(number_[id]).store(0, std::memory_order_relaxed); }
+
   /// Numbers the used vertices and lists them.
   void assign(Boundary& boundary) {
-    assign_inputs(boundary.inputs);
-    auto number = static_cast<std::uint32_t>(boundary.inputs.size());
-    for (std::uint32_t i = 0; i < constructed_.size(); ++i)
-      if (constructed_[i] != unused) {
-        constructed_[i] = number++;
-        boundary.constructed.push_back(table_.name(i));
-      }
+    const auto inputs = list(0, points_.first(), 0, boundary.inputs);
+    list(points_.first(), points_.end(), inputs, boundary.constructed);
   }
-  [[nodiscard]] std::uint32_t of_input(std::uint32_t v) const { return input_[same(v)]; }
-  [[nodiscard]] std::uint32_t of(std::uint32_t id) const {
-    const PointName& name = table_.name(id);
-    return name.kind == PointName::Kind::input ? of_input(name.id[0]) : constructed_[id];
-  }
+  [[nodiscard]] std::uint32_t of_input(std::uint32_t v) const { return number_[same(v)]; }
+  [[nodiscard]] std::uint32_t of(PointId id) const { return number_[id]; }
 
  private:
-  [[nodiscard]] std::uint32_t same(std::uint32_t v) const { return same_.empty() ? v : same_[v]; }
+  [[nodiscard]] PointId same(std::uint32_t v) const { return same_.empty() ? v : same_[v]; }
 
-  /// Counts per run of vertices, then numbers every run from where it starts.
-  void assign_inputs(std::vector<std::uint32_t>& inputs) {
+  /// Counts per run of points, then numbers every run from where it starts.
+  std::uint32_t list(PointId begin, PointId end, std::uint32_t first_number, std::vector<std::uint32_t>& used) {
     constexpr std::size_t run = 1 << 14;
-    const std::size_t runs = (input_.size() + run - 1) / run;
-    const auto end_of = [&](std::size_t n) { return std::min(input_.size(), (n + 1) * run); };
+    const std::size_t runs = (end - begin + run - 1) / run;
+    const auto start_of = [&](std::size_t n) { return std::min<std::size_t>(end, begin + n * run); };
     std::vector<std::uint32_t> first(runs + 1, 0);
     tbb::parallel_for(std::size_t{0}, runs, [&](std::size_t n) {
       std::uint32_t count = 0;
-      for (std::size_t v = n * run; v < end_of(n); ++v) count += input_[v] != unused;
+      for (std::size_t v = start_of(n); v < start_of(n + 1); ++v) count += number_[v] != unused;
       first[n + 1] = count;
     });
     std::partial_sum(first.begin(), first.end(), first.begin());
-    resize_fresh(inputs, first.back());
+    resize_fresh(used, first.back());
     tbb::parallel_for(std::size_t{0}, runs, [&](std::size_t n) {
-      std::uint32_t number = first[n];
-      for (std::size_t v = n * run; v < end_of(n); ++v)
-        if (input_[v] != unused) {
-          inputs[number] = static_cast<std::uint32_t>(v);
-          input_[v] = number++;
+      std::uint32_t k = first[n];
+      for (std::size_t v = start_of(n); v < start_of(n + 1); ++v)
+        if (number_[v] != unused) {
+          used[k] = static_cast<std::uint32_t>(v);
+          number_[v] = first_number + k++;
         }
     });
+    return first_number + first.back();
   }
 
-  const PointTable& table_;
-  std::vector<std::uint32_t> input_;        ///< per input vertex: its number in the result
-  std::vector<std::uint32_t> same_;         ///< per input vertex: the equal one that stands for it; empty: itself
-  std::vector<std::uint32_t> constructed_;  ///< per table entry
+  const PointTable& points_;
+  std::vector<std::uint32_t> number_;  ///< per point: its number in the result
+  std::vector<PointId> same_;          ///< per input vertex: the one that stands for it; empty: itself
 };
 
 /// The faces that stay whole, in blocks.
@@ -146,15 +127,15 @@ class WholeFaces {
 
 }  // namespace
 
-Boundary gather_boundary(const Carriers& carriers, const std::vector<Verdict>& whole, const SplitFaces& split,
-                         const PointTable& table) {
-  VertexNumbers numbers(carriers, table);
+Boundary gather_boundary(const Carriers& carriers, const std::vector<Verdict>& whole,
+                         const std::vector<SplitFace>& split, const PointTable& points) {
+  VertexNumbers numbers(carriers, points);
   WholeFaces whole_faces(carriers, whole);
   whole_faces.use(numbers);
-  std::vector<std::size_t> first(split.faces.size() + 1, whole_faces.count());
-  for (std::size_t i = 0; i < split.faces.size(); ++i) {
-    first[i + 1] = first[i] + split.faces[i].triangles.size();
-    for (const std::uint32_t id : split.faces[i].ids) numbers.use(id);
+  std::vector<std::size_t> first(split.size() + 1, whole_faces.count());
+  for (std::size_t i = 0; i < split.size(); ++i) {
+    first[i + 1] = first[i] + split[i].triangles.size();
+    for (const PointId id : split[i].points) numbers.use(id);
   }
 
   Boundary result;
@@ -162,11 +143,11 @@ Boundary gather_boundary(const Carriers& carriers, const std::vector<Verdict>& w
   resize_fresh(result.triangles, first.back());
   resize_fresh(result.sources, first.back());
   whole_faces.write(numbers, result);
-  tbb::parallel_for(std::size_t{0}, split.faces.size(), [&](std::size_t i) {
-    const SplitFace& face = split.faces[i];
+  tbb::parallel_for(std::size_t{0}, split.size(), [&](std::size_t i) {
+    const SplitFace& face = split[i];
     std::size_t n = first[i];
     for (const PieceTriangle& piece : face.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) result.triangles[n][k] = numbers.of(face.ids[piece.v[k]]);
+      for (std::size_t k = 0; k < 3; ++k) result.triangles[n][k] = numbers.of(face.points[piece.v[k]]);
       result.sources[n++] = face.face;
     }
   });

@@ -3,25 +3,23 @@
 #include <cstdint>
 #include <vector>
 
-#include "strata/kernel/point.h"
-#include "strata/select/point_table.h"
+#include "strata/overlap/point_table.h"
 #include "strata/select/rule.h"
 #include "strata/select/split_faces.h"
 
 namespace strata {
 
-/// The exact boundary of a result: vertices by name, triangles with the face each comes from.
+/// The exact boundary of a result: vertices by number, triangles with the face each comes from.
 /// Vertices are numbered through `inputs` and then `constructed`; they are distinct points.
 struct Boundary {
   std::vector<std::uint32_t> inputs;                    ///< used input vertices, by increasing number
-  std::vector<PointName> constructed;                   ///< in the order of the PointTable
+  std::vector<PointId> constructed;                     ///< used constructed points, by increasing number
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< whole faces in input order, then pieces
   std::vector<std::uint32_t> sources;                   ///< global face number per triangle
 };
 
-/// Gathers what stays. Points of different names that were found equal become one vertex. `table` holds every point of
-/// the pieces. Two streaming passes over the whole faces, in parallel.
+/// Gathers what stays. Points that were identified become one vertex. Two streaming passes over the whole faces, in parallel.
 [[nodiscard]] Boundary gather_boundary(const Carriers& carriers, const std::vector<Verdict>& whole,
-                                       const SplitFaces& split, const PointTable& table);
+                                       const std::vector<SplitFace>& split, const PointTable& points);
 
 }  // namespace strata

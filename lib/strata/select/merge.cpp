@@ -13,7 +13,7 @@
 namespace strata {
 namespace {
 
-using Id = std::uint32_t;
+using Id = PointId;
 using Edge = std::pair<Id, Id>;
 
 constexpr Id none = 0xffffffffu;
@@ -23,15 +23,15 @@ Edge undirected(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
 /// The edges of the outlines of all pieces, and what meets in each vertex.
 class Outlines {
  public:
-  Outlines(const Carriers& carriers, const PointTable& table, const SplitFaces& split) {
-    for (const SplitFace& face : split.faces)
+  Outlines(const Carriers& carriers, const PointTable& table, const std::vector<SplitFace>& faces) {
+    for (const SplitFace& face : faces)
       for (const PieceTriangle& t : face.triangles)
         for (std::size_t i = 0; i < 3; ++i)
-          if ((t.outline >> i & 1) != 0) edges_.push_back(undirected(face.ids[t.v[i]], face.ids[t.v[(i + 1) % 3]]));
+          if ((t.outline >> i & 1) != 0) edges_.push_back(undirected(face.points[t.v[i]], face.points[t.v[(i + 1) % 3]]));
     tbb::parallel_sort(edges_.begin(), edges_.end());
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
-    degree_.assign(table.size(), 0);
-    neighbours_.assign(table.size(), {none, none});
+    degree_.assign(table.end(), 0);
+    neighbours_.assign(table.end(), {none, none});
     for (const auto& [a, b] : edges_) {
       meet(a, b);
       meet(b, a);
@@ -53,11 +53,11 @@ class Outlines {
   void find_straight(const Carriers& carriers, const PointTable& table) {
     straight_.assign(degree_.size(), 0);
     tbb::parallel_for(std::size_t{0}, degree_.size(), [&](std::size_t v) {
-      const PointName& name = table.name(static_cast<Id>(v));
-      if (degree_[v] != 2 || name.kind == PointName::Kind::input) return;
-      const Point p = make_point(carriers, table.name(neighbours_[v][0]));
-      const Point q = make_point(carriers, name);
-      const Point r = make_point(carriers, table.name(neighbours_[v][1]));
+      const auto id = static_cast<Id>(v);
+      if (degree_[v] != 2 || table.is_input(id)) return;
+      const Point p = table.point(neighbours_[v][0]);
+      const Point q = table.point(id);
+      const Point r = table.point(neighbours_[v][1]);
       for (const Projection axes : {Projection{0, 1}, Projection{1, 2}, Projection{2, 0}})
         if (orient2d(carriers, axes, p, q, r) != Sign::zero) return;
       straight_[v] = 1;
@@ -80,7 +80,7 @@ struct Run {
 class FaceMerger {
  public:
   FaceMerger(const Carriers& carriers, const PointTable& table, const Outlines& outlines)
-      : carriers_(carriers), table_(table), outlines_(outlines), triangulation_(carriers) {}
+      : outlines_(outlines), triangulation_(carriers, table) {}
 
   void merge(SplitFace& face) {
     if (!is_concerned(face)) return;
@@ -91,11 +91,11 @@ class FaceMerger {
 
  private:
   [[nodiscard]] bool is_concerned(const SplitFace& face) const {
-    for (const Id v : face.ids)
+    for (const Id v : face.points)
       if (outlines_.is_redundant(v)) return true;
     for (const PieceTriangle& t : face.triangles)
       for (std::size_t i = 0; i < 3; ++i)
-        if (is_bare(t, i) && (t.carried >> i & 1) != 0 && !outlines_.has(face.ids[t.v[i]], face.ids[t.v[(i + 1) % 3]]))
+        if (is_bare(t, i) && (t.carried >> i & 1) != 0 && !outlines_.has(face.points[t.v[i]], face.points[t.v[(i + 1) % 3]]))
           return true;
     return false;
   }
@@ -106,7 +106,7 @@ class FaceMerger {
     std::vector<Run> sides;
     for (const PieceTriangle& t : face.triangles)
       for (std::size_t i = 0; i < 3; ++i) {
-        Id a = face.ids[t.v[i]], b = face.ids[t.v[(i + 1) % 3]];
+        Id a = face.points[t.v[i]], b = face.points[t.v[(i + 1) % 3]];
         if (t.turned) std::swap(a, b);
         if (!is_bare(t, i)) {
           sides.push_back({a, b, t.turned ? Verdict::keep_turned : Verdict::keep});
@@ -143,14 +143,14 @@ class FaceMerger {
     ids_.clear();
     std::vector<std::pair<std::int32_t, std::int32_t>> ends;
     for (const Run& r : runs_) ends.emplace_back(add_point(r.from), add_point(r.to));
-    const std::size_t points = triangulation_.points().size();
+    const std::int32_t points = triangulation_.points().size();
     for (std::size_t i = 0; i < ends.size(); ++i)
       triangulation_.add_segment(ends[i].first, ends[i].second, static_cast<std::int32_t>(i), {});
     if (triangulation_.points().size() != points) fail("outlines of pieces cross", face);
   }
 
   std::int32_t add_point(Id id) {
-    const std::int32_t v = triangulation_.add_point(table_.name(id));
+    const std::int32_t v = triangulation_.add_point(id);
     const auto i = static_cast<std::size_t>(v);
     if (ids_.size() <= i) ids_.resize(i + 1, none);
     ids_[i] = id;
@@ -179,9 +179,9 @@ class FaceMerger {
       for (std::size_t i = 0; i < 3; ++i)
         if (triangles[t].c[i] < 0 || only_divides(triangles[t].c[i])) reach(triangles[t].n[i], verdicts[t]);
     }
-    face.ids.clear();
+    face.points.clear();
     face.triangles.clear();
-    std::vector<std::uint32_t> index(triangulation_.points().size(), none);
+    std::vector<std::uint32_t> index(static_cast<std::size_t>(triangulation_.points().size()), none);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       if (verdicts[t] == Verdict::drop) continue;
       PieceTriangle piece;
@@ -189,8 +189,8 @@ class FaceMerger {
       for (std::size_t i = 0; i < 3; ++i) {
         const auto v = static_cast<std::size_t>(triangles[t].v[piece.turned ? 2 - i : i]);
         if (index[v] == none) {
-          index[v] = static_cast<std::uint32_t>(face.ids.size());
-          face.ids.push_back(ids_[v]);
+          index[v] = static_cast<std::uint32_t>(face.points.size());
+          face.points.push_back(ids_[v]);
         }
         piece.v[i] = index[v];
       }
@@ -204,8 +204,6 @@ class FaceMerger {
     return true;
   }
 
-  const Carriers& carriers_;
-  const PointTable& table_;
   const Outlines& outlines_;
   Triangulation triangulation_;
   std::vector<Run> runs_;
@@ -214,12 +212,12 @@ class FaceMerger {
 
 }  // namespace
 
-void merge_pieces(const Carriers& carriers, const PointTable& table, SplitFaces& split, const Monitor& monitor) {
-  const Outlines outlines(carriers, table, split);
+void merge_pieces(const Carriers& carriers, const PointTable& table, std::vector<SplitFace>& faces, const Monitor& monitor) {
+  const Outlines outlines(carriers, table, faces);
   tbb::enumerable_thread_specific<FaceMerger> mergers([&] { return FaceMerger(carriers, table, outlines); });
-  tbb::parallel_for(std::size_t{0}, split.faces.size(), [&](std::size_t i) {
+  tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t i) {
     monitor.check();
-    mergers.local().merge(split.faces[i]);
+    mergers.local().merge(faces[i]);
   });
 }
 

@@ -1,7 +1,9 @@
 #pragma once
+#include <vector>
+
 #include "strata/kernel/carriers.h"
 #include "strata/mesh/monitor.h"
-#include "strata/select/point_table.h"
+#include "strata/overlap/point_table.h"
 #include "strata/select/split_faces.h"
 
 namespace strata {
@@ -12,6 +14,6 @@ namespace strata {
 ///
 /// Whether a side or vertex is needed is decided for all faces at once, so the result meets only along shared edges and
 /// vertices as before. Input vertices on outlines always stay: whole faces may use them.
-void merge_pieces(const Carriers& carriers, const PointTable& table, SplitFaces& split, const Monitor& monitor);
+void merge_pieces(const Carriers& carriers, const PointTable& table, std::vector<SplitFace>& faces, const Monitor& monitor);
 
 }  // namespace strata

@@ -4,7 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <deque>
+#include <boost/container/static_vector.hpp>
 #include <optional>
 
 #include "strata/arrange/triangulation.h"
@@ -15,6 +15,8 @@ namespace {
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
+using EqualNames = std::vector<std::pair<PointName, PointName>>;
+
 /// What is known about one region of a split face.
 struct Region {
   Windings above;                     ///< winding numbers just above the face
@@ -24,23 +26,25 @@ struct Region {
 /// Splits and judges one face; kept for the next one, so that its memory is reused.
 class FaceSplitter {
  public:
-  FaceSplitter(const Carriers& carriers, const CellTree& cells, const Rule& rule, bool self)
+  FaceSplitter(const Carriers& carriers, const CellTree& cells, const Rule& rule, bool self, const PointTable& points)
       : carriers_(carriers),
         layers_(carriers, cells),
-        known_corners_(carriers, layers_),
         rule_(rule),
         self_(self),
-        triangulation_(carriers) {}
+        points_(points),
+        triangulation_(carriers, points) {}
 
   void split(std::span<const Constraint> constraints, SplitFace& result,
-             std::vector<std::pair<PointName, PointName>>& equal) {
+             EqualNames& equal) {
     face_ = constraints.front().face;
     operand_ = carriers_.operand_of_face(face_);
     constraints_ = constraints;
     if (is_one_of_the_same()) return collect_whole(result);
     triangulate();
     if (self_ || carriers_.operand_count() > 2) triangulation_.connect_names(self_ || carriers_.has_identified());
+    find_free_corners();
     spread(start());
+    remember_corners();
     judge();
     collect(result);
     equal.insert(equal.end(), triangulation_.equal_names().begin(), triangulation_.equal_names().end());
@@ -76,7 +80,7 @@ class FaceSplitter {
     PieceTriangle piece;
     piece.turned = verdict == Verdict::keep_turned;
     piece.outline = 7;
-    for (const std::uint32_t v : carriers_.face(face_)) result.points.push_back(PointName::input(v));
+    for (const std::uint32_t v : carriers_.face(face_)) result.points.push_back(v);
     piece.v = piece.turned ? std::array<std::uint32_t, 3>{2, 1, 0} : std::array<std::uint32_t, 3>{0, 1, 2};
     result.triangles.push_back(piece);
   }
@@ -86,6 +90,7 @@ class FaceSplitter {
     ends_.clear();
     coplanar_.clear();
     corner_touched_.fill(false);
+    if (triangulation_.add_paths(constraints_)) return;
     for (const Constraint& c : constraints_) {
       const std::int32_t tail = triangulation_.add_point(c.tail), head = triangulation_.add_point(c.head);
       ends_.emplace_back(tail, head);
@@ -98,15 +103,31 @@ class FaceSplitter {
         triangulation_.add_segment(ends_[i].first, ends_[i].second, static_cast<std::int32_t>(i), constraints_[i].line);
   }
 
-  /// A place of the face with its region. A corner on no other surface is the cheapest one; else a point inside.
+  /// Corners on no other surface. There, winding numbers are the same for all faces of the corner.
+  void find_free_corners() {
+    free_corners_.clear();
+    if (self_ || !coplanar_.empty()) return;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!corner_touched_[i] && !carriers_.is_shared(corner(i))) free_corners_.push_back(i);
+  }
+  [[nodiscard]] std::uint32_t corner(std::size_t i) const { return triangulation_.points().corners()[i]; }
+  [[nodiscard]] std::int32_t triangle_at_corner(std::size_t i) const {
+    return triangulation_.triangle_at(static_cast<std::int32_t>(i));
+  }
+
+  /// A place of the face with its region: a free corner that a neighbour has told of, else one that is found among the
+  /// layers, else a point inside.
   [[nodiscard]] Start start() {
-    const auto corners = carriers_.face(face_);
-    for (std::size_t i = 0; i < 3 && !self_; ++i) {
-      if (corner_touched_[i] || carriers_.is_shared(corners[i]) || !coplanar_.empty()) continue;
-      return {triangulation_.triangle_at(static_cast<std::int32_t>(i)),
-              {known_corners_.around(corners[i], operand_), {}}};
-    }
-    return start_inside();
+    for (const std::size_t i : free_corners_)
+      if (const Windings* known = known_corners_.find(corner(i))) return {triangle_at_corner(i), {*known, {}}};
+    if (free_corners_.empty()) return start_inside();
+    const std::size_t i = free_corners_.front();
+    return {triangle_at_corner(i), {layers_.around(make_point(carriers_, PointName::input(corner(i))), operand_), {}}};
+  }
+
+  void remember_corners() {
+    for (const std::size_t i : free_corners_)
+      known_corners_.remember(corner(i), regions_[at(region_of_[at(triangle_at_corner(i))])].above);
   }
 
   /// The points with weights (1, t, t^2) lie on a conic, which a line meets in at most two points. So at most two of
@@ -155,36 +176,30 @@ class FaceSplitter {
     const auto triangles = triangulation_.triangles();
     region_of_.assign(triangles.size(), -1);
     regions_.clear();
-    struct Crossing {
-      std::int32_t triangle;
-      int side;
-    };
-    std::deque<Crossing> crossings;
-    std::vector<std::int32_t> inner;
+    crossings_.clear();
     const auto enter = [&](std::int32_t t, Region region) {
       regions_.push_back(std::move(region));
       const auto r = static_cast<std::int32_t>(regions_.size()) - 1;
       region_of_[at(t)] = r;
-      inner.assign(1, t);
-      while (!inner.empty()) {
-        const std::int32_t x = inner.back();
-        inner.pop_back();
+      inner_.assign(1, t);
+      while (!inner_.empty()) {
+        const std::int32_t x = inner_.back();
+        inner_.pop_back();
         for (int i = 0; i < 3; ++i) {
           const std::int32_t n = triangles[at(x)].n[at(i)];
           if (n < 0 || region_of_[at(n)] >= 0) continue;
           if (triangles[at(x)].c[at(i)] >= 0) {
-            crossings.push_back({x, i});
+            crossings_.push_back({x, i});
           } else {
             region_of_[at(n)] = r;
-            inner.push_back(n);
+            inner_.push_back(n);
           }
         }
       }
     };
     enter(from.triangle, std::move(from.region));
-    while (!crossings.empty()) {
-      const auto [t, side] = crossings.front();
-      crossings.pop_front();
+    for (std::size_t i = 0; i < crossings_.size(); ++i) {
+      const auto [t, side] = crossings_[i];
       const std::int32_t n = triangles[at(t)].n[at(side)];
       if (region_of_[at(n)] < 0) enter(n, across(regions_[at(region_of_[at(t)])], triangles[at(t)].c[at(side)]));
     }
@@ -237,7 +252,7 @@ class FaceSplitter {
 
   void collect(SplitFace& result) const {
     const auto triangles = triangulation_.triangles();
-    std::vector<std::int32_t> index(triangulation_.points().size(), -1);
+    std::vector<std::int32_t> index(at(triangulation_.points().size()), -1);
     result.face = face_;
     const auto verdict_of = [&](std::int32_t t) { return t < 0 ? Verdict::drop : verdicts_[at(region_of_[at(t)])]; };
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -251,7 +266,7 @@ class FaceSplitter {
         const std::int32_t v = triangles[t].v[vertex];
         if (index[at(v)] < 0) {
           index[at(v)] = static_cast<std::int32_t>(result.points.size());
-          result.points.push_back(triangulation_.points()[at(v)].name);
+          result.points.push_back(number_of(v, result));
         }
         piece.v[i] = static_cast<std::uint32_t>(index[at(v)]);
         const auto bit = static_cast<std::uint8_t>(1u << i);
@@ -262,11 +277,19 @@ class FaceSplitter {
     }
   }
 
+  [[nodiscard]] PointId number_of(std::int32_t v, SplitFace& result) const {
+    const FacePoints& points = triangulation_.points();
+    if (points.id(v) != FacePoints::unnumbered) return points.id(v);
+    result.constructed.push_back(points[v].name);
+    return points_.end() + static_cast<PointId>(result.constructed.size() - 1);
+  }
+
   const Carriers& carriers_;
   const LocalLayers layers_;
   CornerWindings known_corners_;
   const Rule& rule_;
   bool self_;
+  const PointTable& points_;
   Triangulation triangulation_;
 
   std::uint32_t face_ = 0, operand_ = 0;
@@ -274,31 +297,69 @@ class FaceSplitter {
   std::vector<std::pair<std::int32_t, std::int32_t>> ends_;
   std::vector<std::uint32_t> coplanar_;
   std::array<bool, 3> corner_touched_{};
+  boost::container::static_vector<std::size_t, 3> free_corners_;
   std::vector<std::int32_t> region_of_;
   std::vector<Region> regions_;
+  struct Crossing {
+    std::int32_t triangle;
+    int side;
+  };
+  std::vector<Crossing> crossings_;  ///< sides with constraints, in the order in which they were reached
+  std::vector<std::int32_t> inner_;
   std::vector<Verdict> verdicts_;
 };
 
+/// Takes the points that were constructed in faces into the table, and identifies points that were found equal.
+void complete(PointTable& points, std::vector<SplitFace>& faces, std::span<const EqualVertices> equal_vertices,
+              const EqualNames& equal, const Monitor& monitor) {
+  const PointId end = points.end();
+  std::vector<PointName> names;
+  std::vector<std::size_t> first;
+  for (const SplitFace& f : faces) {
+    first.push_back(names.size());
+    names.insert(names.end(), f.constructed.begin(), f.constructed.end());
+  }
+  const std::size_t constructed = names.size();
+  for (const auto& [a, b] : equal) names.insert(names.end(), {a, b});
+  std::vector<std::pair<PointId, PointId>> same;
+  for (const EqualVertices& e : equal_vertices) same.emplace_back(e.a, e.b);
+  if (!names.empty()) {
+    const std::vector<PointId> numbers = points.add(names, monitor);
+    for (std::size_t i = constructed; i < names.size(); i += 2) same.emplace_back(numbers[i], numbers[i + 1]);
+    tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t f) {
+      for (PointId& p : faces[f].points)
+        if (p >= end) p = numbers[first[f] + (p - end)];
+    });
+  }
+  points.identify(same);
+  if (!points.has_identified()) return;
+  tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t f) {
+    for (PointId& p : faces[f].points) p = points.representative(p);
+  });
+}
+
 }  // namespace
 
-SplitFaces split_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
-                       std::span<const Constraint> constraints, bool self, const Monitor& monitor) {
+std::vector<SplitFace> split_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
+                                   const Meetings& meetings, bool self, PointTable& points, const Monitor& monitor) {
+  const std::span<const Constraint> constraints = meetings.constraints;
   std::vector<std::size_t> first;
   for (std::size_t i = 0; i < constraints.size(); ++i)
     if (i == 0 || constraints[i].face != constraints[i - 1].face) first.push_back(i);
-  const std::size_t count = first.size();
+  std::vector<SplitFace> faces(first.size());
   first.push_back(constraints.size());
 
-  SplitFaces result;
-  result.faces.resize(count);
-  std::vector<std::vector<std::pair<PointName, PointName>>> equal(count);
-  tbb::enumerable_thread_specific<FaceSplitter> splitters([&] { return FaceSplitter(carriers, cells, rule, self); });
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+  std::vector<EqualNames> equal(faces.size());
+  tbb::enumerable_thread_specific<FaceSplitter> splitters(
+      [&] { return FaceSplitter(carriers, cells, rule, self, points); });
+  tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t i) {
     monitor.check();
-    splitters.local().split(constraints.subspan(first[i], first[i + 1] - first[i]), result.faces[i], equal[i]);
+    splitters.local().split(constraints.subspan(first[i], first[i + 1] - first[i]), faces[i], equal[i]);
   });
-  for (const auto& e : equal) result.equal.insert(result.equal.end(), e.begin(), e.end());
-  return result;
+  EqualNames all_equal;
+  for (const auto& e : equal) all_equal.insert(all_equal.end(), e.begin(), e.end());
+  complete(points, faces, meetings.equal, all_equal, monitor);
+  return faces;
 }
 
 }  // namespace strata

@@ -13,7 +13,7 @@
 
 namespace strata {
 
-/// A triangle that stays, by indices into SplitFace::points and ids; already turned if its face's verdict says so.
+/// A triangle that stays, by indices into SplitFace::points; already turned if its face's verdict says so.
 struct PieceTriangle {
   std::array<std::uint32_t, 3> v{};
   std::uint8_t outline =
@@ -25,24 +25,22 @@ struct PieceTriangle {
 /// What stays of a face that meets others.
 struct SplitFace {
   std::uint32_t face = 0;
-  std::vector<PointName> points;   ///< as the face names them
-  std::vector<std::uint32_t> ids;  ///< the same points in the PointTable, when there is one
+  std::vector<PointId> points;
   std::vector<PieceTriangle> triangles;
+  /// Points constructed in this face, numbered from the end of the PointTable until they are in it.
+  std::vector<PointName> constructed;
 };
 
-/// All that stays of the faces that meet others.
-struct SplitFaces {
-  std::vector<SplitFace> faces;                        ///< by increasing face
-  std::vector<std::pair<PointName, PointName>> equal;  ///< names found to be one point
-};
-
+/// All that stays of the faces that meet others, by increasing face.
+///
 /// Splits every constrained face along its constraints and judges each piece.
 ///
 /// One place of a face is located among the layers of its cell; from there the winding numbers just above the face
 /// follow across the constraints, each of which says by how much they change. Below a piece they are those above plus
 /// what the piece itself and the coplanar pieces on it contribute. Of coinciding pieces the one of the lowest face
-/// counts. `constraints` are grouped by face.
-[[nodiscard]] SplitFaces split_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
-                                     std::span<const Constraint> constraints, bool self, const Monitor& monitor);
+/// counts. Points constructed by the way become points of the table, and what was found equal is identified there.
+[[nodiscard]] std::vector<SplitFace> split_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
+                                                 const Meetings& meetings, bool self, PointTable& points,
+                                                 const Monitor& monitor);
 
 }  // namespace strata

@@ -1,0 +1,117 @@
+#include "strata/arrange/face_points.h"
+
+#include <utility>
+
+#include "strata/arrange/triangle_index.h"
+
+namespace strata {
+
+using namespace triangle_index;
+
+namespace {
+constexpr std::size_t few = 32;
+}
+
+void FacePoints::start(std::uint32_t face) {
+  face_ = face;
+  corners_ = carriers_.face(face);
+  projection_ = projection_of(carriers_, face);
+  points_.clear();
+  ids_.clear();
+  known_.clear();
+  many_known_.clear();
+  for (const std::uint32_t v : corners_) add(v);
+}
+
+std::int32_t FacePoints::add(PointId id) {
+  const std::int32_t v = add(table_.point(id));
+  number(v, id);
+  return v;
+}
+
+void FacePoints::number(std::int32_t v, PointId id) {
+  ids_[at(v)] = id;
+  remember(id, v);
+}
+
+std::int32_t FacePoints::add(const Point& point) {
+  points_.push_back(point);
+  ids_.push_back(unnumbered);
+  return size() - 1;
+}
+
+void FacePoints::remember(PointId id, std::int32_t known) {
+  known_.emplace_back(id, known);
+  if (known_.size() == few + 1) many_known_.insert(known_.begin(), known_.end());
+  if (known_.size() > few + 1) many_known_.emplace(id, known);
+}
+
+std::int32_t FacePoints::find(PointId id) const {
+  if (known_.size() <= few) {
+    for (const auto& [i, v] : known_)
+      if (i == id) return v;
+    return -1;
+  }
+  const auto found = many_known_.find(id);
+  return found == many_known_.end() ? -1 : found->second;
+}
+
+void FacePoints::drop_last() {
+  points_.pop_back();
+  ids_.pop_back();
+}
+
+Sign FacePoints::turn(std::int32_t a, std::int32_t b, std::int32_t c) const {
+  if (a == b || b == c || a == c) return Sign::zero;
+  const Point &p = points_[at(a)], &q = points_[at(b)], &r = points_[at(c)];
+  if (const auto sign = filtered_orient2d(projection_, p, q, r)) return *sign;
+  if (collinear_by_name(p, q, r)) return Sign::zero;
+  if (const auto sign = refined_orient2d(projection_, p, q, r)) return *sign;
+  return exact_orient2d(carriers_, projection_, p, q, r);
+}
+
+bool FacePoints::are_on_edge(int k, std::int32_t a, std::int32_t b) const {
+  const std::uint32_t from = corners_[at(k)], to = corners_[at(next(k))];
+  return named_on_edge(points_[at(a)].name, from, to) && named_on_edge(points_[at(b)].name, from, to);
+}
+
+bool FacePoints::leaves_plane(const Carriers::Indices& vertices) const {
+  for (const std::uint32_t v : vertices)
+    if (orient3d(carriers_, corners_[0], corners_[1], corners_[2], v) != Sign::zero) return true;
+  return false;
+}
+
+/// Three points of this face are collinear when one edge carries them, or when they lie on a face in another plane.
+bool FacePoints::collinear_by_name(const Point& p, const Point& q, const Point& r) const {
+  const auto all_on_edge = [&](std::uint32_t a, std::uint32_t b) {
+    return named_on_edge(p.name, a, b) && named_on_edge(q.name, a, b) && named_on_edge(r.name, a, b);
+  };
+  const auto all_on_face = [&](std::uint32_t g) {
+    if (g == face_) return false;
+    const auto v = carriers_.face(g);
+    return named_on_face(p.name, g, v) && named_on_face(q.name, g, v) && named_on_face(r.name, g, v) && leaves_plane(v);
+  };
+  for (int i = 0; i < 3; ++i)
+    if (all_on_edge(corners_[at(i)], corners_[at(next(i))])) return true;
+  for (const Point* x : {&p, &q, &r}) {
+    const auto& id = x->name.id;
+    switch (x->name.kind) {
+      case PointName::Kind::edge_edge:
+        if (all_on_edge(id[0], id[1]) || all_on_edge(id[2], id[3])) return true;
+        break;
+      case PointName::Kind::edge_face:
+        if (all_on_edge(id[0], id[1]) || all_on_face(id[2])) return true;
+        break;
+      case PointName::Kind::three_faces:
+        if (all_on_face(id[0]) || all_on_face(id[1]) || all_on_face(id[2])) return true;
+        break;
+      case PointName::Kind::input:
+      case PointName::Kind::weighted:
+      case PointName::Kind::free:
+        break;
+    }
+  }
+  return false;
+}
+
+}  // namespace strata

@@ -1,0 +1,110 @@
+#include "strata/overlap/point_table.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <limits>
+
+#include "strata/exact/failure.h"
+#include "strata/mesh/disjoint_sets.h"
+#include "strata/mesh/huge_pages.h"
+
+namespace strata {
+namespace {
+
+using Index = std::uint32_t;
+constexpr Index none = std::numeric_limits<Index>::max();
+
+template <class Body>
+void for_each_index(std::size_t count, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1 << 12), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+  });
+}
+
+std::uint64_t hash_of(const PointName& name) {
+  std::uint64_t h = static_cast<std::uint64_t>(name.kind) * 0x9e3779b97f4a7c15u;
+  for (const std::uint32_t id : name.id) h = (h ^ id) * 0xff51afd7ed558ccdu + (h >> 29);
+  return h ^ h >> 32;
+}
+
+/// Finds the first occurrence of every name in a list. Threads insert at the same time: a slot, once taken, stays with
+/// its name and is lowered to the least index seen, so what it ends up with does not depend on their order.
+template <class NameOf>
+class FirstOccurrences {
+ public:
+  /// `name_of(i)` for i < count.
+  FirstOccurrences(std::size_t count, const NameOf& name_of) : name_of_(name_of) {
+    const std::size_t size = std::bit_ceil(count + count / 2 + 1);
+    mask_ = size - 1;
+    resize_fresh(slots_, size, none);
+    for_each_index(count, [&](std::size_t i) { insert(static_cast<Index>(i)); });
+  }
+
+  [[nodiscard]] Index of(std::size_t i) const {
+    for (std::size_t s = hash_of(name_of_(i));; ++s)
+      if (const Index first = slots_[s & mask_]; first == i || name_of_(first) == name_of_(i)) return first;
+  }
+
+ private:
+  void insert(Index i) {
+    for (std::size_t s = hash_of(name_of_(i));; ++s) {
+      const std::atomic_ref<Index> slot(slots_[s & mask_]);
+      Index known = slot.load(std::memory_order_relaxed);
+      if (known == none && slot.compare_exchange_strong(known, i, std::memory_order_relaxed)) return;
+      if (!(name_of_(known) == name_of_(i))) continue;
+      while (i < known && !slot.compare_exchange_weak(known, i, std::memory_order_relaxed)) {
+      }
+      return;
+    }
+  }
+
+  const NameOf& name_of_;
+  std::size_t mask_ = 0;
+  std::vector<Index> slots_;
+};
+
+}  // namespace
+
+std::vector<PointId> PointTable::add(std::span<const PointName> names, const Monitor& monitor) {
+  const std::size_t known = constructed_.size();
+  if (std::size_t{first()} + known + names.size() >= none) fail("more points than numbers", none);
+  const auto name_of = [&](std::size_t i) -> const PointName& {
+    return i < known ? constructed_[i].name : names[i - known];
+  };
+  std::vector<PointId> numbers(names.size());
+  const auto is_input = [&](std::size_t i) { return names[i].kind == PointName::Kind::input; };
+  const FirstOccurrences firsts(known + names.size(), name_of);
+  for_each_index(names.size(), [&](std::size_t i) { numbers[i] = firsts.of(known + i); });
+  std::vector<Index> fresh;  // indices of names that occur here first
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (is_input(i)) {
+      numbers[i] = names[i].id[0];
+    } else if (numbers[i] == known + i) {
+      numbers[i] = first() + static_cast<PointId>(known + fresh.size());
+      fresh.push_back(static_cast<Index>(i));
+    } else {
+      numbers[i] = numbers[i] < known ? first() + numbers[i] : numbers[numbers[i] - known];
+    }
+  }
+  constructed_.resize(known + fresh.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), 256), [&](const auto& range) {
+    monitor.check();
+    for (std::size_t i = range.begin(); i != range.end(); ++i)
+      constructed_[known + i] = make_point(carriers_, names[fresh[i]]);
+  });
+  return numbers;
+}
+
+void PointTable::identify(std::span<const std::pair<PointId, PointId>> equal) {
+  if (equal.empty()) return;
+  DisjointSets<PointId> sets(end());
+  for (const auto& [a, b] : equal) sets.unite(a, b);
+  same_.resize(end());
+  for (PointId id = 0; id < end(); ++id) same_[id] = sets.find(id);
+}
+
+}  // namespace strata
