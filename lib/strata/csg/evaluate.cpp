@@ -11,15 +11,6 @@
 #include "strata/select/whole_faces.h"
 
 namespace strata {
-namespace {
-
-/// Where two solids cross and nothing else happens, every constraint and every constructed point bounds what stays.
-bool may_merge(const Carriers& carriers, const Meetings& meetings, bool self) {
-  return self || carriers.operand_count() > 2 || meetings.any_contact;
-}
-
-}  // namespace
-
 Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
                   Profile& profile) {
   Stopwatch watch(profile);
@@ -31,13 +22,14 @@ Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& p
   const Meetings meetings = find_meetings(carriers, cells, self, points, monitor);
   watch.lap("overlap");
   monitor.report(0.55);
-  std::vector<SplitFace> split = split_faces(carriers, cells, rule, meetings, self, points, monitor);
+  Pools pools;
+  std::vector<SplitFace> split = split_faces(carriers, cells, rule, meetings, self, points, pools, monitor);
   watch.lap("arrange");
   monitor.report(0.8);
   const auto whole = judge_whole_faces(carriers, cells, rule, split, self, monitor);
   watch.lap("layers");
   monitor.report(0.85);
-  if (may_merge(carriers, meetings, self)) merge_pieces(carriers, points, split, monitor);
+  merge_pieces(carriers, points, split, pools, monitor);
   Boundary boundary = gather_boundary(carriers, whole, split, points);
   watch.lap("select");
   monitor.report(0.9);

@@ -55,7 +55,6 @@ struct Meetings {
   std::vector<EqualVertices> equal;
   std::uint64_t pairs_tested = 0;   ///< pairs whose boxes overlap
   std::uint64_t pairs_meeting = 0;  ///< pairs that share a point
-  bool any_contact = false;         ///< some constraint is no crossing
 };
 
 }  // namespace strata

@@ -89,10 +89,8 @@ Meetings gathered(std::vector<Meetings> per_cell, PointTable& points, const Moni
   std::vector<std::size_t> shift;  // per cell
   for (std::uint32_t c = 0; c < per_cell.size(); ++c) {
     const Meetings& m = per_cell[c];
-    for (std::uint32_t i = 0; i < m.constraints.size(); ++i) {
+    for (std::uint32_t i = 0; i < m.constraints.size(); ++i)
       keys.push_back({std::uint64_t{m.constraints[i].face} << 32 | m.constraints[i].other, c, i});
-      all.any_contact = all.any_contact || m.constraints[i].kind != ConstraintKind::crossing;
-    }
     shift.push_back(names.size());
     names.insert(names.end(), m.constructed.begin(), m.constructed.end());
     all.equal.insert(all.equal.end(), m.equal.begin(), m.equal.end());

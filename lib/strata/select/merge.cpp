@@ -24,10 +24,15 @@ Edge undirected(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
 class Outlines {
  public:
   Outlines(const Carriers& carriers, const PointTable& table, const std::vector<SplitFace>& faces) {
+    concerned_.assign(table.end(), 0);
+    for (const SplitFace& face : faces)
+      for (const Id v : face.points) concerned_[v] |= static_cast<std::uint8_t>(face.may_merge);
     for (const SplitFace& face : faces)
       for (const PieceTriangle& t : face.triangles)
-        for (std::size_t i = 0; i < 3; ++i)
-          if ((t.outline >> i & 1) != 0) edges_.push_back(undirected(face.points[t.v[i]], face.points[t.v[(i + 1) % 3]]));
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Id a = face.points[t.v[i]], b = face.points[t.v[(i + 1) % 3]];
+          if ((t.outline >> i & 1) != 0 && (concerned_[a] != 0 || concerned_[b] != 0)) edges_.push_back(undirected(a, b));
+        }
     tbb::parallel_sort(edges_.begin(), edges_.end());
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
     degree_.assign(table.end(), 0);
@@ -43,7 +48,9 @@ class Outlines {
     return std::binary_search(edges_.begin(), edges_.end(), undirected(a, b));
   }
   /// True when nothing needs the vertex: no outline edge ends there, or two that run straight on.
-  [[nodiscard]] bool is_redundant(Id v) const { return degree_[v] == 0 || straight_[v] != 0; }
+  [[nodiscard]] bool is_redundant(Id v) const {
+    return concerned_[v] != 0 && (degree_[v] == 0 || straight_[v] != 0);
+  }
 
  private:
   void meet(Id a, Id b) {
@@ -54,7 +61,7 @@ class Outlines {
     straight_.assign(degree_.size(), 0);
     tbb::parallel_for(std::size_t{0}, degree_.size(), [&](std::size_t v) {
       const auto id = static_cast<Id>(v);
-      if (degree_[v] != 2 || table.is_input(id)) return;
+      if (concerned_[v] == 0 || degree_[v] != 2 || table.is_input(id)) return;
       const Point p = table.point(neighbours_[v][0]);
       const Point q = table.point(id);
       const Point r = table.point(neighbours_[v][1]);
@@ -64,6 +71,7 @@ class Outlines {
     });
   }
 
+  std::vector<std::uint8_t> concerned_;  ///< per point: its outlines are known
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> degree_;
   std::vector<std::array<Id, 2>> neighbours_;
@@ -82,11 +90,13 @@ class FaceMerger {
   FaceMerger(const Carriers& carriers, const PointTable& table, const Outlines& outlines)
       : outlines_(outlines), triangulation_(carriers, table) {}
 
-  void merge(SplitFace& face) {
+  void merge(SplitFace& face, Pool& pool) {
     if (!is_concerned(face)) return;
     gather_runs(face);
     triangulate(face.face);
-    collect(face);
+    collect();
+    face.points = pool.keep(points_);
+    face.triangles = pool.keep(triangles_);
   }
 
  private:
@@ -157,7 +167,7 @@ class FaceMerger {
     return v;
   }
 
-  void collect(SplitFace& face) {
+  void collect() {
     const auto triangles = triangulation_.triangles();
     std::vector<Verdict> verdicts(triangles.size(), Verdict::drop);
     std::vector<std::size_t> stack;
@@ -179,8 +189,8 @@ class FaceMerger {
       for (std::size_t i = 0; i < 3; ++i)
         if (triangles[t].c[i] < 0 || only_divides(triangles[t].c[i])) reach(triangles[t].n[i], verdicts[t]);
     }
-    face.points.clear();
-    face.triangles.clear();
+    points_.clear();
+    triangles_.clear();
     std::vector<std::uint32_t> index(static_cast<std::size_t>(triangulation_.points().size()), none);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       if (verdicts[t] == Verdict::drop) continue;
@@ -189,12 +199,12 @@ class FaceMerger {
       for (std::size_t i = 0; i < 3; ++i) {
         const auto v = static_cast<std::size_t>(triangles[t].v[piece.turned ? 2 - i : i]);
         if (index[v] == none) {
-          index[v] = static_cast<std::uint32_t>(face.points.size());
-          face.points.push_back(ids_[v]);
+          index[v] = static_cast<std::uint32_t>(points_.size());
+          points_.push_back(ids_[v]);
         }
         piece.v[i] = index[v];
       }
-      face.triangles.push_back(piece);
+      triangles_.push_back(piece);
     }
   }
 
@@ -208,16 +218,20 @@ class FaceMerger {
   Triangulation triangulation_;
   std::vector<Run> runs_;
   std::vector<Id> ids_;  ///< per vertex of the triangulation
+  std::vector<PointId> points_;
+  std::vector<PieceTriangle> triangles_;
 };
 
 }  // namespace
 
-void merge_pieces(const Carriers& carriers, const PointTable& table, std::vector<SplitFace>& faces, const Monitor& monitor) {
+void merge_pieces(const Carriers& carriers, const PointTable& table, std::vector<SplitFace>& faces, Pools& pools,
+                  const Monitor& monitor) {
+  if (std::none_of(faces.begin(), faces.end(), [](const SplitFace& f) { return f.may_merge; })) return;
   const Outlines outlines(carriers, table, faces);
   tbb::enumerable_thread_specific<FaceMerger> mergers([&] { return FaceMerger(carriers, table, outlines); });
   tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t i) {
     monitor.check();
-    mergers.local().merge(faces[i]);
+    mergers.local().merge(faces[i], pools.local());
   });
 }
 

@@ -34,20 +34,23 @@ class FaceSplitter {
         points_(points),
         triangulation_(carriers, points) {}
 
-  void split(std::span<const Constraint> constraints, SplitFace& result,
-             EqualNames& equal) {
+  void split(std::span<const Constraint> constraints, SplitFace& result, EqualNames& equal, Pool& pool) {
     face_ = constraints.front().face;
     operand_ = carriers_.operand_of_face(face_);
     constraints_ = constraints;
-    if (is_one_of_the_same()) return collect_whole(result);
-    triangulate();
-    if (self_ || carriers_.operand_count() > 2) triangulation_.connect_names(self_ || carriers_.has_identified());
-    find_free_corners();
-    spread(start());
-    remember_corners();
-    judge();
-    collect(result);
-    equal.insert(equal.end(), triangulation_.equal_names().begin(), triangulation_.equal_names().end());
+    kept_.clear();
+    if (is_one_of_the_same()) {
+      collect_whole();
+    } else {
+      collect_pieces(equal);
+    }
+    result.face = face_;
+    result.may_merge = self_ || carriers_.operand_count() > 2 ||
+                       std::any_of(constraints.begin(), constraints.end(),
+                                   [](const Constraint& c) { return c.kind != ConstraintKind::crossing; });
+    result.points = pool.keep(kept_.points);
+    result.triangles = pool.keep(kept_.triangles);
+    result.constructed = pool.keep(kept_.constructed);
   }
 
  private:
@@ -55,6 +58,29 @@ class FaceSplitter {
     std::int32_t triangle = 0;
     Region region;
   };
+  /// What stays, while it is collected.
+  struct Kept {
+    std::vector<PointId> points;
+    std::vector<PieceTriangle> triangles;
+    std::vector<PointName> constructed;
+
+    void clear() {
+      points.clear();
+      triangles.clear();
+      constructed.clear();
+    }
+  };
+
+  void collect_pieces(EqualNames& equal) {
+    triangulate();
+    if (self_ || carriers_.operand_count() > 2) triangulation_.connect_names(self_ || carriers_.has_identified());
+    find_free_corners();
+    spread(start());
+    remember_corners();
+    judge();
+    collect();
+    equal.insert(equal.end(), triangulation_.equal_names().begin(), triangulation_.equal_names().end());
+  }
 
   /// True when the face meets nothing but faces with its own three vertices.
   [[nodiscard]] bool is_one_of_the_same() const {
@@ -66,8 +92,7 @@ class FaceSplitter {
     return std::all_of(constraints_.begin(), constraints_.end(), same);
   }
 
-  void collect_whole(SplitFace& result) {
-    result.face = face_;
+  void collect_whole() {
     Region region;
     for (const Constraint& c : constraints_) region.covers.push_back(c.other);
     if (region.covers.front() < face_) return;  // sorted; that one speaks for all
@@ -80,9 +105,9 @@ class FaceSplitter {
     PieceTriangle piece;
     piece.turned = verdict == Verdict::keep_turned;
     piece.outline = 7;
-    for (const std::uint32_t v : carriers_.face(face_)) result.points.push_back(v);
+    for (const std::uint32_t v : carriers_.face(face_)) kept_.points.push_back(v);
     piece.v = piece.turned ? std::array<std::uint32_t, 3>{2, 1, 0} : std::array<std::uint32_t, 3>{0, 1, 2};
-    result.triangles.push_back(piece);
+    kept_.triangles.push_back(piece);
   }
 
   void triangulate() {
@@ -250,10 +275,9 @@ class FaceSplitter {
     return verdict(rule_.inside(r.above), rule_.inside(below));
   }
 
-  void collect(SplitFace& result) const {
+  void collect() {
     const auto triangles = triangulation_.triangles();
-    std::vector<std::int32_t> index(at(triangulation_.points().size()), -1);
-    result.face = face_;
+    kept_index_.assign(at(triangulation_.points().size()), -1);
     const auto verdict_of = [&](std::int32_t t) { return t < 0 ? Verdict::drop : verdicts_[at(region_of_[at(t)])]; };
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       const Verdict verdict = verdict_of(static_cast<std::int32_t>(t));
@@ -264,24 +288,24 @@ class FaceSplitter {
         // Turned triangles run c, b, a: side i of the result is side 1 - i (mod 3) of the triangle.
         const std::size_t vertex = piece.turned ? 2 - i : i, side = piece.turned ? (4 - i) % 3 : i;
         const std::int32_t v = triangles[t].v[vertex];
-        if (index[at(v)] < 0) {
-          index[at(v)] = static_cast<std::int32_t>(result.points.size());
-          result.points.push_back(number_of(v, result));
+        if (kept_index_[at(v)] < 0) {
+          kept_index_[at(v)] = static_cast<std::int32_t>(kept_.points.size());
+          kept_.points.push_back(number_of(v));
         }
-        piece.v[i] = static_cast<std::uint32_t>(index[at(v)]);
+        piece.v[i] = static_cast<std::uint32_t>(kept_index_[at(v)]);
         const auto bit = static_cast<std::uint8_t>(1u << i);
         if (verdict_of(triangles[t].n[side]) != verdict) piece.outline |= bit;
         if (triangles[t].c[side] >= 0) piece.carried |= bit;
       }
-      result.triangles.push_back(piece);
+      kept_.triangles.push_back(piece);
     }
   }
 
-  [[nodiscard]] PointId number_of(std::int32_t v, SplitFace& result) const {
+  [[nodiscard]] PointId number_of(std::int32_t v) {
     const FacePoints& points = triangulation_.points();
     if (points.id(v) != FacePoints::unnumbered) return points.id(v);
-    result.constructed.push_back(points[v].name);
-    return points_.end() + static_cast<PointId>(result.constructed.size() - 1);
+    kept_.constructed.push_back(points[v].name);
+    return points_.end() + static_cast<PointId>(kept_.constructed.size() - 1);
   }
 
   const Carriers& carriers_;
@@ -307,6 +331,8 @@ class FaceSplitter {
   std::vector<Crossing> crossings_;  ///< sides with constraints, in the order in which they were reached
   std::vector<std::int32_t> inner_;
   std::vector<Verdict> verdicts_;
+  Kept kept_;
+  std::vector<std::int32_t> kept_index_;  ///< per point of the triangulation
 };
 
 /// Takes the points that were constructed in faces into the table, and identifies points that were found equal.
@@ -341,7 +367,8 @@ void complete(PointTable& points, std::vector<SplitFace>& faces, std::span<const
 }  // namespace
 
 std::vector<SplitFace> split_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
-                                   const Meetings& meetings, bool self, PointTable& points, const Monitor& monitor) {
+                                   const Meetings& meetings, bool self, PointTable& points, Pools& pools,
+                                   const Monitor& monitor) {
   const std::span<const Constraint> constraints = meetings.constraints;
   std::vector<std::size_t> first;
   for (std::size_t i = 0; i < constraints.size(); ++i)
@@ -354,7 +381,7 @@ std::vector<SplitFace> split_faces(const Carriers& carriers, const CellTree& cel
       [&] { return FaceSplitter(carriers, cells, rule, self, points); });
   tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t i) {
     monitor.check();
-    splitters.local().split(constraints.subspan(first[i], first[i + 1] - first[i]), faces[i], equal[i]);
+    splitters.local().split(constraints.subspan(first[i], first[i + 1] - first[i]), faces[i], equal[i], pools.local());
   });
   EqualNames all_equal;
   for (const auto& e : equal) all_equal.insert(all_equal.end(), e.begin(), e.end());

@@ -1,4 +1,6 @@
 #pragma once
+#include <tbb/enumerable_thread_specific.h>
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -8,6 +10,7 @@
 #include "strata/kernel/point.h"
 #include "strata/layers/local_layers.h"
 #include "strata/mesh/monitor.h"
+#include "strata/mesh/pool.h"
 #include "strata/overlap/constraint.h"
 #include "strata/select/rule.h"
 
@@ -22,14 +25,18 @@ struct PieceTriangle {
   bool turned = false;
 };
 
-/// What stays of a face that meets others.
+/// What stays of a face that meets others. The arrays are in pools.
 struct SplitFace {
   std::uint32_t face = 0;
-  std::vector<PointId> points;
-  std::vector<PieceTriangle> triangles;
+  bool may_merge = false;  ///< more happens here than that two solids cross
+  std::span<PointId> points;
+  std::span<PieceTriangle> triangles;
   /// Points constructed in this face, numbered from the end of the PointTable until they are in it.
-  std::vector<PointName> constructed;
+  std::span<PointName> constructed;
 };
+
+/// One pool per thread.
+using Pools = tbb::enumerable_thread_specific<Pool>;
 
 /// All that stays of the faces that meet others, by increasing face.
 ///
@@ -41,6 +48,6 @@ struct SplitFace {
 /// counts. Points constructed by the way become points of the table, and what was found equal is identified there.
 [[nodiscard]] std::vector<SplitFace> split_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
                                                  const Meetings& meetings, bool self, PointTable& points,
-                                                 const Monitor& monitor);
+                                                 Pools& pools, const Monitor& monitor);
 
 }  // namespace strata
