@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "strata/cells/cell_tree.h"
 #include "strata/cells/windings.h"
@@ -33,32 +32,6 @@ class LocalLayers {
 
   const Carriers& carriers_;
   const CellTree& cells_;
-};
-
-/// Winding numbers around corners of faces, which many faces share: remembers the last ones. For one thread.
-class CornerWindings {
- public:
-  /// Winding numbers about all operands but the corner's own, or null if they were not told of late.
-  [[nodiscard]] const Windings* find(std::uint32_t vertex) const {
-    if (known_.empty()) return nullptr;
-    const Known& k = known_[vertex % size];
-    return k.vertex == vertex ? &k.windings : nullptr;
-  }
-  void remember(std::uint32_t vertex, const Windings& windings) {
-    if (known_.empty()) known_.resize(size);
-    Known& k = known_[vertex % size];
-    if (k.vertex == vertex) return;
-    k.vertex = vertex;
-    k.windings = windings;
-  }
-
- private:
-  static constexpr std::size_t size = 4096;
-  struct Known {
-    std::uint32_t vertex = 0xffffffffu;
-    Windings windings;
-  };
-  std::vector<Known> known_;
 };
 
 }  // namespace strata

@@ -152,7 +152,7 @@ class FaceMerger {
     triangulation_.start(face, Triangulation::Names::any);
     ids_.clear();
     std::vector<std::pair<std::int32_t, std::int32_t>> ends;
-    for (const Run& r : runs_) ends.emplace_back(add_point(r.from), add_point(r.to));
+    for (const Run& r : runs_) ends.push_back({add_point(r.from), add_point(r.to)});
     const std::int32_t points = triangulation_.points().size();
     for (std::size_t i = 0; i < ends.size(); ++i)
       triangulation_.add_segment(ends[i].first, ends[i].second, static_cast<std::int32_t>(i), {});

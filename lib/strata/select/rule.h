@@ -12,6 +12,23 @@ class Rule {
  public:
   Rule(Operation operation, std::uint32_t operands) : operation_(operation), operands_(operands) {}
 
+  [[nodiscard]] std::uint32_t operands() const { return operands_; }
+
+  /// True when this winding number of one operand alone decides, whatever the others are.
+  [[nodiscard]] bool settles(std::uint32_t operand, std::int32_t winding) const {
+    switch (operation_) {
+      case Operation::unite:
+        return winding > 0;
+      case Operation::intersect:
+        return winding <= 0;
+      case Operation::subtract:
+        return (winding > 0) != (operand == 0);
+      case Operation::exclude:
+        return false;
+    }
+    return false;
+  }
+
   [[nodiscard]] bool inside(const Windings& windings) const {
     std::uint32_t in = 0;
     bool in_first = false;

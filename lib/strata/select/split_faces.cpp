@@ -9,6 +9,7 @@
 
 #include "strata/arrange/triangulation.h"
 #include "strata/exact/failure.h"
+#include "strata/layers/corner_cache.h"
 
 namespace strata {
 namespace {
@@ -37,12 +38,16 @@ class FaceSplitter {
   void split(std::span<const Constraint> constraints, SplitFace& result, EqualNames& equal, Pool& pool) {
     face_ = constraints.front().face;
     operand_ = carriers_.operand_of_face(face_);
+    corners_ = carriers_.face(face_);
     constraints_ = constraints;
     kept_.clear();
+    list_others();
+    find_free_corners();
     if (is_one_of_the_same()) {
       collect_whole();
-    } else {
-      collect_pieces(equal);
+    } else if (!is_settled_at_corner()) {
+      const std::optional<FreeCorner> corner = ask_free_corner();
+      if (!corner || !is_settled(corner->windings)) collect_pieces(corner, equal);
     }
     result.face = face_;
     result.may_merge = self_ || carriers_.operand_count() > 2 ||
@@ -71,22 +76,61 @@ class FaceSplitter {
     }
   };
 
-  void collect_pieces(EqualNames& equal) {
-    triangulate();
-    if (self_ || carriers_.operand_count() > 2) triangulation_.connect_names(self_ || carriers_.has_identified());
-    find_free_corners();
-    spread(start());
+  /// A corner on no other surface, with the winding numbers about the other operands there.
+  struct FreeCorner {
+    std::size_t index = 0;
+    Windings windings;
+  };
+
+  void collect_pieces(const std::optional<FreeCorner>& corner, EqualNames& equal) {
+    const bool simple = triangulate();
+    if ((self_ || carriers_.operand_count() > 2) && !(simple && !self_ && !carriers_.has_identified()))
+      triangulation_.connect_names(self_ || carriers_.has_identified());
+    spread(corner ? Start{triangle_at_corner(corner->index), {corner->windings, {}}} : start_inside());
     remember_corners();
     judge();
     collect();
     equal.insert(equal.end(), triangulation_.equal_names().begin(), triangulation_.equal_names().end());
   }
 
+  /// The operands that the face meets, in order: constraints are sorted by face.
+  void list_others() {
+    others_.clear();
+    for (const Constraint& c : constraints_) {
+      const std::uint32_t o = carriers_.operand_of_face(c.other);
+      if (others_.empty() || others_.back() != o) others_.push_back(o);
+    }
+  }
+  [[nodiscard]] bool meets(std::uint32_t operand) const {
+    return operand == operand_ || std::binary_search(others_.begin(), others_.end(), operand);
+  }
+
+  /// An operand that the face does not meet is everywhere along the face what it is at one corner: deep inside a union
+  /// of many, say. If this alone decides, nothing of the face stays.
+  [[nodiscard]] bool is_settled_at_corner() {
+    for (const std::uint32_t v : corners_)
+      if (const std::uint32_t* operand = settling_.find(v); operand != nullptr && !meets(*operand))
+        return settle(*operand);
+    return false;
+  }
+  [[nodiscard]] bool is_settled(const Windings& windings) {
+    for (const auto& [operand, w] : windings)
+      if (rule_.settles(operand, w) && !meets(operand)) return settle(operand);
+    std::uint32_t absent = 0;
+    while (absent < rule_.operands() && (windings[absent] != 0 || meets(absent))) ++absent;
+    return absent < rule_.operands() && rule_.settles(absent, 0) && settle(absent);
+  }
+  bool settle(std::uint32_t operand) {
+    for (const std::uint32_t v : corners_) settling_.remember(v, operand);
+    return true;
+  }
+
   /// True when the face meets nothing but faces with its own three vertices.
   [[nodiscard]] bool is_one_of_the_same() const {
     const auto same = [this](const Constraint& c) {
       if (c.kind != ConstraintKind::coplanar) return false;
-      const auto v = carriers_.face(face_), w = carriers_.face(c.other);
+      const auto& v = corners_;
+      const auto w = carriers_.face(c.other);
       return std::all_of(w.begin(), w.end(), [&](std::uint32_t x) { return x == v[0] || x == v[1] || x == v[2]; });
     };
     return std::all_of(constraints_.begin(), constraints_.end(), same);
@@ -105,54 +149,60 @@ class FaceSplitter {
     PieceTriangle piece;
     piece.turned = verdict == Verdict::keep_turned;
     piece.outline = 7;
-    for (const std::uint32_t v : carriers_.face(face_)) kept_.points.push_back(v);
+    for (const std::uint32_t v : corners_) kept_.points.push_back(v);
     piece.v = piece.turned ? std::array<std::uint32_t, 3>{2, 1, 0} : std::array<std::uint32_t, 3>{0, 1, 2};
     kept_.triangles.push_back(piece);
   }
 
-  void triangulate() {
+  /// True when the constraints are simple paths.
+  bool triangulate() {
     triangulation_.start(face_, Triangulation::Names::lowest);
+    if (triangulation_.add_paths(constraints_)) return true;
     ends_.clear();
-    coplanar_.clear();
-    corner_touched_.fill(false);
-    if (triangulation_.add_paths(constraints_)) return;
     for (const Constraint& c : constraints_) {
-      const std::int32_t tail = triangulation_.add_point(c.tail), head = triangulation_.add_point(c.head);
-      ends_.emplace_back(tail, head);
-      if (tail < 3) corner_touched_[at(tail)] = true;
-      if (head < 3) corner_touched_[at(head)] = true;
-      if (c.kind == ConstraintKind::coplanar) coplanar_.push_back(c.other);
+      const std::int32_t tail = triangulation_.add_point(c.tail);
+      ends_.emplace_back(tail, triangulation_.add_point(c.head));
     }
     for (std::size_t i = 0; i < constraints_.size(); ++i)
       if (ends_[i].first != ends_[i].second)
         triangulation_.add_segment(ends_[i].first, ends_[i].second, static_cast<std::int32_t>(i), constraints_[i].line);
+    return false;
   }
 
-  /// Corners on no other surface. There, winding numbers are the same for all faces of the corner.
+  /// Corners on no other surface: constraints that end in a corner name it. There, winding numbers are the same for all
+  /// faces of the corner.
   void find_free_corners() {
+    coplanar_.clear();
+    for (const Constraint& c : constraints_)
+      if (c.kind == ConstraintKind::coplanar) coplanar_.push_back(c.other);
     free_corners_.clear();
     if (self_ || !coplanar_.empty()) return;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (!corner_touched_[i] && !carriers_.is_shared(corner(i))) free_corners_.push_back(i);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto ends_here = [&](const Constraint& c) { return c.tail == corners_[i] || c.head == corners_[i]; };
+      if (!carriers_.is_shared(corners_[i]) && std::none_of(constraints_.begin(), constraints_.end(), ends_here))
+        free_corners_.push_back(i);
+    }
   }
-  [[nodiscard]] std::uint32_t corner(std::size_t i) const { return triangulation_.points().corners()[i]; }
   [[nodiscard]] std::int32_t triangle_at_corner(std::size_t i) const {
     return triangulation_.triangle_at(static_cast<std::int32_t>(i));
   }
 
-  /// A place of the face with its region: a free corner that a neighbour has told of, else one that is found among the
-  /// layers, else a point inside.
-  [[nodiscard]] Start start() {
+  /// A free corner, if there is one, best one that a neighbour has told of.
+  [[nodiscard]] std::optional<FreeCorner> ask_free_corner() const {
     for (const std::size_t i : free_corners_)
-      if (const Windings* known = known_corners_.find(corner(i))) return {triangle_at_corner(i), {*known, {}}};
-    if (free_corners_.empty()) return start_inside();
+      if (const Windings* known = known_corners_.find(corners_[i])) return FreeCorner{i, *known};
+    if (free_corners_.empty()) return std::nullopt;
     const std::size_t i = free_corners_.front();
-    return {triangle_at_corner(i), {layers_.around(make_point(carriers_, PointName::input(corner(i))), operand_), {}}};
+    return FreeCorner{i, layers_.around(make_point(carriers_, PointName::input(corners_[i])), operand_)};
   }
 
   void remember_corners() {
-    for (const std::size_t i : free_corners_)
-      known_corners_.remember(corner(i), regions_[at(region_of_[at(triangle_at_corner(i))])].above);
+    for (const std::size_t i : free_corners_) {
+      const Windings& w = regions_[at(region_of_[at(triangle_at_corner(i))])].above;
+      known_corners_.remember(corners_[i], w);
+      for (const auto& [operand, winding] : w)
+        if (rule_.settles(operand, winding)) settling_.remember(corners_[i], operand);
+    }
   }
 
   /// The points with weights (1, t, t^2) lie on a conic, which a line meets in at most two points. So at most two of
@@ -310,17 +360,19 @@ class FaceSplitter {
 
   const Carriers& carriers_;
   const LocalLayers layers_;
-  CornerWindings known_corners_;
+  CornerCache<Windings> known_corners_;
+  CornerCache<std::uint32_t> settling_;  ///< an operand that settles all faces of the corner that do not meet it
   const Rule& rule_;
   bool self_;
   const PointTable& points_;
   Triangulation triangulation_;
 
   std::uint32_t face_ = 0, operand_ = 0;
+  Carriers::Indices corners_{};
   std::span<const Constraint> constraints_;
   std::vector<std::pair<std::int32_t, std::int32_t>> ends_;
   std::vector<std::uint32_t> coplanar_;
-  std::array<bool, 3> corner_touched_{};
+  std::vector<std::uint32_t> others_;
   boost::container::static_vector<std::size_t, 3> free_corners_;
   std::vector<std::int32_t> region_of_;
   std::vector<Region> regions_;
