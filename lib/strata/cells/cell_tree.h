@@ -33,6 +33,10 @@ class CellTree {
     for (std::size_t i = 0; i < 3; ++i) corner[i] = std::max(a.box.lower[i], b.box.lower[i]);
     return a.is_thinned || b.is_thinned ? owns_thinned(cell, a, b, corner) : cell.box.holds(corner);
   }
+  /// True when a vertex of a face is in a brick with faces that may meet.
+  [[nodiscard]] bool is_near_others(std::uint32_t vertex) const {
+    return !space_.empty && (regions_->place(bricks_.index(codes_->of(vertex))) & Regions::mixed_flag) != 0;
+  }
   /// The cell that holds a vertex of a face.
   [[nodiscard]] std::uint32_t cell_of_vertex(std::uint32_t vertex) const {
     if (space_.empty) return outside_cell;

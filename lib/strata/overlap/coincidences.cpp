@@ -1,70 +1,94 @@
 #include "strata/overlap/coincidences.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <atomic>
 #include <bit>
-#include <cstdint>
+#include <numeric>
+
+#include "strata/mesh/huge_pages.h"
 
 namespace strata {
 namespace {
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// Vertices by their places.
+/// The vertices that may have the place of another one, in order.
+std::vector<std::uint32_t> vertices_near_others(const Carriers& carriers, const CellTree& cells) {
+  constexpr std::uint32_t run = 1 << 14;
+  const std::uint32_t count = carriers.vertex_count(), runs = (count + run - 1) / run;
+  const auto for_each = [&](std::size_t n, const auto& visit) {
+    for (std::uint32_t v = static_cast<std::uint32_t>(n) * run; v < count && v / run == n; ++v)
+      if (cells.is_near_others(v) && carriers.exact(v) == nullptr) visit(v);
+  };
+  std::vector<std::size_t> first(runs + 1, 0);
+  tbb::parallel_for(std::size_t{0}, std::size_t{runs}, [&](std::size_t n) {
+    std::size_t found = 0;
+    for_each(n, [&](std::uint32_t) { ++found; });
+    first[n + 1] = found;
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> vertices;
+  resize_fresh(vertices, first.back());
+  tbb::parallel_for(std::size_t{0}, std::size_t{runs}, [&](std::size_t n) {
+    std::size_t i = first[n];
+    for_each(n, [&](std::uint32_t v) { vertices[i++] = v; });
+  });
+  return vertices;
+}
+
+/// Round coordinates have set bits at the top only; two rounds of folding spread them.
+std::size_t hash_of(const Carriers::Coordinates& p) {
+  std::uint64_t h = 0;
+  for (const double x : p) {
+    h ^= std::bit_cast<std::uint64_t>(x + 0.0);  // -0 is 0
+    h = (h ^ h >> 32) * 0xff51afd7ed558ccdu;
+    h = (h ^ h >> 29) * 0xc4ceb9fe1a85ec53u;
+  }
+  return h ^ h >> 32;
+}
+
+/// A table of places, each with one of its vertices.
 class Places {
  public:
-  /// Makes room for so many vertices and forgets all.
-  void clear(std::size_t vertices) { slots_.assign(std::bit_ceil(2 * vertices + 1), nobody); }
+  explicit Places(std::size_t vertices) : mask_(std::bit_ceil(vertices + vertices / 2 + 1) - 1) {
+    resize_fresh(slots_, mask_ + 1, nobody);
+  }
 
-  /// The vertex that was first at this place, itself if it is the first.
-  std::uint32_t first_at(const Carriers& carriers, const Carriers::Coordinates& p, std::uint32_t vertex) {
+  /// The vertex that stands for the place of this one; itself if there was none. Threads may insert at the same time.
+  std::uint32_t insert(const Carriers& carriers, std::uint32_t vertex) {
+    const Carriers::Coordinates& p = carriers.vertex(vertex);
     for (std::size_t s = hash_of(p);; ++s) {
-      std::uint32_t& slot = slots_[s & (slots_.size() - 1)];
-      if (slot == nobody) slot = vertex;
-      if (slot == vertex || carriers.vertex(slot) == p) return slot;
+      const std::atomic_ref<std::uint32_t> slot(slots_[s & mask_]);
+      std::uint32_t there = slot.load(std::memory_order_relaxed);
+      if (there == nobody && slot.compare_exchange_strong(there, vertex, std::memory_order_relaxed)) return vertex;
+      if (carriers.vertex(there) == p) return there;
     }
   }
 
  private:
   static constexpr std::uint32_t nobody = 0xffffffffu;
-
-  static std::size_t hash_of(const Carriers::Coordinates& p) {
-    std::uint64_t h = 0;
-    for (const double x : p) h = (h ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0xff51afd7ed558ccdu;  // -0 is 0
-    return h >> 20;
-  }
+  std::size_t mask_;
   std::vector<std::uint32_t> slots_;
 };
-
-/// Every vertex is looked at in the one cell that holds it.
-void find_in_cell(const Carriers& carriers, const Grid& grid, const Cell& cell, Places& places, Pairs& pairs) {
-  places.clear(3 * cell.faces.size());
-  for (const CellFace& f : cell.faces)
-    for (const std::uint32_t v : carriers.face(f.face)) {
-      const Carriers::Coordinates& p = carriers.vertex(v);
-      if (!cell.box.holds(grid.at(p)) || carriers.exact(v) != nullptr) continue;
-      const std::uint32_t first = places.first_at(carriers, p, v);
-      if (first != v && (pairs.empty() || pairs.back() != std::pair(first, v))) pairs.emplace_back(first, v);
-    }
-}
 
 }  // namespace
 
 Pairs find_coincidences(const Carriers& carriers, const CellTree& cells, const Monitor& monitor) {
-  struct Found {
-    Places places;
-    Pairs pairs;
-  };
-  tbb::enumerable_thread_specific<Found> found;
-  tbb::parallel_for(std::size_t{0}, cells.cells().size(), [&](std::size_t i) {
-    if (!cells.cells()[i].mixed) return;
+  const std::vector<std::uint32_t> vertices = vertices_near_others(carriers, cells);
+  Places places(vertices.size());
+  tbb::enumerable_thread_specific<Pairs> found;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices.size(), 1 << 12), [&](const auto& range) {
     monitor.check();
-    Found& f = found.local();
-    find_in_cell(carriers, cells.grid(), cells.cells()[i], f.places, f.pairs);
+    Pairs& pairs = found.local();
+    for (std::size_t i = range.begin(); i != range.end(); ++i)
+      if (const std::uint32_t there = places.insert(carriers, vertices[i]); there != vertices[i])
+        pairs.emplace_back(there, vertices[i]);
   });
   Pairs all;
-  for (const Found& f : found) all.insert(all.end(), f.pairs.begin(), f.pairs.end());
+  for (const Pairs& pairs : found) all.insert(all.end(), pairs.begin(), pairs.end());
   return all;
 }
 

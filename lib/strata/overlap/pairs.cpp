@@ -1,12 +1,15 @@
 #include "strata/overlap/pairs.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <tuple>
-#include <utility>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 #include "strata/overlap/filtered_face.h"
 #include "strata/overlap/meeting.h"
@@ -14,14 +17,8 @@
 namespace strata {
 namespace {
 
-/// A face of a cell, ready to be swept.
-struct SweptFace {
-  CellFace in_cell;
-  std::uint32_t operand = 0;
-  FilteredFace filtered;
-};
-
-/// The pairs of one cell. Faces are swept along x, so that only those that overlap there are compared.
+/// The pairs of one cell. Faces are swept along x, so that only those that overlap there are compared; the comparison
+/// runs over plain arrays, several faces at a time where the processor can.
 class CellPairs {
  public:
   CellPairs(const Carriers& carriers, const CellTree& cells, bool self)
@@ -29,42 +26,84 @@ class CellPairs {
 
   void find(const Cell& cell, Meetings& meetings) {
     load(cell);
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-      const SweptFace& a = faces_[i];
-      for (std::size_t j = i + 1; j < faces_.size() && faces_[j].in_cell.box.lower[0] <= a.in_cell.box.upper[0]; ++j) {
-        const SweptFace& b = faces_[j];
-        if ((self_ || a.operand != b.operand) && a.in_cell.box.overlaps(b.in_cell.box) &&
-            cells_.owns(cell, a.in_cell, b.in_cell))
-          test(a, b, meetings);
+    const std::size_t count = order_.size();
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      const auto end = static_cast<std::size_t>(
+          std::upper_bound(lower_[0].begin() + static_cast<std::ptrdiff_t>(i) + 1, lower_[0].end(), upper_x_[i]) -
+          lower_[0].begin());
+      compare(i, end);
+      for (std::size_t j = i + 1; j < end; ++j) {
+        if (overlaps_[j] == 0) continue;
+        const CellFace &a = cell.faces[order_[i].index], &b = cell.faces[order_[j].index];
+        if (cells_.owns(cell, a, b)) test(i, j, meetings);
       }
     }
   }
 
  private:
-  void load(const Cell& cell) {
-    faces_.clear();
-    for (const CellFace& f : cell.faces) {
-      SweptFace& s = faces_.emplace_back();
-      s.in_cell = f;
-      s.operand = carriers_.operand_of_face(f.face);
-      s.filtered = FilteredFace(carriers_, s.operand, f.face);
+  struct Place {
+    std::int32_t lower;
+    std::uint32_t index;
+    friend bool operator<(const Place& a, const Place& b) {
+      return a.lower < b.lower || (a.lower == b.lower && a.index < b.index);
     }
-    std::sort(faces_.begin(), faces_.end(), [](const SweptFace& a, const SweptFace& b) {
-      return std::tie(a.in_cell.box.lower[0], a.in_cell.face) < std::tie(b.in_cell.box.lower[0], b.in_cell.face);
-    });
+  };
+
+  void load(const Cell& cell) {
+    const std::size_t count = cell.faces.size();
+    order_.clear();
+    for (std::uint32_t i = 0; i < count; ++i) order_.push_back({cell.faces[i].box.lower[0], i});
+    std::sort(order_.begin(), order_.end());
+    for (auto* array : {&lower_[0], &lower_[1], &lower_[2], &upper_x_, &upper_[0], &upper_[1], &operand_, &overlaps_})
+      array->resize(count);
+    filtered_.assign(count, std::nullopt);
+    for (std::size_t k = 0; k < count; ++k) {
+      const CellFace& f = cell.faces[order_[k].index];
+      for (std::size_t axis = 0; axis < 3; ++axis) lower_[axis][k] = f.box.lower[axis];
+      upper_x_[k] = f.box.upper[0];
+      upper_[0][k] = f.box.upper[1];
+      upper_[1][k] = f.box.upper[2];
+      operand_[k] = static_cast<std::int32_t>(carriers_.operand_of_face(f.face));
+    }
+    faces_ = &cell.faces;
   }
 
-  void test(const SweptFace& a, const SweptFace& b, Meetings& meetings) const {
+  /// Which of the faces i + 1 to end - 1 overlap face i along y and z and are to be tested with it.
+  void compare(std::size_t i, std::size_t end) {
+    const std::int32_t y0 = lower_[1][i], y1 = upper_[0][i], z0 = lower_[2][i], z1 = upper_[1][i];
+    const std::int32_t own = self_ ? -1 : operand_[i];
+    const std::int32_t *ly = lower_[1].data(), *uy = upper_[0].data(), *lz = lower_[2].data(), *uz = upper_[1].data(),
+                       *operand = operand_.data();
+    std::int32_t* const overlaps = overlaps_.data();
+    for (std::size_t j = i + 1; j < end; ++j)
+      overlaps[j] = static_cast<std::int32_t>(ly[j] <= y1) & static_cast<std::int32_t>(uy[j] >= y0) &
+                    static_cast<std::int32_t>(lz[j] <= z1) & static_cast<std::int32_t>(uz[j] >= z0) &
+                    static_cast<std::int32_t>(operand[j] != own);
+  }
+
+  void test(std::size_t i, std::size_t j, Meetings& meetings) {
     ++meetings.pairs_tested;
-    const bool ordered = a.in_cell.face < b.in_cell.face;
-    const FilteredFace &f = (ordered ? a : b).filtered, &g = (ordered ? b : a).filtered;
-    if (meet_faces(carriers_, f, g, meetings)) ++meetings.pairs_meeting;
+    const FilteredFace &a = filtered(i), &b = filtered(j);
+    const bool ordered = a.face < b.face;
+    if (meet_faces(carriers_, ordered ? a : b, ordered ? b : a, meetings)) ++meetings.pairs_meeting;
+  }
+
+  const FilteredFace& filtered(std::size_t k) {
+    auto& f = filtered_[k];
+    if (!f) f.emplace(carriers_, static_cast<std::uint32_t>(operand_[k]), (*faces_)[order_[k].index].face);
+    return *f;
   }
 
   const Carriers& carriers_;
   const CellTree& cells_;
   bool self_;
-  std::vector<SweptFace> faces_;
+  const FaceList* faces_ = nullptr;
+  /// The faces of the cell in the order of the sweep.
+  std::vector<Place> order_;
+  std::array<std::vector<std::int32_t>, 3> lower_;
+  std::array<std::vector<std::int32_t>, 2> upper_;  ///< along y and z
+  std::vector<std::int32_t> upper_x_, operand_, overlaps_;
+  std::vector<std::optional<FilteredFace>> filtered_;  ///< when a face was needed
 };
 
 /// The cells in which faces may meet. Cells come in any order, these by their places.
@@ -78,21 +117,12 @@ std::vector<const Cell*> mixed_cells(const CellTree& cells) {
 
 /// What all cells found, constraints sorted by face and other face. All constraints of a pair come from one cell, in
 /// one run.
-Meetings gathered(std::vector<Meetings> per_cell, PointTable& points, const Monitor& monitor) {
-  struct Key {
-    std::uint64_t faces;
-    std::uint32_t cell, index;
-  };
+Meetings gathered(const std::vector<Meetings>& per_cell, PointTable& points, const Monitor& monitor) {
   Meetings all;
-  std::vector<Key> keys;
-  std::vector<PointName> names;     // of points, by cell; what several cells found occurs several times
-  std::vector<std::size_t> shift;  // per cell
-  for (std::uint32_t c = 0; c < per_cell.size(); ++c) {
-    const Meetings& m = per_cell[c];
-    for (std::uint32_t i = 0; i < m.constraints.size(); ++i)
-      keys.push_back({std::uint64_t{m.constraints[i].face} << 32 | m.constraints[i].other, c, i});
-    shift.push_back(names.size());
-    names.insert(names.end(), m.constructed.begin(), m.constructed.end());
+  std::vector<std::size_t> first_constraint{0}, first_name{0};  // per cell
+  for (const Meetings& m : per_cell) {
+    first_constraint.push_back(first_constraint.back() + m.constraints.size());
+    first_name.push_back(first_name.back() + m.constructed.size());
     all.equal.insert(all.equal.end(), m.equal.begin(), m.equal.end());
     all.pairs_tested += m.pairs_tested;
     all.pairs_meeting += m.pairs_meeting;
@@ -100,17 +130,33 @@ Meetings gathered(std::vector<Meetings> per_cell, PointTable& points, const Moni
   // The same two vertices meet in many pairs of faces.
   tbb::parallel_sort(all.equal.begin(), all.equal.end());
   all.equal.erase(std::unique(all.equal.begin(), all.equal.end()), all.equal.end());
+
+  std::vector<PointName> names(first_name.back());  // what several cells found occurs several times
+  struct Key {
+    std::uint64_t faces;
+    std::uint32_t cell, index;
+  };
+  std::vector<Key> keys(first_constraint.back());
+  tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t c) {
+    const Meetings& m = per_cell[c];
+    std::copy(m.constructed.begin(), m.constructed.end(), names.begin() + static_cast<std::ptrdiff_t>(first_name[c]));
+    for (std::uint32_t i = 0; i < m.constraints.size(); ++i)
+      keys[first_constraint[c] + i] = {std::uint64_t{m.constraints[i].face} << 32 | m.constraints[i].other,
+                                       static_cast<std::uint32_t>(c), i};
+  });
   tbb::parallel_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    return std::tie(a.faces, a.cell, a.index) < std::tie(b.faces, b.cell, b.index);
+    return a.faces < b.faces || (a.faces == b.faces && a.index < b.index);
   });
   const PointId first = points.first();
   const std::vector<PointId> numbers = points.add(names, monitor);
   all.constraints.resize(keys.size());
-  tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
-    Constraint& c = all.constraints[i];
-    c = per_cell[keys[i].cell].constraints[keys[i].index];
-    for (PointId* p : {&c.tail, &c.head})
-      if (*p >= first) *p = numbers[*p - first + shift[keys[i].cell]];
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, keys.size(), 1 << 12), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      Constraint& c = all.constraints[i];
+      c = per_cell[keys[i].cell].constraints[keys[i].index];
+      for (PointId* p : {&c.tail, &c.head})
+        if (*p >= first) *p = numbers[*p - first + first_name[keys[i].cell]];
+    }
   });
   return all;
 }
@@ -126,7 +172,7 @@ Meetings find_meetings(const Carriers& carriers, const CellTree& cells, bool sel
     monitor.check();
     pairs.local().find(*mixed[i], per_cell[i]);
   });
-  return gathered(std::move(per_cell), points, monitor);
+  return gathered(per_cell, points, monitor);
 }
 
 }  // namespace strata
