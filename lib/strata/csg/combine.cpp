@@ -108,7 +108,9 @@ BooleanResult combine_here(Operation operation, std::span<const Operand> given, 
 }  // namespace
 
 BooleanResult combine(Operation operation, std::span<const Operand> operands, const Options& options) {
-  tbb::task_arena arena = arena_for(options);
+  std::size_t faces = 0;
+  for (const Operand& o : operands) faces += o.mesh.triangles.size();
+  tbb::task_arena arena = arena_for(options, faces);
   BooleanResult result;
   arena.execute([&] { result = combine_here(operation, operands, options); });
   return result;

@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -8,22 +11,23 @@ namespace strata {
 template <class Fact>
 class CornerCache {
  public:
+  /// For so many vertices in all.
+  explicit CornerCache(std::size_t vertices)
+      : known_(std::bit_ceil(std::min(std::max(vertices, std::size_t{1}), std::size_t{4096}))) {}
+
   /// Null if nothing was remembered of late.
   [[nodiscard]] const Fact* find(std::uint32_t vertex) const {
-    if (known_.empty()) return nullptr;
-    const Known& k = known_[vertex % size];
+    const Known& k = known_[vertex & (known_.size() - 1)];
     return k.vertex == vertex ? &k.fact : nullptr;
   }
   void remember(std::uint32_t vertex, const Fact& fact) {
-    if (known_.empty()) known_.resize(size);
-    Known& k = known_[vertex % size];
+    Known& k = known_[vertex & (known_.size() - 1)];
     if (k.vertex == vertex) return;
     k.vertex = vertex;
     k.fact = fact;
   }
 
  private:
-  static constexpr std::size_t size = 4096;
   struct Known {
     std::uint32_t vertex = 0xffffffffu;
     Fact fact{};

@@ -30,6 +30,8 @@ class FaceSplitter {
   FaceSplitter(const Carriers& carriers, const CellTree& cells, const Rule& rule, bool self, const PointTable& points)
       : carriers_(carriers),
         layers_(carriers, cells),
+        known_corners_(carriers.vertex_count()),
+        settling_(carriers.vertex_count()),
         rule_(rule),
         self_(self),
         points_(points),

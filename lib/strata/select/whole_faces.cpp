@@ -3,10 +3,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "strata/cells/face_blocks.h"
+#include "strata/layers/corner_cache.h"
 
 namespace strata {
 namespace {
@@ -22,7 +22,8 @@ class FaceJudge {
         operand_(operand),
         self_(self),
         faces_(carriers.faces(operand)),
-        first_vertex_(carriers.first_vertex(operand)) {}
+        first_vertex_(carriers.first_vertex(operand)),
+        known_(carriers.points(operand).size()) {}
 
   /// Local face number `i`. A face that meets no other has one verdict with all its corners, so neighbours tell.
   [[nodiscard]] Verdict judge(std::uint32_t i) {
@@ -31,24 +32,18 @@ class FaceJudge {
     if (self_) return judge_inside(i);
     if (!cells_.cells()[cell].mixed) return judge_in_region(cell);
     for (const std::uint32_t v : corners)
-      if (const Known& known = place_of(v); known.vertex == v) return remember(corners, known.verdict);
+      if (const Verdict* known = known_.find(v)) return remember(corners, *known);
     if (carriers_.is_shared(vertex)) return judge_inside(i);
     return remember(corners, verdict_of(layers_.around(make_point(carriers_, PointName::input(vertex)), operand_)));
   }
 
  private:
   static constexpr std::uint32_t nobody = 0xffffffffu;
-  struct Known {
-    std::uint32_t vertex = nobody;  ///< local
-    Verdict verdict{};
-  };
-
-  [[nodiscard]] Known& place_of(std::uint32_t vertex) { return known_[vertex % known_.size()]; }
 
   /// Vertices that other operands have too may lie on faces of theirs: they tell nothing.
   Verdict remember(const Carriers::Indices& corners, Verdict verdict) {
     for (const std::uint32_t v : corners)
-      if (!carriers_.is_shared(first_vertex_ + v)) place_of(v) = {v, verdict};
+      if (!carriers_.is_shared(first_vertex_ + v)) known_.remember(v, verdict);
     return verdict;
   }
 
@@ -85,7 +80,7 @@ class FaceJudge {
   const std::uint32_t first_vertex_;
   std::uint32_t known_cell_ = nobody;
   Verdict of_known_cell_{};
-  std::array<Known, 2048> known_{};
+  CornerCache<Verdict> known_;  ///< by local vertices
 };
 
 }  // namespace
