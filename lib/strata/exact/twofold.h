@@ -51,6 +51,7 @@ struct Twofold {
 
   /// As a double with a bound, which leaves room for the rounding of `lower()` and `upper()` as every Bounded does.
   [[nodiscard]] Bounded bounded() const {
+    if (low == 0 && error == 0) return value;
     return {value, (std::abs(low) + error) * Bounded::slack + std::abs(value) * Bounded::rounding};
   }
 

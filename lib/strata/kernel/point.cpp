@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "strata/exact/twofold.h"
 #include "strata/kernel/approximation.h"
@@ -19,6 +20,46 @@ bool is_tight(const BoundedPoint& p) {
   for (const Bounded& x : p)
     if (!std::isfinite(x.value) || !(x.error <= size * 0x1p-49)) return false;
   return true;
+}
+
+/// What vertices agree in is what all points of the edge or face through them have: such coordinates are exact.
+void take_common_coordinates(const Carriers& carriers, std::initializer_list<std::uint32_t> vertices,
+                             RealPoint<Twofold>& p) {
+  const auto first = carriers.vertex(*vertices.begin());
+  std::array<bool, 3> common{true, true, true};
+  for (const std::uint32_t v : vertices) {
+    if (carriers.exact(v) != nullptr) return;
+    for (std::size_t i = 0; i < 3; ++i) common[i] = common[i] && carriers.vertex(v)[i] == first[i];
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    if (common[i]) p[i] = first[i];
+}
+
+void take_common_coordinates(const Carriers& carriers, const PointName& name, RealPoint<Twofold>& p) {
+  const auto& id = name.id;
+  const auto take_face = [&](std::uint32_t f) {
+    const auto v = carriers.face(f);
+    take_common_coordinates(carriers, {v[0], v[1], v[2]}, p);
+  };
+  switch (name.kind) {
+    case PointName::Kind::edge_edge:
+      take_common_coordinates(carriers, {id[0], id[1]}, p);
+      take_common_coordinates(carriers, {id[2], id[3]}, p);
+      return;
+    case PointName::Kind::edge_face:
+      take_common_coordinates(carriers, {id[0], id[1]}, p);
+      take_face(id[2]);
+      return;
+    case PointName::Kind::three_faces:
+      for (std::size_t i = 0; i < 3; ++i) take_face(id[i]);
+      return;
+    case PointName::Kind::weighted:
+      take_face(id[0]);
+      return;
+    case PointName::Kind::input:
+    case PointName::Kind::free:
+      return;
+  }
 }
 
 /// The nearest double, and the nearest one to what is left.
@@ -74,6 +115,7 @@ Point make_point(const Carriers& carriers, const PointName& name) {
     p.at = approximate_vertex<Bounded>(carriers, name.id[0]);
     return p;
   }
+  take_common_coordinates(carriers, name, p.fine);
   for (std::size_t i = 0; i < 3; ++i) p.at[i] = p.fine[i].bounded();
   if (is_tight(p.at)) return p;
   const RationalPoint exact = exact_position(carriers, p);

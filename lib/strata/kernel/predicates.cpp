@@ -106,6 +106,14 @@ std::optional<Sign> filtered_area(std::span<const PlanePoint> polygon) {
 
 Carriers::Coordinates values(const Point& p) { return {p.at[0].value, p.at[1].value, p.at[2].value}; }
 
+bool is_exact_in(Projection axes, const Point& p) {
+  return p.at[static_cast<std::size_t>(axes.u)].error == 0 && p.at[static_cast<std::size_t>(axes.v)].error == 0;
+}
+
+PlanePoint seen(Projection axes, const Point& p) {
+  return {p.at[static_cast<std::size_t>(axes.u)].value, p.at[static_cast<std::size_t>(axes.v)].value};
+}
+
 bool is_exact(const Point& p) { return p.at[0].error == 0 && p.at[1].error == 0 && p.at[2].error == 0; }
 
 }  // namespace
@@ -164,10 +172,8 @@ Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p) 
 }
 
 std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, const Point& q, const Point& r) {
-  const auto u = static_cast<std::size_t>(projection.u), v = static_cast<std::size_t>(projection.v);
-  if (is_exact(p) && is_exact(q) && is_exact(r)) {
-    const auto seen = [&](const Point& x) { return PlanePoint{x.at[u].value, x.at[v].value}; };
-    const auto s = filtered_turn(seen(p), seen(q), seen(r));
+  if (is_exact_in(projection, p) && is_exact_in(projection, q) && is_exact_in(projection, r)) {
+    const auto s = filtered_turn(seen(projection, p), seen(projection, q), seen(projection, r));
     if (s) count(Tier::filter);
     return s;
   }
@@ -179,11 +185,20 @@ std::optional<Sign> refined_orient2d(Projection projection, const Point& p, cons
 }
 
 Sign exact_orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q, const Point& r) {
-  const auto width = [&](int b) {
-    return width_of_turn(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b));
+  // Where the coordinates that count are doubles, it does not matter what carries the point.
+  const auto simplest = [&](const Point& x) {
+    if (!is_exact_in(projection, x)) return x;
+    Carriers::Coordinates flat{};
+    for (const int axis : {projection.u, projection.v})
+      flat[static_cast<std::size_t>(axis)] = x.at[static_cast<std::size_t>(axis)].value;
+    return Point::free(flat);
   };
-  return decide(carriers, {&p, &q, &r}, width, [&](const auto& exact) {
-    return turn(exact.point(p), exact.point(q), exact.point(r), projection.u, projection.v);
+  const Point a = simplest(p), b = simplest(q), c = simplest(r);
+  const auto width = [&](int bits) {
+    return width_of_turn(width_of(a.name, bits), width_of(b.name, bits), width_of(c.name, bits));
+  };
+  return decide(carriers, {&a, &b, &c}, width, [&](const auto& exact) {
+    return turn(exact.point(a), exact.point(b), exact.point(c), projection.u, projection.v);
   });
 }
 
