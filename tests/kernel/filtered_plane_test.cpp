@@ -1,6 +1,10 @@
 #include "strata/kernel/filtered_plane.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+
+#include "strata/kernel/predicates.h"
+#include "support/random.h"
 
 using namespace strata;
 
@@ -35,4 +39,30 @@ TEST_CASE("identified vertices stand for each other in faces", "[kernel]") {
   carriers.identify(more);
   CHECK(carriers.identified(3) == 1);
   CHECK(carriers.identified(2) == 1);
+}
+
+TEST_CASE("a plane is certain of a point within bounds only if it is of every place there", "[kernel][property]") {
+  test::Random random(11);
+  int certain = 0;
+  for (int n = 0; n < 20'000; ++n) {
+    std::array<Carriers::Coordinates, 3> t;
+    for (auto& v : t)
+      for (double& x : v) x = random.unit() * 2 - 1;
+    BoundedPoint p;
+    const double size = std::ldexp(1.0, -random.between(0, 50));
+    // Near the plane more often than not.
+    const double s = random.unit(), r = random.unit(), h = random.once_in(4) ? 0.1 : size;
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] = {t[0][i] + s * (t[1][i] - t[0][i]) + r * (t[2][i] - t[0][i]) + h * (random.unit() - 0.5),
+              size * random.unit()};
+    const int side = FilteredPlane(t[0], t[1], t[2]).side_within(p);
+    if (side == 0) continue;
+    ++certain;
+    for (int corner = 0; corner < 8; ++corner) {
+      Carriers::Coordinates at;
+      for (std::size_t i = 0; i < 3; ++i) at[i] = (corner >> i & 1) != 0 ? p[i].upper() : p[i].lower();
+      REQUIRE(to_int(orient3d(t[0], t[1], t[2], at)) == side);
+    }
+  }
+  CHECK(certain > 1'000);
 }

@@ -5,9 +5,9 @@ namespace {
 
 Point vertex(const Carriers& carriers, std::uint32_t v) { return make_point(carriers, PointName::input(v)); }
 
-/// Sign of orient3d(O', q, a, b); its gradient in O is minus the normal of (q, a, b).
+/// Sign of orient3d(O', q, a, b), q last in an even permutation; its gradient in O is minus the normal of (q, a, b).
 Sign side_of_line(const Carriers& carriers, const Point& origin, const Point& q, const Point& a, const Point& b) {
-  const Sign s = orient3d(carriers, origin, q, a, b);
+  const Sign s = orient3d(carriers, origin, a, b, q);
   if (s != Sign::zero) return s;
   for (int axis = 0; axis < 3; ++axis) {
     const Sign n = orient2d(carriers, {(axis + 1) % 3, (axis + 2) % 3}, q, a, b);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "strata/kernel/carriers.h"
+#include "strata/kernel/filters.h"
 
 namespace strata {
 
@@ -23,13 +24,14 @@ class FilteredPlane {
   }
 
   /// 1 above (on the outer side), -1 below, 0 when doubles do not tell.
-  [[nodiscard]] int side(const Carriers::Coordinates& p) const {
-    const double wx = p[0] - a_[0], wy = p[1] - a_[1], wz = p[2] - a_[2];
-    const double value = normal_[0] * wx + normal_[1] * wy + normal_[2] * wz;
-    const double size = magnitude_[0] * std::abs(wx) + magnitude_[1] * std::abs(wy) + magnitude_[2] * std::abs(wz);
-    constexpr double factor = (7 + 56 * 0x1p-53) * 0x1p-53;
-    const double bound = factor * size + 0x1p-1000 * (1 + std::abs(wx) + std::abs(wy) + std::abs(wz));
-    return static_cast<int>(value > bound) - static_cast<int>(-value > bound);
+  [[nodiscard]] int side(const Carriers::Coordinates& p) const { return side(p, 0); }
+
+  /// The same for a point within bounds: the plane's form changes by its normal, which `magnitude_` bounds from above
+  /// up to rounding and underflow, times how far off the point may be.
+  [[nodiscard]] int side_within(const BoundedPoint& p) const {
+    const double off = magnitude_[0] * p[0].error + magnitude_[1] * p[1].error + magnitude_[2] * p[2].error;
+    const double lost = 0x1p-1000 * (p[0].error + p[1].error + p[2].error);
+    return side({p[0].value, p[1].value, p[2].value}, (off + lost) * Bounded::slack);
   }
 
   /// The axis along which the normal is longest, in doubles.
@@ -41,6 +43,15 @@ class FilteredPlane {
   }
 
  private:
+  [[nodiscard]] int side(const Carriers::Coordinates& p, double off) const {
+    const double wx = p[0] - a_[0], wy = p[1] - a_[1], wz = p[2] - a_[2];
+    const double value = normal_[0] * wx + normal_[1] * wy + normal_[2] * wz;
+    const double size = magnitude_[0] * std::abs(wx) + magnitude_[1] * std::abs(wy) + magnitude_[2] * std::abs(wz);
+    constexpr double factor = (7 + 56 * 0x1p-53) * 0x1p-53;
+    const double bound = factor * size + 0x1p-1000 * (1 + std::abs(wx) + std::abs(wy) + std::abs(wz)) + off;
+    return static_cast<int>(value > bound) - static_cast<int>(-value > bound);
+  }
+
   Carriers::Coordinates a_{}, normal_{}, magnitude_{};
 };
 

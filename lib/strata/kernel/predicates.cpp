@@ -124,6 +124,11 @@ Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Po
       count(Tier::filter);
       return *sign;
     }
+  } else if (is_exact(p) && is_exact(q) && is_exact(r)) {
+    if (const int side = FilteredPlane(values(p), values(q), values(r)).side_within(s.at); side != 0) {
+      count(Tier::filter);
+      return static_cast<Sign>(side);
+    }
   } else if (const auto sign = filtered(orient3d_of(p.at, q.at, r.at, s.at))) {
     return *sign;
   }
@@ -167,6 +172,13 @@ Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p) 
   if (named_on_face(p.name, face, v)) {
     count(Tier::names);
     return Sign::zero;
+  }
+  if (!carriers.has_rationals()) {
+    const FilteredPlane plane(carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2]));
+    if (const int side = plane.side_within(p.at); side != 0) {
+      count(Tier::filter);
+      return static_cast<Sign>(side);
+    }
   }
   return orient3d(carriers, input_point(carriers, v[0]), input_point(carriers, v[1]), input_point(carriers, v[2]), p);
 }
