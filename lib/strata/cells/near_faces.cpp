@@ -37,15 +37,21 @@ NearFaces find_near_faces(const Carriers& carriers, const Grid& grid, const Bric
     const auto faces = carriers.faces(block.operand);
     const std::uint32_t first_vertex = carriers.first_vertex(block.operand);
     const std::uint32_t first_face = carriers.first_face(block.operand);
+    BrickCode quiet = 0;  // a brick near which there is nothing; 0 is outside
     for (std::uint32_t i = block.first; i < block.last; ++i) {
       const auto& [a, b, c] = faces[i];
       const BrickBox box = codes.box(first_vertex, faces[i]);
+      const bool is_one = box.lower == box.upper;
+      if (is_one && box.lower == quiet) continue;
       bool near = false, lined = false;
       raster.for_each_brick(points[a], points[b], points[c], box, [&](std::uint32_t brick) {
         near = near || (regions.place(brick) & Regions::mixed_flag) != 0;
       });
       lines.for_each(box, [&](std::uint32_t, std::uint32_t, std::uint32_t) { lined = true; });
-      if (!near && !lined) continue;
+      if (!near && !lined) {
+        if (is_one) quiet = box.lower;
+        continue;
+      }
       const CellFace face{grid.box(points[a], points[b], points[c]), first_face + i, raster.thins(box)};
       if (near) found[n].faces.push_back(face);
       lines.for_each(box, [&](std::uint32_t line, std::uint32_t y, std::uint32_t z) {
