@@ -17,8 +17,8 @@
 namespace strata {
 namespace {
 
-/// The pairs of one cell. Faces are swept along x, so that only those that overlap there are compared; the comparison
-/// runs over plain arrays, several faces at a time where the processor can.
+/// The pairs of one cell. Faces are swept along the axis along which they are shortest, so that only those that overlap
+/// there are compared; the comparison runs over plain arrays, several faces at a time where the processor can.
 class CellPairs {
  public:
   CellPairs(const Carriers& carriers, const CellTree& cells, bool self)
@@ -26,14 +26,14 @@ class CellPairs {
 
   void find(const Cell& cell, Meetings& meetings) {
     load(cell);
-    const std::size_t count = order_.size();
-    for (std::size_t i = 0; i + 1 < count; ++i) {
+    for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
+      const auto later = order_.begin() + static_cast<std::ptrdiff_t>(i) + 1;
       const auto end = static_cast<std::size_t>(
-          std::upper_bound(lower_[0].begin() + static_cast<std::ptrdiff_t>(i) + 1, lower_[0].end(), upper_x_[i]) -
-          lower_[0].begin());
+          std::upper_bound(later, order_.end(), upper_[0][i], [](std::int32_t x, const Place& p) { return x < p.lower; }) -
+          order_.begin());
       compare(i, end);
       for (std::size_t j = i + 1; j < end; ++j) {
-        if (overlaps_[j] == 0) continue;
+        if (is_pair_[j] == 0) continue;
         const CellFace &a = cell.faces[order_[i].index], &b = cell.faces[order_[j].index];
         if (cells_.owns(cell, a, b)) test(i, j, meetings);
       }
@@ -42,8 +42,8 @@ class CellPairs {
 
  private:
   struct Place {
-    std::int32_t lower;
-    std::uint32_t index;
+    std::int32_t lower;   ///< along the axis of the sweep
+    std::uint32_t index;  ///< in the cell
     friend bool operator<(const Place& a, const Place& b) {
       return a.lower < b.lower || (a.lower == b.lower && a.index < b.index);
     }
@@ -51,34 +51,44 @@ class CellPairs {
 
   void load(const Cell& cell) {
     const std::size_t count = cell.faces.size();
+    const std::size_t sweep = shortest_axis(cell), u = (sweep + 1) % 3, v = (sweep + 2) % 3;
     order_.clear();
-    for (std::uint32_t i = 0; i < count; ++i) order_.push_back({cell.faces[i].box.lower[0], i});
+    for (std::uint32_t i = 0; i < count; ++i) order_.push_back({cell.faces[i].box.lower[sweep], i});
     std::sort(order_.begin(), order_.end());
-    for (auto* array : {&lower_[0], &lower_[1], &lower_[2], &upper_x_, &upper_[0], &upper_[1], &operand_, &overlaps_})
+    for (auto* array : {&lower_[0], &lower_[1], &upper_[0], &upper_[1], &upper_[2], &operand_, &is_pair_})
       array->resize(count);
     filtered_.assign(count, std::nullopt);
     for (std::size_t k = 0; k < count; ++k) {
       const CellFace& f = cell.faces[order_[k].index];
-      for (std::size_t axis = 0; axis < 3; ++axis) lower_[axis][k] = f.box.lower[axis];
-      upper_x_[k] = f.box.upper[0];
-      upper_[0][k] = f.box.upper[1];
-      upper_[1][k] = f.box.upper[2];
+      lower_[0][k] = f.box.lower[u];
+      lower_[1][k] = f.box.lower[v];
+      upper_[0][k] = f.box.upper[sweep];
+      upper_[1][k] = f.box.upper[u];
+      upper_[2][k] = f.box.upper[v];
       operand_[k] = static_cast<std::int32_t>(carriers_.operand_of_face(f.face));
     }
     faces_ = &cell.faces;
   }
 
-  /// Which of the faces i + 1 to end - 1 overlap face i along y and z and are to be tested with it.
+  /// The axis along which the faces' boxes are shortest in all.
+  [[nodiscard]] static std::size_t shortest_axis(const Cell& cell) {
+    std::array<std::int64_t, 3> length{};
+    for (const CellFace& f : cell.faces)
+      for (std::size_t axis = 0; axis < 3; ++axis) length[axis] += f.box.upper[axis] - f.box.lower[axis];
+    return static_cast<std::size_t>(std::min_element(length.begin(), length.end()) - length.begin());
+  }
+
+  /// Which of the faces i + 1 to end - 1 overlap face i along the other axes and are to be tested with it.
   void compare(std::size_t i, std::size_t end) {
-    const std::int32_t y0 = lower_[1][i], y1 = upper_[0][i], z0 = lower_[2][i], z1 = upper_[1][i];
+    const std::int32_t u0 = lower_[0][i], u1 = upper_[1][i], v0 = lower_[1][i], v1 = upper_[2][i];
     const std::int32_t own = self_ ? -1 : operand_[i];
-    const std::int32_t *ly = lower_[1].data(), *uy = upper_[0].data(), *lz = lower_[2].data(), *uz = upper_[1].data(),
+    const std::int32_t *lu = lower_[0].data(), *uu = upper_[1].data(), *lv = lower_[1].data(), *uv = upper_[2].data(),
                        *operand = operand_.data();
-    std::int32_t* const overlaps = overlaps_.data();
+    std::int32_t* const is_pair = is_pair_.data();
     for (std::size_t j = i + 1; j < end; ++j)
-      overlaps[j] = static_cast<std::int32_t>(ly[j] <= y1) & static_cast<std::int32_t>(uy[j] >= y0) &
-                    static_cast<std::int32_t>(lz[j] <= z1) & static_cast<std::int32_t>(uz[j] >= z0) &
-                    static_cast<std::int32_t>(operand[j] != own);
+      is_pair[j] = static_cast<std::int32_t>(lu[j] <= u1) & static_cast<std::int32_t>(uu[j] >= u0) &
+                   static_cast<std::int32_t>(lv[j] <= v1) & static_cast<std::int32_t>(uv[j] >= v0) &
+                   static_cast<std::int32_t>(operand[j] != own);
   }
 
   void test(std::size_t i, std::size_t j, Meetings& meetings) {
@@ -100,9 +110,9 @@ class CellPairs {
   const FaceList* faces_ = nullptr;
   /// The faces of the cell in the order of the sweep.
   std::vector<Place> order_;
-  std::array<std::vector<std::int32_t>, 3> lower_;
-  std::array<std::vector<std::int32_t>, 2> upper_;  ///< along y and z
-  std::vector<std::int32_t> upper_x_, operand_, overlaps_;
+  std::array<std::vector<std::int32_t>, 2> lower_;  ///< across the axis of the sweep
+  std::array<std::vector<std::int32_t>, 3> upper_;  ///< along it and across
+  std::vector<std::int32_t> operand_, is_pair_;
   std::vector<std::optional<FilteredFace>> filtered_;  ///< when a face was needed
 };
 
