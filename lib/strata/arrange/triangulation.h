@@ -118,6 +118,7 @@ class Triangulation {
     bool turn_known = false;
   };
   bool cut_ears(std::span<const PathPolygons::Side> sides);
+  [[nodiscard]] bool is_straight(std::size_t i) const;
   [[nodiscard]] Sign corner_turn(std::size_t i);
   [[nodiscard]] bool is_ear(std::size_t i);
   void cut_ear(std::size_t i);

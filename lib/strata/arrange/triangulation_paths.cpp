@@ -65,12 +65,17 @@ Sign Triangulation::corner_turn(std::size_t i) {
   const PolygonSide &before = polygon_[(i + n - 1) % n], &after = polygon_[(i + 1) % n];
   PolygonSide& here = polygon_[i];
   if (!here.turn_known) {
-    const bool straight = here.inner.triangle < 0 && before.inner.triangle < 0 && here.side.carrier < 0 &&
-                          here.side.carrier == before.side.carrier;
-    here.turn = straight ? Sign::zero : turn(before.side.from, here.side.from, after.side.from);
+    here.turn = is_straight(i) ? Sign::zero : turn(before.side.from, here.side.from, after.side.from);
     here.turn_known = true;
   }
   return here.turn;
+}
+
+/// True at a point where the polygon runs on along an edge of the face.
+bool Triangulation::is_straight(std::size_t i) const {
+  const PolygonSide &before = polygon_[i == 0 ? polygon_.size() - 1 : i - 1], &here = polygon_[i];
+  return here.inner.triangle < 0 && before.inner.triangle < 0 && here.side.carrier < 0 &&
+         here.side.carrier == before.side.carrier;
 }
 
 /// Requires a left turn. No point of the polygon may be in the triangle or on its base.
@@ -82,6 +87,11 @@ bool Triangulation::is_ear(std::size_t i) {
     const std::size_t j = (i + k) % n;
     if (corner_turn(j) == Sign::positive) continue;
     const std::int32_t p = polygon_[j].side.from;
+    if (is_straight(j)) {  // on an edge of the face: in the way of nothing but a base along that edge
+      const int k = -1 - polygon_[j].side.carrier;
+      if (points_.are_on_edge(k, a, c)) return false;
+      continue;
+    }
     if (turn(c, a, p) != Sign::negative && turn(a, b, p) != Sign::negative && turn(b, c, p) != Sign::negative)
       return false;
   }

@@ -259,7 +259,18 @@ bool equal(const Carriers& carriers, const Point& p, const Point& q) {
 
 Sign normal_component(const Carriers& carriers, std::uint32_t face, int axis) {
   const auto f = carriers.face(face);
-  return orient2d(carriers, {(axis + 1) % 3, (axis + 2) % 3}, input_point(carriers, f[0]), input_point(carriers, f[1]),
+  const Projection across{(axis + 1) % 3, (axis + 2) % 3};
+  if (!carriers.has_rationals()) {
+    const auto corner = [&](std::size_t i) {
+      const auto& p = carriers.vertex(f[i]);
+      return PlanePoint{p[static_cast<std::size_t>(across.u)], p[static_cast<std::size_t>(across.v)]};
+    };
+    if (const auto sign = filtered_turn(corner(0), corner(1), corner(2))) {
+      count(Tier::filter);
+      return *sign;
+    }
+  }
+  return orient2d(carriers, across, input_point(carriers, f[0]), input_point(carriers, f[1]),
                   input_point(carriers, f[2]));
 }
 
@@ -273,11 +284,8 @@ Sign same_orientation(const Carriers& carriers, std::uint32_t f, std::uint32_t g
 
 Projection projection_of(const Carriers& carriers, std::uint32_t face) {
   const auto f = carriers.face(face);
-  const BoundedPoint a = input_point(carriers, f[0]).at;
-  const BoundedPoint n = cross(input_point(carriers, f[1]).at - a, input_point(carriers, f[2]).at - a);
-  int first = 0;
-  for (int i = 1; i < 3; ++i)
-    if (std::abs(n[static_cast<std::size_t>(i)].value) > std::abs(n[static_cast<std::size_t>(first)].value)) first = i;
+  const FilteredPlane plane(carriers.vertex(f[0]), carriers.vertex(f[1]), carriers.vertex(f[2]));
+  const int first = static_cast<int>(plane.widest_axis());
   for (int i = 0; i < 3; ++i) {
     const int axis = (first + i) % 3;
     const Sign s = normal_component(carriers, face, axis);
