@@ -15,27 +15,30 @@ namespace strata {
 /// The place of a point among the bricks: one byte per axis, lowest byte x. 0 and count + 1 are outside.
 using BrickCode = std::uint32_t;
 
-/// Bytewise minimum and maximum: corners of the box of bricks that two points span.
-[[nodiscard]] inline BrickCode lower_corner(BrickCode a, BrickCode b) {
+/// A corner of the box of bricks that two points span: their bytewise minimum or maximum.
+template <bool upper>
+[[nodiscard]] BrickCode corner(BrickCode a, BrickCode b) {
 #if defined(__SSE2__)
-  const __m128i m = _mm_min_epu8(_mm_cvtsi32_si128(static_cast<int>(a)), _mm_cvtsi32_si128(static_cast<int>(b)));
-  return static_cast<BrickCode>(_mm_cvtsi128_si32(m));
+  const __m128i x = _mm_cvtsi32_si128(static_cast<int>(a)), y = _mm_cvtsi32_si128(static_cast<int>(b));
+  return static_cast<BrickCode>(_mm_cvtsi128_si32(upper ? _mm_max_epu8(x, y) : _mm_min_epu8(x, y)));
 #else
-  return std::min(a & 0xffu, b & 0xffu) | std::min(a & 0xff00u, b & 0xff00u) | std::min(a & 0xff0000u, b & 0xff0000u);
+  const auto along = [&](BrickCode axis) {
+    return upper ? std::max(a & axis, b & axis) : std::min(a & axis, b & axis);
+  };
+  return along(0xffu) | along(0xff00u) | along(0xff0000u);
 #endif
 }
-[[nodiscard]] inline BrickCode upper_corner(BrickCode a, BrickCode b) {
-#if defined(__SSE2__)
-  const __m128i m = _mm_max_epu8(_mm_cvtsi32_si128(static_cast<int>(a)), _mm_cvtsi32_si128(static_cast<int>(b)));
-  return static_cast<BrickCode>(_mm_cvtsi128_si32(m));
-#else
-  return std::max(a & 0xffu, b & 0xffu) | std::max(a & 0xff00u, b & 0xff00u) | std::max(a & 0xff0000u, b & 0xff0000u);
-#endif
-}
+[[nodiscard]] inline BrickCode lower_corner(BrickCode a, BrickCode b) { return corner<false>(a, b); }
+[[nodiscard]] inline BrickCode upper_corner(BrickCode a, BrickCode b) { return corner<true>(a, b); }
 
 /// A box of bricks, closed.
 struct BrickBox {
   BrickCode lower = 0, upper = 0;
+
+  /// The box of both.
+  [[nodiscard]] BrickBox with(const BrickBox& b) const {
+    return {lower_corner(lower, b.lower), upper_corner(upper, b.upper)};
+  }
 
   [[nodiscard]] static std::uint32_t along(BrickCode code, int axis) { return code >> (8 * axis) & 0xffu; }
   [[nodiscard]] std::uint32_t size() const {
@@ -66,6 +69,17 @@ class BrickGrid {
   }
   [[nodiscard]] std::uint32_t index(BrickCode code) const {
     return (code & 0xffu) + stride_[1] * (code >> 8 & 0xffu) + stride_[2] * (code >> 16);
+  }
+  /// Visits the indices of all bricks of a box.
+  template <class Visit>
+  void for_each(const BrickBox& box, const Visit& visit) const {
+    const auto low = [&](int axis) { return BrickBox::along(box.lower, axis); };
+    const auto high = [&](int axis) { return BrickBox::along(box.upper, axis); };
+    for (std::uint32_t z = low(2); z <= high(2); ++z)
+      for (std::uint32_t y = low(1); y <= high(1); ++y) {
+        const std::uint32_t first = index(y << 8 | z << 16);
+        for (std::uint32_t x = low(0); x <= high(0); ++x) visit(first + x);
+      }
   }
   [[nodiscard]] BrickCode code_of(std::uint32_t index) const {
     return index % stride_[1] | index / stride_[1] % size_[1] << 8 | index / stride_[2] << 16;

@@ -56,7 +56,8 @@ void CellTree::make_cells(const Carriers& carriers, const CellOptions& options) 
   std::vector<Target> targets;
   for (const auto* places : {&regions_->regions(), &regions_->mixed()})
     for (const std::uint32_t brick : *places) targets.push_back({lines.add(bricks_.code_of(brick)), brick});
-  const NearFaces near = find_near_faces(carriers, space_.grid, bricks_, raster, *codes_, *regions_, lines, monitor);
+  const NearFaces near =
+      find_near_faces(carriers, space_.grid, bricks_, raster, *codes_, occupancy, *regions_, lines, monitor);
   const std::vector<Windings> windings = walk_to_origins(carriers, space_, bricks_, near.line_faces, targets, monitor);
 
   tbb::concurrent_vector<Cell> cells;

@@ -21,7 +21,8 @@ std::uint32_t Lines::add(BrickCode code) {
 }
 
 NearFaces find_near_faces(const Carriers& carriers, const Grid& grid, const BrickGrid& bricks, const Raster& raster,
-                          const BrickCodes& codes, const Regions& regions, const Lines& lines, const Monitor& monitor) {
+                          const BrickCodes& codes, const Occupancy& occupancy, const Regions& regions, const Lines& lines,
+                          const Monitor& monitor) {
   std::vector<std::array<std::int32_t, 2>> line_at(std::size_t{bricks.size(1)} * bricks.size(2));
   for (std::uint32_t z = 1; z + 1 < bricks.size(2); ++z)
     for (std::uint32_t y = 1; y + 1 < bricks.size(1); ++y) {
@@ -30,34 +31,38 @@ NearFaces find_near_faces(const Carriers& carriers, const Grid& grid, const Bric
     }
   const std::vector<FaceBlock> blocks = face_blocks(carriers);
   std::vector<NearFaces> found(blocks.size());
-  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t n) {
-    monitor.check();
-    const FaceBlock& block = blocks[n];
-    const auto points = carriers.points(block.operand);
-    const auto faces = carriers.faces(block.operand);
-    const std::uint32_t first_vertex = carriers.first_vertex(block.operand);
-    const std::uint32_t first_face = carriers.first_face(block.operand);
-    BrickCode quiet = 0;  // a brick near which there is nothing; 0 is outside
-    for (std::uint32_t i = block.first; i < block.last; ++i) {
-      const auto& [a, b, c] = faces[i];
-      const BrickBox box = codes.box(first_vertex, faces[i]);
-      const bool is_one = box.lower == box.upper;
-      if (is_one && box.lower == quiet) continue;
+  const auto may_matter = [&](const BrickBox& box) {
+    constexpr std::uint32_t many = 64;
+    if (box.size() > many) return true;
+    bool matters = false;
+    lines.for_each(box, [&](std::uint32_t, std::uint32_t, std::uint32_t) { matters = true; });
+    bricks.for_each(box, [&](std::uint32_t brick) {
+      matters = matters || (regions.place(brick) & Regions::mixed_flag) != 0;
+    });
+    return matters;
+  };
+  for_each_face_block(carriers, blocks, monitor, [&](const FaceBlockView& block) {
+    const auto points = block.points;
+    NearFaces& here = found[block.number];
+    for (std::uint32_t i = 0; i < block.faces.size(); ++i) {
+      if (i % Occupancy::run_length == 0 && !may_matter(occupancy.run(block.number, i / Occupancy::run_length))) {
+        i += static_cast<std::uint32_t>(Occupancy::run_length) - 1;
+        continue;
+      }
+      const auto& [a, b, c] = block.faces[i];
+      const BrickBox box = codes.box(block.first_vertex, block.faces[i]);
       bool near = false, lined = false;
       raster.for_each_brick(points[a], points[b], points[c], box, [&](std::uint32_t brick) {
         near = near || (regions.place(brick) & Regions::mixed_flag) != 0;
       });
       lines.for_each(box, [&](std::uint32_t, std::uint32_t, std::uint32_t) { lined = true; });
-      if (!near && !lined) {
-        if (is_one) quiet = box.lower;
-        continue;
-      }
-      const CellFace face{grid.box(points[a], points[b], points[c]), first_face + i, raster.thins(box)};
-      if (near) found[n].faces.push_back(face);
+      if (!near && !lined) continue;
+      const CellFace face{grid.box(points[a], points[b], points[c]), block.first_face + i, raster.thins(box)};
+      if (near) here.faces.push_back(face);
       lines.for_each(box, [&](std::uint32_t line, std::uint32_t y, std::uint32_t z) {
         const auto& [gy, gz] = line_at[y + bricks.size(1) * z];
         if (face.box.lower[1] <= gy && gy <= face.box.upper[1] && face.box.lower[2] <= gz && gz <= face.box.upper[2])
-          found[n].line_faces.push_back({line, face.face});
+          here.line_faces.push_back({line, face.face});
       });
     }
   });

@@ -46,8 +46,8 @@ struct NearFaces {
 
 /// One streaming pass over all faces.
 [[nodiscard]] NearFaces find_near_faces(const Carriers& carriers, const Grid& grid, const BrickGrid& bricks,
-                                        const Raster& raster, const BrickCodes& codes, const Regions& regions,
-                                        const Lines& lines, const Monitor& monitor);
+                                        const Raster& raster, const BrickCodes& codes, const Occupancy& occupancy,
+                                        const Regions& regions, const Lines& lines, const Monitor& monitor);
 
 /// The near faces of each mixed brick.
 class BrickFaces {

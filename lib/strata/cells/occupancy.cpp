@@ -28,23 +28,27 @@ Occupancy::Occupancy(const Carriers& carriers, const BrickGrid& bricks, const Ra
                      bool self, const Monitor& monitor) {
   resize_fresh(owners_, bricks.brick_count(), nobody);
   const std::vector<FaceBlock> blocks = face_blocks(carriers);
-  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t n) {
-    monitor.check();
-    const FaceBlock& block = blocks[n];
-    const auto points = carriers.points(block.operand);
-    const auto faces = carriers.faces(block.operand);
-    const std::uint32_t first_vertex = carriers.first_vertex(block.operand);
+  runs_.resize(blocks.size());
+  for_each_face_block(carriers, blocks, monitor, [&](const FaceBlockView& block) {
+    const auto points = block.points;
     const Owner own = self || block.operand + 1 >= mixed ? mixed : static_cast<Owner>(block.operand + 1);
+    std::vector<BrickBox>& runs = runs_[block.number];
+    runs.reserve(block.faces.size() / run_length + 1);
     BrickCode last = 0;  // a brick that was marked; 0 is outside
-    for (std::uint32_t i = block.first; i < block.last; ++i) {
-      const auto& t = faces[i];
-      const BrickBox box = codes.box(first_vertex, t);
-      if (box.lower == box.upper) {
-        if (box.lower == last) continue;
-        last = box.lower;
+    for (std::size_t first = 0; first < block.faces.size(); first += run_length) {
+      const auto faces = block.faces.subspan(first, std::min(run_length, block.faces.size() - first));
+      BrickBox run = codes.box(block.first_vertex, faces[0]);
+      for (const auto& t : faces) {
+        const BrickBox box = codes.box(block.first_vertex, t);
+        run = run.with(box);
+        if (box.lower == box.upper) {
+          if (box.lower == last) continue;
+          last = box.lower;
+        }
+        raster.for_each_brick(points[t[0]], points[t[1]], points[t[2]], box,
+                              [&](std::uint32_t brick) { mark(brick, own); });
       }
-      raster.for_each_brick(points[t[0]], points[t[1]], points[t[2]], box,
-                            [&](std::uint32_t brick) { mark(brick, own); });
+      runs.push_back(run);
     }
   });
   mark_outside(bricks);

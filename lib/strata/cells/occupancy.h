@@ -42,11 +42,17 @@ class Occupancy {
   /// Nobody, mixed, outside, or one operand's number + 1.
   [[nodiscard]] Owner owner(std::uint32_t brick) const { return owners_[brick]; }
 
+  /// Faces of a block come in runs of so many; the last one may be shorter.
+  static constexpr std::size_t run_length = 32;
+  /// The box of all bricks of a run of faces, which are near each other in most meshes.
+  [[nodiscard]] const BrickBox& run(std::size_t block, std::size_t number) const { return runs_[block][number]; }
+
  private:
   void mark(std::uint32_t brick, Owner own);
   void mark_outside(const BrickGrid& bricks);
 
   std::vector<Owner> owners_;
+  std::vector<std::vector<BrickBox>> runs_;  ///< per block
 };
 
 }  // namespace strata

@@ -66,23 +66,12 @@ class Raster {
     } else if (thins(box)) {
       divide(PlaneFilter(a, b, c), box, visit);
     } else {
-      visit_all(box, visit);
+      bricks_.for_each(box, visit);
     }
   }
 
  private:
   static constexpr std::uint32_t few_bricks = 8;
-
-  template <class Visit>
-  void visit_all(const BrickBox& box, const Visit& visit) const {
-    const auto low = [&](int axis) { return BrickBox::along(box.lower, axis); };
-    const auto high = [&](int axis) { return BrickBox::along(box.upper, axis); };
-    for (std::uint32_t z = low(2); z <= high(2); ++z)
-      for (std::uint32_t y = low(1); y <= high(1); ++y) {
-        const std::uint32_t first = bricks_.index(y << 8 | z << 16);
-        for (std::uint32_t x = low(0); x <= high(0); ++x) visit(first + x);
-      }
-  }
 
   [[nodiscard]] bool meets(const PlaneFilter& plane, const BrickBox& box, double error) const {
     Carriers::Coordinates lower, upper;

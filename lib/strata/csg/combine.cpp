@@ -3,14 +3,13 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <exception>
+#include <algorithm>
 #include <utility>
 
 #include "strata/csg/arena.h"
 #include "strata/csg/check.h"
 #include "strata/csg/evaluate.h"
 #include "strata/csg/stopwatch.h"
-#include "strata/mesh/huge_pages.h"
 #include "strata/mesh/prepare.h"
 #include "strata/round/rounding.h"
 
@@ -32,22 +31,19 @@ class Operands {
   }
 
   [[nodiscard]] const Carriers& carriers() const { return carriers_; }
-  [[nodiscard]] std::vector<Source> sources(const std::vector<std::uint32_t>& global_faces) const {
-    std::vector<Source> result;
-    resize_fresh(result, global_faces.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, result.size(), 1 << 13), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i != range.end(); ++i) result[i] = source(global_faces[i]);
+  /// From faces as they were prepared to those of the caller.
+  void restore(std::vector<Source>& sources) const {
+    const auto is_renumbered = [](const Prepared& p) { return !p.source_face.empty(); };
+    if (std::none_of(prepared_.begin(), prepared_.end(), is_renumbered)) return;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sources.size(), 1 << 13), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+        const auto& renumbered = prepared_[sources[i].operand].source_face;
+        if (!renumbered.empty()) sources[i].face = renumbered[sources[i].face];
+      }
     });
-    return result;
   }
 
  private:
-  [[nodiscard]] Source source(std::uint32_t global_face) const {
-    const std::uint32_t operand = carriers_.operand_of_face(global_face);
-    const std::uint32_t face = global_face - carriers_.first_face(operand);
-    const auto& renumbered = prepared_[operand].source_face;
-    return {operand, renumbered.empty() ? face : renumbered[face]};
-  }
   static Prepared prepare(const Operand& operand, InputClass input, std::size_t index) {
     if (!operand.exact.empty()) return {};  // a result of ours
     switch (input) {
@@ -93,7 +89,8 @@ BooleanResult combine_here(Operation operation, std::span<const Operand> given, 
   Stopwatch output(result.profile);
   result.mesh.vertices = round_to_doubles(carriers, points, boundary, monitor);
   result.mesh.triangles = std::move(boundary.triangles);
-  result.sources = operands.sources(boundary.sources);
+  result.sources = std::move(boundary.sources);
+  operands.restore(result.sources);
   output.lap("round");
   ensure_closed(result.mesh, given, options);
   output.lap("ensure");

@@ -9,15 +9,9 @@
 #include "strata/mesh/defect.h"
 #include "strata/mesh/exact_mesh.h"
 #include "strata/mesh/mesh.h"
+#include "strata/mesh/source.h"
 
 namespace strata {
-
-/// Where an output triangle comes from: operand and face number there, both from 0.
-struct Source {
-  std::uint32_t operand = 0;
-  std::uint32_t face = 0;
-  friend bool operator==(const Source&, const Source&) = default;
-};
 
 /// Where the time went and what was met, in the order of the stages.
 struct Profile {

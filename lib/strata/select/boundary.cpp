@@ -1,6 +1,7 @@
 #include "strata/select/boundary.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <atomic>
@@ -94,11 +95,12 @@ class WholeFaces {
   void write(const VertexNumbers& numbers, Boundary& boundary) const {
     for_each_block([&](std::size_t n) {
       std::size_t i = first_[n];
+      const std::uint32_t operand = blocks_[n].operand;
       for_each_face(n, [&](std::uint32_t face, Verdict verdict, const Triangle& t) {
         Triangle r{numbers.of_input(t[0]), numbers.of_input(t[1]), numbers.of_input(t[2])};
         if (verdict == Verdict::keep_turned) std::swap(r[0], r[2]);
         boundary.triangles[i] = r;
-        boundary.sources[i++] = face;
+        boundary.sources[i++] = {operand, face};
       });
     });
   }
@@ -113,10 +115,10 @@ class WholeFaces {
     const auto& [operand, first, last] = blocks_[block];
     const auto faces = carriers_.faces(operand);
     const Verdict* verdicts = verdicts_.data() + carriers_.first_face(operand);
-    const std::uint32_t shift = carriers_.first_vertex(operand), first_face = carriers_.first_face(operand);
+    const std::uint32_t shift = carriers_.first_vertex(operand);
     for (std::uint32_t i = first; i < last; ++i)
       if (verdicts[i] != Verdict::drop)
-        visit(first_face + i, verdicts[i], {faces[i][0] + shift, faces[i][1] + shift, faces[i][2] + shift});
+        visit(i, verdicts[i], {faces[i][0] + shift, faces[i][1] + shift, faces[i][2] + shift});
   }
 
   const Carriers& carriers_;
@@ -140,15 +142,17 @@ Boundary gather_boundary(const Carriers& carriers, const std::vector<Verdict>& w
 
   Boundary result;
   numbers.assign(result);
-  resize_fresh(result.triangles, first.back());
-  resize_fresh(result.sources, first.back());
+  tbb::parallel_invoke([&] { resize_fresh(result.triangles, first.back()); },
+                       [&] { resize_fresh(result.sources, first.back()); });
   whole_faces.write(numbers, result);
   tbb::parallel_for(std::size_t{0}, split.size(), [&](std::size_t i) {
     const SplitFace& face = split[i];
+    const std::uint32_t operand = carriers.operand_of_face(face.face);
+    const Source source{operand, face.face - carriers.first_face(operand)};
     std::size_t n = first[i];
     for (const PieceTriangle& piece : face.triangles) {
       for (std::size_t k = 0; k < 3; ++k) result.triangles[n][k] = numbers.of(face.points[piece.v[k]]);
-      result.sources[n++] = face.face;
+      result.sources[n++] = source;
     }
   });
   return result;

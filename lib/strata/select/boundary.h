@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "strata/mesh/source.h"
 #include "strata/overlap/point_table.h"
 #include "strata/select/rule.h"
 #include "strata/select/split_faces.h"
@@ -15,7 +16,7 @@ struct Boundary {
   std::vector<std::uint32_t> inputs;                    ///< used input vertices, by increasing number
   std::vector<PointId> constructed;                     ///< used constructed points, by increasing number
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< whole faces in input order, then pieces
-  std::vector<std::uint32_t> sources;                   ///< global face number per triangle
+  std::vector<Source> sources;                          ///< per triangle
 };
 
 /// Gathers what stays. Points that were identified become one vertex. Two streaming passes over the whole faces, in parallel.
