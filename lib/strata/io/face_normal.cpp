@@ -15,13 +15,16 @@ Vertex cross(const Vertex& u, const Vertex& v) {
 
 Vertex difference(const Vertex& a, const Vertex& b) { return {b[0] - a[0], b[1] - a[1], b[2] - a[2]}; }
 
-/// b - a, scaled to a largest component of 1. Halves first, so that nothing overflows.
-Vertex scaled_difference(const Vertex& a, const Vertex& b) {
-  Vertex d{};
-  for (std::size_t i = 0; i < 3; ++i) d[i] = 0.5 * b[i] - 0.5 * a[i];
-  const double largest = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
-  for (double& x : d) x = largest > 0 ? x / largest : 0;
-  return d;
+/// Half of b - a, which never overflows.
+Vertex half_difference(const Vertex& a, const Vertex& b) {
+  return {0.5 * b[0] - 0.5 * a[0], 0.5 * b[1] - 0.5 * a[1], 0.5 * b[2] - 0.5 * a[2]};
+}
+
+/// Scaled to a largest component of 1; 0 stays.
+Vertex scaled(const Vertex& v) {
+  const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  if (largest == 0) return v;
+  return {v[0] / largest, v[1] / largest, v[2] / largest};
 }
 
 }  // namespace
@@ -30,9 +33,9 @@ std::array<float, 3> face_normal(MeshView mesh, const Triangle& triangle) {
   const auto [a, b, c] = std::tie(mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]);
   Vertex n = cross(difference(a, b), difference(a, c));
   double square = squared_length(n);
-  // Where squares come near the ends of the range, they lose digits or overflow.
-  if (!(square > 1e-200 && square < 1e200)) {
-    n = cross(scaled_difference(a, b), scaled_difference(a, c));
+  // Where the square is a normal number, nothing on the way to it overflowed or lost digits that matter.
+  if (!std::isnormal(square)) {
+    n = scaled(cross(scaled(half_difference(a, b)), scaled(half_difference(a, c))));
     square = squared_length(n);
   }
   if (!(square > 0)) return {};
