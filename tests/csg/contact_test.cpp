@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -155,6 +156,27 @@ TEST_CASE("n operands through one point", "[csg][degenerate]") {
   CHECK(u == Solid(box({-1, -1, -1}, {1, 1, 1})));
   CHECK(intersect(all).is_empty());
   CHECK(exclude(all) == u);
+}
+
+// Catches: a corner on the surface of an operand taken for one inside it, because a face there lies inside.
+TEST_CASE("faces on both sides of an operand's vertex", "[csg][degenerate]") {
+  const Mesh inner = test::tetrahedron({1, 1, 1}, {.5, .5, .25}, {.25, .5, .5}, {.5, .25, .5});
+  const Mesh outer = test::tetrahedron({1, 1, 1}, {1.5, 1.5, 1.75}, {1.5, 1.75, 1.5}, {1.75, 1.5, 1.5});
+  Mesh both = inner;
+  std::vector<std::uint32_t> number;  // in both; the vertex in common is one
+  for (const Vertex& v : outer.vertices) {
+    const auto there = std::find(inner.vertices.begin(), inner.vertices.end(), v);
+    number.push_back(static_cast<std::uint32_t>(there == inner.vertices.end() ? both.vertices.size()
+                                                                              : there - inner.vertices.begin()));
+    if (there == inner.vertices.end()) both.vertices.push_back(v);
+  }
+  for (const Triangle& t : outer.triangles) both.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+  REQUIRE(both.vertices.size() == 7);
+  const Solid hourglass(both), inside(box({.3, .3, .3}, {.6, .6, .6})), outside(box({1.4, 1.4, 1.4}, {1.6, 1.6, 1.6}));
+  REQUIRE(hourglass.volume() > 0);
+  const Solid all[] = {hourglass, unit(), inside, outside};
+  CHECK(unite(all) == (unit() | Solid(outer) | outside));
+  CHECK(subtract(all) == (Solid(outer) - outside));
 }
 
 TEST_CASE("a gap of one ulp stays a gap, an overlap of one ulp an overlap", "[csg][degenerate]") {

@@ -123,7 +123,8 @@ class FaceSplitter {
     return absent < rule_.operands() && rule_.settles(absent, 0) && settle(absent);
   }
   bool settle(std::uint32_t operand) {
-    for (const std::uint32_t v : corners_) settling_.remember(v, operand);
+    for (const std::uint32_t v : corners_)
+      if (!carriers_.is_shared(v)) settling_.remember(v, operand);  // else it may lie on the operand
     return true;
   }
 
