@@ -2,7 +2,6 @@
 // strata-bench. Kernels: corefine_epick, corefine_epeck, nef. CGAL works on one thread.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/assertions_behaviour.h>
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "case_file.h"
+#include "combine_nef.h"
 #include "measure.h"
 #include "request.h"
 
@@ -26,9 +26,10 @@ namespace {
 namespace corefinement = CGAL::Polygon_mesh_processing;
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
-using Nef = CGAL::Nef_polyhedron_3<Epeck>;
 using strata::Mesh;
 using strata::Operation;
+using strata::oracle::combine;
+using strata::oracle::Nef;
 
 template <typename Kernel>
 using Surface = CGAL::Surface_mesh<typename Kernel::Point_3>;
@@ -105,20 +106,6 @@ CGAL::Surface_mesh<Point> combine(Operation operation, CGAL::Surface_mesh<Point>
   }
   if (!manifold) throw std::runtime_error("CGAL refuses: the result is not manifold");
   return result;
-}
-
-Nef combine(Operation operation, const Nef& a, const Nef& b) {
-  switch (operation) {
-    case Operation::unite:
-      return a + b;
-    case Operation::intersect:
-      return a * b;
-    case Operation::subtract:
-      return a - b;
-    case Operation::exclude:
-      return a ^ b;
-  }
-  throw std::runtime_error("unknown operation");
 }
 
 /// The first operand and what each further one does to it.

@@ -1,7 +1,5 @@
 #include "oracle/nef.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_incremental_builder_3.h>
 #include <CGAL/assertions_behaviour.h>
@@ -11,14 +9,14 @@
 #include <exception>
 #include <type_traits>
 
+#include "oracle/combine_nef.h"
 #include "oracle/sheets.h"
 
 namespace strata::oracle {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Kernel = Nef::Kernel;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-using Nef = CGAL::Nef_polyhedron_3<Kernel>;
 
 // CGAL chooses its exact rationals by what is installed: GMP's own class or Boost's.
 using CgalRational = std::decay_t<decltype(CGAL::exact(Kernel::FT()))>;
@@ -78,23 +76,8 @@ Nef parity(const std::vector<Sheet>& sheets) {
   return queue.front();
 }
 
-/// Not regularized: may miss or have points of a nowhere dense set.
-Nef apply(Operation operation, const Nef& a, const Nef& b) {
-  switch (operation) {
-    case Operation::unite:
-      return a + b;
-    case Operation::intersect:
-      return a * b;
-    case Operation::subtract:
-      return a - b;
-    case Operation::exclude:
-      return a ^ b;
-  }
-  throw OracleFailed("unknown operation");
-}
-
-/// The same by way of other operations.
-Nef apply_otherwise(Operation operation, const Nef& a, const Nef& b) {
+/// The same as combine(), by way of other operations.
+Nef combine_otherwise(Operation operation, const Nef& a, const Nef& b) {
   switch (operation) {
     case Operation::unite:
       return (a - b) + b;
@@ -189,8 +172,8 @@ NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands, Wa
   return NefSolid(guarded([&] {
     Nef result = list.empty() ? Nef(Nef::EMPTY) : *list[0];
     for (std::size_t i = 1; i < list.size(); ++i) {
-      result =
-          way == Way::other_formula ? apply_otherwise(operation, result, *list[i]) : apply(operation, result, *list[i]);
+      result = way == Way::other_formula ? combine_otherwise(operation, result, *list[i])
+                                         : combine(operation, result, *list[i]);
       if (way == Way::regularized) result = result.regularization();
     }
     return std::make_shared<const NefSolid::Data>(NefSolid::Data{result});
