@@ -10,16 +10,12 @@
 
 #include "random.h"
 #include "subdivision.h"
+#include "vectors.h"
 
 namespace bench {
 namespace {
 
 using std::uint32_t;
-using strata::Mesh;
-using strata::Triangle;
-using strata::Vertex;
-
-Vertex scaled(const Vertex& v, double factor) { return {v[0] * factor, v[1] * factor, v[2] * factor}; }
 
 double length(const Vertex& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 

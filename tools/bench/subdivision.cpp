@@ -5,18 +5,12 @@
 #include <unordered_map>
 #include <vector>
 
+#include "vectors.h"
+
 namespace bench {
 namespace {
 
 using std::uint32_t;
-using strata::Mesh;
-using strata::Triangle;
-using strata::Vertex;
-
-/// a + factor * b
-Vertex sum(const Vertex& a, double factor, const Vertex& b) {
-  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
-}
 
 /// The undirected sides of a mesh, numbered, and the triangles of the split mesh: side s has its vertex at V + s.
 struct Split {
@@ -48,7 +42,7 @@ struct Split {
 Vertex smoothed(const Vertex& v, const Vertex& neighbour_sum, uint32_t neighbours) {
   const double n = neighbours;
   const double weight = neighbours == 3 ? 3.0 / 16 : 3 / (8 * n);
-  return sum(sum(Vertex{}, 1 - n * weight, v), weight, neighbour_sum);
+  return sum(scaled(v, 1 - n * weight), weight, neighbour_sum);
 }
 
 }  // namespace
@@ -57,7 +51,7 @@ Mesh halved(const Mesh& mesh) {
   Split split(mesh);
   Mesh result{mesh.vertices, std::move(split.triangles)};
   for (const auto& [a, b] : split.sides) {
-    result.vertices.push_back(sum(sum(Vertex{}, 0.5, mesh.vertices[a]), 0.5, mesh.vertices[b]));
+    result.vertices.push_back(sum(scaled(mesh.vertices[a], 0.5), 0.5, mesh.vertices[b]));
   }
   return result;
 }
@@ -78,7 +72,7 @@ Mesh loop_subdivided(const Mesh& mesh) {
     result.vertices[i] = smoothed(mesh.vertices[i], neighbour_sum[i], neighbours[i]);
   }
   for (const auto& [a, b] : split.sides) {
-    result.vertices.push_back(sum(sum(Vertex{}, 0.375, mesh.vertices[a]), 0.375, mesh.vertices[b]));
+    result.vertices.push_back(sum(scaled(mesh.vertices[a], 0.375), 0.375, mesh.vertices[b]));
   }
   // What lies opposite a side counts an eighth: the k-th four new triangles tell the middles of the k-th old one.
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
