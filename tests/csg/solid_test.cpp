@@ -76,6 +76,27 @@ TEST_CASE("laws hold on random touching solids", "[csg][property]") {
   }
 }
 
+// Deep inside many operands most faces are settled by one of them; step by step nothing is.
+TEST_CASE("many operands at once give what one after the other gives", "[csg][property]") {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    std::vector<Solid> all;
+    for (int n = random.between(4, 9); n > 0; --n) all.emplace_back(test::lattice_solid(random));
+    Solid u = all[0], i = all[0], d = all[0], x = all[0];
+    for (std::size_t k = 1; k < all.size(); ++k) {
+      u = u | all[k];
+      i = i & all[k];
+      d = d - all[k];
+      x = x ^ all[k];
+    }
+    CHECK(unite(all) == u);
+    CHECK(intersect(all) == i);
+    CHECK(subtract(all) == d);
+    CHECK(exclude(all) == x);
+  }
+}
+
 TEST_CASE("overlapping input is resolved: inside is where the winding number is positive", "[csg]") {
   Mesh two = box({0, 0, 0}, {2, 2, 2});
   const Mesh other = box({1, 1, 1}, {3, 3, 3});
