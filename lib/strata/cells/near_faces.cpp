@@ -21,8 +21,8 @@ std::uint32_t Lines::add(BrickCode code) {
 }
 
 NearFaces find_near_faces(const Carriers& carriers, const Grid& grid, const BrickGrid& bricks, const Raster& raster,
-                          const BrickCodes& codes, const Occupancy& occupancy, const Regions& regions, const Lines& lines,
-                          const Monitor& monitor) {
+                          const BrickCodes& codes, const Occupancy& occupancy, const Regions& regions,
+                          const Lines& lines, const Monitor& monitor) {
   std::vector<std::array<std::int32_t, 2>> line_at(std::size_t{bricks.size(1)} * bricks.size(2));
   for (std::uint32_t z = 1; z + 1 < bricks.size(2); ++z)
     for (std::uint32_t y = 1; y + 1 < bricks.size(1); ++y) {
@@ -36,9 +36,8 @@ NearFaces find_near_faces(const Carriers& carriers, const Grid& grid, const Bric
     if (box.size() > many) return true;
     bool matters = false;
     lines.for_each(box, [&](std::uint32_t, std::uint32_t, std::uint32_t) { matters = true; });
-    bricks.for_each(box, [&](std::uint32_t brick) {
-      matters = matters || (regions.place(brick) & Regions::mixed_flag) != 0;
-    });
+    bricks.for_each(
+        box, [&](std::uint32_t brick) { matters = matters || (regions.place(brick) & Regions::mixed_flag) != 0; });
     return matters;
   };
   for_each_face_block(carriers, blocks, monitor, [&](const FaceBlockView& block) {
