@@ -33,8 +33,7 @@ void validate(const Carriers& carriers, const Triangulation& t) {
   const auto triangles = t.triangles();
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& x = triangles[i];
-    const Point &p = t.points()[x.v[0]], &q = t.points()[x.v[1]],
-                &r = t.points()[x.v[2]];
+    const Point &p = t.points()[x.v[0]], &q = t.points()[x.v[1]], &r = t.points()[x.v[2]];
     REQUIRE(orient2d(carriers, xy, p, q, r) == Sign::positive);
     const auto a = exact_position(carriers, p), b = exact_position(carriers, q), c = exact_position(carriers, r);
     area += (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -68,11 +67,10 @@ TEST_CASE("random segments on a lattice, with all their coincidences", "[arrange
     }
     plate.build();
     const PointTable table(plate.carriers);
-  Triangulation t(plate.carriers, table);
+    Triangulation t(plate.carriers, table);
     t.start(0, Triangulation::Names::any);
     std::vector<std::pair<std::int32_t, std::int32_t>> ends;
-    for (const std::uint32_t v : walls)
-      ends.emplace_back(t.add_point(v), t.add_point(v + 1));
+    for (const std::uint32_t v : walls) ends.emplace_back(t.add_point(v), t.add_point(v + 1));
     for (std::size_t i = 0; i < walls.size(); ++i)
       t.add_segment(ends[i].first, ends[i].second, std::int32_t(i), ConstraintLine::along_edge(walls[i], walls[i] + 1));
     validate(plate.carriers, t);

@@ -60,7 +60,7 @@ class FacePoints {
   Projection projection_;
   std::vector<Point> points_;
   std::vector<PointId> ids_;
-  std::vector<std::pair<PointId, std::int32_t>> known_;    ///< what is asked when there are few
+  std::vector<std::pair<PointId, std::int32_t>> known_;   ///< what is asked when there are few
   std::unordered_map<PointId, std::int32_t> many_known_;  ///< else
 };
 

@@ -95,8 +95,7 @@ Sign Triangulation::inner_side(Side s, std::int32_t p) const {
       if (points_.are_on_edge(i, from, to)) return points_.are_on_edge(i, p, p) ? Sign::zero : Sign::positive;
     }
   }
-  if (const auto sign = filtered_orient2d(points_.projection(), points_[from], points_[to], points_[p]))
-    return *sign;
+  if (const auto sign = filtered_orient2d(points_.projection(), points_[from], points_[to], points_[p])) return *sign;
   if (is_crossed)
     for (int i = 0; i < 3; ++i) {
       if (!points_.are_on_edge(i, from, to)) continue;

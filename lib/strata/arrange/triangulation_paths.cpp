@@ -88,8 +88,8 @@ bool Triangulation::is_ear(std::size_t i) {
     if (corner_turn(j) == Sign::positive) continue;
     const std::int32_t p = polygon_[j].side.from;
     if (is_straight(j)) {  // on an edge of the face: in the way of nothing but a base along that edge
-      const int k = -1 - polygon_[j].side.carrier;
-      if (points_.are_on_edge(k, a, c)) return false;
+      const int edge = -1 - polygon_[j].side.carrier;
+      if (points_.are_on_edge(edge, a, c)) return false;
       continue;
     }
     if (turn(c, a, p) != Sign::negative && turn(a, b, p) != Sign::negative && turn(b, c, p) != Sign::negative)

@@ -56,9 +56,7 @@ struct Point {
   RealPoint<Twofold> fine;  ///< for a second one
 
   /// A point at given doubles.
-  static Point free(const Carriers::Coordinates& p) {
-    return {PointName{}, {p[0], p[1], p[2]}, {p[0], p[1], p[2]}};
-  }
+  static Point free(const Carriers::Coordinates& p) { return {PointName{}, {p[0], p[1], p[2]}, {p[0], p[1], p[2]}}; }
 };
 
 /// True when the name itself says that the point lies in the plane of face f, whose vertices are v.
@@ -67,9 +65,9 @@ struct Point {
 /// True when the name itself says that the point lies on the line through the vertices a and b.
 [[nodiscard]] bool named_on_edge(const PointName& name, std::uint32_t a, std::uint32_t b);
 
-/// Approximates the named point. Its coordinates are within the bounds, which are about an ulp wide. Where carriers meet
-/// at an angle so small that doubles in pairs do not reach this, they are found from the exact place.
-/// Requires a kind other than free whose carriers do meet in one point. O(1), with rationals in the ill-posed case.
+/// Approximates the named point. Its coordinates are within the bounds, which are about an ulp wide. Where carriers
+/// meet at an angle so small that doubles in pairs do not reach this, they are found from the exact place. Requires a
+/// kind other than free whose carriers do meet in one point. O(1), with rationals in the ill-posed case.
 [[nodiscard]] Point make_point(const Carriers& carriers, const PointName& name);
 
 /// The exact place of a point. O(1) rational operations.

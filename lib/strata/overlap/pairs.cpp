@@ -28,9 +28,10 @@ class CellPairs {
     load(cell);
     for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
       const auto later = order_.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-      const auto end = static_cast<std::size_t>(
-          std::upper_bound(later, order_.end(), upper_[0][i], [](std::int32_t x, const Place& p) { return x < p.lower; }) -
-          order_.begin());
+      const auto end =
+          static_cast<std::size_t>(std::upper_bound(later, order_.end(), upper_[0][i],
+                                                    [](std::int32_t x, const Place& p) { return x < p.lower; }) -
+                                   order_.begin());
       compare(i, end);
       for (std::size_t j = i + 1; j < end; ++j) {
         if (is_pair_[j] == 0) continue;

@@ -32,9 +32,7 @@ class PointTable {
   /// The number of the first constructed point.
   [[nodiscard]] PointId first() const { return carriers_.vertex_count(); }
   [[nodiscard]] bool is_input(PointId id) const { return id < first(); }
-  [[nodiscard]] PointName name(PointId id) const {
-    return is_input(id) ? PointName::input(id) : constructed(id).name;
-  }
+  [[nodiscard]] PointName name(PointId id) const { return is_input(id) ? PointName::input(id) : constructed(id).name; }
   [[nodiscard]] Point point(PointId id) const {
     return is_input(id) ? make_point(carriers_, PointName::input(id)) : constructed(id);
   }

@@ -19,7 +19,8 @@ struct Boundary {
   std::vector<Source> sources;                          ///< per triangle
 };
 
-/// Gathers what stays. Points that were identified become one vertex. Two streaming passes over the whole faces, in parallel.
+/// Gathers what stays. Points that were identified become one vertex. Two streaming passes over the whole faces, in
+/// parallel.
 [[nodiscard]] Boundary gather_boundary(const Carriers& carriers, const std::vector<Verdict>& whole,
                                        const std::vector<SplitFace>& split, const PointTable& points);
 

@@ -31,7 +31,8 @@ class Outlines {
       for (const PieceTriangle& t : face.triangles)
         for (std::size_t i = 0; i < 3; ++i) {
           const Id a = face.points[t.v[i]], b = face.points[t.v[(i + 1) % 3]];
-          if ((t.outline >> i & 1) != 0 && (concerned_[a] != 0 || concerned_[b] != 0)) edges_.push_back(undirected(a, b));
+          if ((t.outline >> i & 1) != 0 && (concerned_[a] != 0 || concerned_[b] != 0))
+            edges_.push_back(undirected(a, b));
         }
     tbb::parallel_sort(edges_.begin(), edges_.end());
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
@@ -48,9 +49,7 @@ class Outlines {
     return std::binary_search(edges_.begin(), edges_.end(), undirected(a, b));
   }
   /// True when nothing needs the vertex: no outline edge ends there, or two that run straight on.
-  [[nodiscard]] bool is_redundant(Id v) const {
-    return concerned_[v] != 0 && (degree_[v] == 0 || straight_[v] != 0);
-  }
+  [[nodiscard]] bool is_redundant(Id v) const { return concerned_[v] != 0 && (degree_[v] == 0 || straight_[v] != 0); }
 
  private:
   void meet(Id a, Id b) {
@@ -105,7 +104,8 @@ class FaceMerger {
       if (outlines_.is_redundant(v)) return true;
     for (const PieceTriangle& t : face.triangles)
       for (std::size_t i = 0; i < 3; ++i)
-        if (is_bare(t, i) && (t.carried >> i & 1) != 0 && !outlines_.has(face.points[t.v[i]], face.points[t.v[(i + 1) % 3]]))
+        if (is_bare(t, i) && (t.carried >> i & 1) != 0 &&
+            !outlines_.has(face.points[t.v[i]], face.points[t.v[(i + 1) % 3]]))
           return true;
     return false;
   }

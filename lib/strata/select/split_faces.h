@@ -47,7 +47,7 @@ using Pools = tbb::enumerable_thread_specific<Pool>;
 /// what the piece itself and the coplanar pieces on it contribute. Of coinciding pieces the one of the lowest face
 /// counts. Points constructed by the way become points of the table, and what was found equal is identified there.
 [[nodiscard]] std::vector<SplitFace> split_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
-                                                 const Meetings& meetings, bool self, PointTable& points,
-                                                 Pools& pools, const Monitor& monitor);
+                                                 const Meetings& meetings, bool self, PointTable& points, Pools& pools,
+                                                 const Monitor& monitor);
 
 }  // namespace strata
