@@ -65,7 +65,7 @@ PointName any_name(Random& random, Kind kind) {
   return {};
 }
 
-Point named(const PointName& name) { return {name, {}}; }
+Point named(const PointName& name) { return {name, {}, {}}; }
 
 void check_width(const HPoint<Integer>& p, PointWidth width) {
   REQUIRE(bits_of(p.x) <= width.xyz);

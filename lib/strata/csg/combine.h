@@ -15,8 +15,9 @@ namespace strata {
 
 /// Where the time went and what was met, in the order of the stages.
 struct Profile {
-  std::vector<std::pair<std::string, double>> seconds;        ///< per stage
-  std::vector<std::pair<std::string, std::uint64_t>> counts;  ///< pairs tested, contacts, split faces, cells, ...
+  std::vector<std::pair<std::string, double>> seconds;  ///< per stage
+  std::vector<std::pair<std::string, std::uint64_t>>
+      counts;  ///< pairs, points, pieces, ...; decisions per tier if counted
 };
 
 /// An operand whose vertices may be rationals; `exact` is empty for ordinary meshes.

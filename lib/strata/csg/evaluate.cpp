@@ -4,6 +4,7 @@
 
 #include "strata/cells/cell_tree.h"
 #include "strata/csg/stopwatch.h"
+#include "strata/kernel/counters.h"
 #include "strata/overlap/coincidences.h"
 #include "strata/overlap/pairs.h"
 #include "strata/select/merge.h"
@@ -13,6 +14,7 @@
 namespace strata {
 Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
                   Profile& profile) {
+  const TierCounts decided_before = tier_counts_now();
   Stopwatch watch(profile);
   const CellTree cells(carriers, {.self = self, .monitor = monitor});
   watch.lap("cells");
@@ -33,10 +35,17 @@ Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& p
   Boundary boundary = gather_boundary(carriers, whole, split, points);
   watch.lap("select");
   monitor.report(0.9);
+  std::size_t pieces = 0;
+  for (const SplitFace& face : split) pieces += face.triangles.size();
   profile.counts = {{"cells", cells.cells().size()},
                     {"pairs_tested", meetings.pairs_tested},
                     {"pairs_meeting", meetings.pairs_meeting},
-                    {"split_faces", split.size()}};
+                    {"points", points.end() - points.first()},
+                    {"split_faces", split.size()},
+                    {"pieces", pieces}};
+  const TierCounts decided = tier_counts_now();
+  for (std::size_t i = 0; i < decided.size(); ++i)
+    if (decided[i] != decided_before[i]) profile.counts.emplace_back(tier_names[i], decided[i] - decided_before[i]);
   return boundary;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 
 namespace strata {
@@ -16,5 +17,18 @@ inline void count(Tier t) { tier_counts[static_cast<std::size_t>(t)].fetch_add(1
 #else
 inline void count(Tier) {}
 #endif
+
+using TierCounts = std::array<std::uint64_t, tier_count>;
+inline constexpr std::array<const char*, tier_count> tier_names{
+    "by_filter", "by_names", "by_twofold", "by_128_bits", "by_256_bits", "by_512_bits", "by_1024_bits", "by_integers"};
+
+/// Decisions of the process so far; zeros in a build that does not count.
+[[nodiscard]] inline TierCounts tier_counts_now() {
+  TierCounts now{};
+#ifdef STRATA_COUNTERS
+  for (std::size_t i = 0; i < now.size(); ++i) now[i] = tier_counts[i].load(std::memory_order_relaxed);
+#endif
+  return now;
+}
 
 }  // namespace strata
