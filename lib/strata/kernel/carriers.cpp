@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
+
+#include "strata/kernel/disjoint_sets.h"
 
 namespace strata {
 
@@ -34,21 +35,15 @@ void Carriers::list_operand(std::uint32_t operand) {
 
 void Carriers::identify(std::span<const std::pair<std::uint32_t, std::uint32_t>> equal) {
   if (equal.empty()) return;
-  if (same_.empty()) {
-    same_.resize(vertex_end_);
-    std::iota(same_.begin(), same_.end(), 0u);
-    shared_.resize(vertex_end_);
-  }
-  const auto root = [&](std::uint32_t v) {
-    while (same_[v] != v) v = same_[v] = same_[same_[v]];
-    return v;
-  };
+  shared_.resize(vertex_end_);
+  DisjointSets<std::uint32_t> sets(vertex_end_);
+  for (std::uint32_t v = 0; v < same_.size(); ++v) sets.unite(same_[v], v);
   for (const auto& [a, b] : equal) {
-    const std::uint32_t x = root(a), y = root(b);
-    same_[std::max(x, y)] = std::min(x, y);
+    sets.unite(a, b);
     shared_[a] = shared_[b] = true;
   }
-  for (std::uint32_t v = 0; v < vertex_end_; ++v) same_[v] = same_[same_[v]];
+  same_.resize(vertex_end_);
+  for (std::uint32_t v = 0; v < vertex_end_; ++v) same_[v] = sets.find(v);
 }
 
 const RationalPoint* Carriers::find_exact(std::uint32_t vertex) const {

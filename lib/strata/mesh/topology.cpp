@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "strata/mesh/disjoint_sets.h"
+#include "strata/kernel/disjoint_sets.h"
 #include "strata/mesh/edge_table.h"
 #include "strata/mesh/equal_vertices.h"
 #include "strata/mesh/measure.h"

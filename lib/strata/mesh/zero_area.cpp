@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "strata/mesh/disjoint_sets.h"
+#include "strata/kernel/disjoint_sets.h"
 #include "strata/mesh/edge_table.h"
 
 // Why the boundary stays closed, and why one pass is enough.

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "strata/exact/failure.h"
-#include "strata/mesh/disjoint_sets.h"
+#include "strata/kernel/disjoint_sets.h"
 #include "strata/mesh/huge_pages.h"
 
 namespace strata {
