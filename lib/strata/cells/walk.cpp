@@ -39,16 +39,17 @@ Sign side_of_origin(const Carriers& carriers, std::uint32_t face, const Carriers
 }
 
 int crossing(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& origin, const Point& q) {
-  const Sign target = side_of_face(carriers, face, q);
-  if (target == Sign::zero) return 0;
-  const Sign start = side_of_origin(carriers, face, origin);
-  if (start == target) return 0;
+  const auto quick = filtered_side_of_face(carriers, face, q);
+  if (quick == Sign::zero || (quick && *quick == side_of_origin(carriers, face, origin))) return 0;
+  // Faces in q's own plane come here; of most of them the walk's line keeps clear. Where q is in line with an edge its
+  // sign may be zero, and q is in the plane.
   const auto f = carriers.face(face);
   const Point o = Point::free(origin), a = vertex(carriers, f[0]), b = vertex(carriers, f[1]),
               c = vertex(carriers, f[2]);
   const Sign ab = side_of_line(carriers, o, q, a, b);
   if (ab != side_of_line(carriers, o, q, b, c) || ab != side_of_line(carriers, o, q, c, a)) return 0;
-  return to_int(start);
+  const Sign target = quick ? *quick : side_of_face(carriers, face, q), start = side_of_origin(carriers, face, origin);
+  return target == Sign::zero || start == target ? 0 : to_int(start);
 }
 
 int crossing_along_axis(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& from,

@@ -22,45 +22,62 @@ bool is_tight(const BoundedPoint& p) {
   return true;
 }
 
-/// What vertices agree in is what all points of the edge or face through them have: such coordinates are exact.
-void take_common_coordinates(const Carriers& carriers, std::initializer_list<std::uint32_t> vertices,
-                             RealPoint<Twofold>& p) {
-  const auto first = carriers.vertex(*vertices.begin());
-  std::array<bool, 3> common{true, true, true};
-  for (const std::uint32_t v : vertices) {
-    if (carriers.exact(v) != nullptr) return;
-    for (std::size_t i = 0; i < 3; ++i) common[i] = common[i] && carriers.vertex(v)[i] == first[i];
+/// Coordinates of a point that its carriers agree in: what all vertices of an edge or face have in common is what all
+/// points there have, exactly.
+class CommonCoordinates {
+ public:
+  CommonCoordinates(const Carriers& carriers, const PointName& name) : carriers_(carriers) {
+    const auto& id = name.id;
+    switch (name.kind) {
+      case PointName::Kind::edge_edge:
+        add({id[0], id[1]});
+        add({id[2], id[3]});
+        return;
+      case PointName::Kind::edge_face:
+        add({id[0], id[1]});
+        add_face(id[2]);
+        return;
+      case PointName::Kind::three_faces:
+        for (std::size_t i = 0; i < 3; ++i) add_face(id[i]);
+        return;
+      case PointName::Kind::weighted:
+        add_face(id[0]);
+        return;
+      case PointName::Kind::input:
+      case PointName::Kind::free:
+        return;
+    }
   }
-  for (std::size_t i = 0; i < 3; ++i)
-    if (common[i]) p[i] = first[i];
-}
 
-void take_common_coordinates(const Carriers& carriers, const PointName& name, RealPoint<Twofold>& p) {
-  const auto& id = name.id;
-  const auto take_face = [&](std::uint32_t f) {
-    const auto v = carriers.face(f);
-    take_common_coordinates(carriers, {v[0], v[1], v[2]}, p);
-  };
-  switch (name.kind) {
-    case PointName::Kind::edge_edge:
-      take_common_coordinates(carriers, {id[0], id[1]}, p);
-      take_common_coordinates(carriers, {id[2], id[3]}, p);
-      return;
-    case PointName::Kind::edge_face:
-      take_common_coordinates(carriers, {id[0], id[1]}, p);
-      take_face(id[2]);
-      return;
-    case PointName::Kind::three_faces:
-      for (std::size_t i = 0; i < 3; ++i) take_face(id[i]);
-      return;
-    case PointName::Kind::weighted:
-      take_face(id[0]);
-      return;
-    case PointName::Kind::input:
-    case PointName::Kind::free:
-      return;
+  [[nodiscard]] bool are_all() const { return known_[0] && known_[1] && known_[2]; }
+  void put_into(RealPoint<Twofold>& p) const {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (known_[i]) p[i] = value_[i];
   }
-}
+
+ private:
+  void add(std::initializer_list<std::uint32_t> vertices) {
+    const auto& first = carriers_.vertex(*vertices.begin());
+    std::array<bool, 3> common{true, true, true};
+    for (const std::uint32_t v : vertices) {
+      if (carriers_.exact(v) != nullptr) return;
+      for (std::size_t i = 0; i < 3; ++i) common[i] = common[i] && carriers_.vertex(v)[i] == first[i];
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      if (common[i]) {
+        known_[i] = true;
+        value_[i] = first[i];
+      }
+  }
+  void add_face(std::uint32_t f) {
+    const auto v = carriers_.face(f);
+    add({v[0], v[1], v[2]});
+  }
+
+  const Carriers& carriers_;
+  std::array<bool, 3> known_{};
+  Carriers::Coordinates value_{};
+};
 
 /// The nearest double, and the nearest one to what is left.
 Twofold nearest_twofold(const Rational& x) {
@@ -110,12 +127,12 @@ bool named_on_edge(const PointName& name, std::uint32_t a, std::uint32_t b) {
 }
 
 Point make_point(const Carriers& carriers, const PointName& name) {
-  Point p{name, {}, approximate<Twofold>(carriers, name)};
-  if (name.kind == PointName::Kind::input) {
-    p.at = approximate_vertex<Bounded>(carriers, name.id[0]);
-    return p;
-  }
-  take_common_coordinates(carriers, name, p.fine);
+  if (name.kind == PointName::Kind::input)
+    return {name, approximate_vertex<Bounded>(carriers, name.id[0]), approximate_vertex<Twofold>(carriers, name.id[0])};
+  Point p{name, {}, {}};
+  const CommonCoordinates common(carriers, name);
+  if (!common.are_all()) p.fine = approximate<Twofold>(carriers, name);
+  common.put_into(p.fine);
   for (std::size_t i = 0; i < 3; ++i) p.at[i] = p.fine[i].bounded();
   if (is_tight(p.at)) return p;
   const RationalPoint exact = exact_position(carriers, p);

@@ -167,19 +167,23 @@ Sign orient3d(const Carriers& carriers, std::uint32_t a, std::uint32_t b, std::u
                   input_point(carriers, d));
 }
 
-Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p) {
+std::optional<Sign> filtered_side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p) {
   const auto v = carriers.face(face);
   if (named_on_face(p.name, face, v)) {
     count(Tier::names);
     return Sign::zero;
   }
-  if (!carriers.has_rationals()) {
-    const FilteredPlane plane(carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2]));
-    if (const int side = plane.side_within(p.at); side != 0) {
-      count(Tier::filter);
-      return static_cast<Sign>(side);
-    }
-  }
+  if (carriers.has_rationals()) return std::nullopt;
+  const FilteredPlane plane(carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2]));
+  const int side = plane.side_within(p.at);
+  if (side == 0) return std::nullopt;
+  count(Tier::filter);
+  return static_cast<Sign>(side);
+}
+
+Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p) {
+  if (const auto sign = filtered_side_of_face(carriers, face, p)) return *sign;
+  const auto v = carriers.face(face);
   return orient3d(carriers, input_point(carriers, v[0]), input_point(carriers, v[1]), input_point(carriers, v[2]), p);
 }
 

@@ -40,6 +40,9 @@ struct Projection {
 /// Side of p relative to the plane of a face: positive on its outer side.
 [[nodiscard]] Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p);
 
+/// Its first tier and names alone: nullopt when these do not decide.
+[[nodiscard]] std::optional<Sign> filtered_side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p);
+
 /// Turn of p, q, r in the projection: positive when counter-clockwise; zero: collinear there.
 [[nodiscard]] Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q,
                             const Point& r);
