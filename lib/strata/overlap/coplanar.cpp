@@ -107,9 +107,22 @@ class CoplanarMeeting {
     return p.on_f.kind == Feature::Kind::vertex && p.on_g.kind == Feature::Kind::vertex &&
            vf_[p.on_f.index] == vg_[p.on_g.index];
   }
-  /// Orders two ends along the direction from a to b.
-  void order(Ends& ends, const Point& a, const Point& b) const {
-    if (ends.size() < 2) return;
+  /// Where an end lies on edge k of g as far as features tell: at its start or where it enters f, in between, at its
+  /// end or where it leaves f.
+  [[nodiscard]] int place_on_g(const SharedPoint& p, int k) const {
+    if (p.on_g.kind == Feature::Kind::vertex) return p.on_g.index == k ? 0 : 2;
+    if (p.on_f.kind != Feature::Kind::edge) return 1;
+    return g_vertex_side_[static_cast<std::size_t>(k)][p.on_f.index] == Sign::negative ? 0 : 2;
+  }
+  [[nodiscard]] int place_on_f(const SharedPoint& p, int i) const {
+    if (p.on_f.kind == Feature::Kind::vertex) return p.on_f.index == i ? 0 : 2;
+    if (p.on_g.kind != Feature::Kind::edge) return 1;
+    return f_vertex_side_[static_cast<std::size_t>(i)][p.on_g.index] == -orientation_ ? 0 : 2;
+  }
+  /// Orders two ends along the direction from a to b, by their places if these differ.
+  void order(Ends& ends, const Point& a, const Point& b, int first_place, int last_place) const {
+    if (first_place > last_place) std::swap(ends[0], ends[1]);
+    if (first_place != last_place) return;
     const Point p = make_point(carriers_, name_of(ends[0], f_, vf_, g_, vg_));
     const Point q = make_point(carriers_, name_of(ends[1], f_, vf_, g_, vg_));
     for (const int axis : {projection_.u, projection_.v}) {
@@ -128,7 +141,7 @@ class CoplanarMeeting {
   void append_to_f(Meetings& meetings, int k, Ends ends) const {
     if (ends.empty()) return;
     const auto a = static_cast<std::size_t>(k), b = (a + 1) % 3;
-    order(ends, pg_[a], pg_[b]);
+    if (ends.size() == 2) order(ends, pg_[a], pg_[b], place_on_g(ends[0], k), place_on_g(ends[1], k));
     note_equal(meetings, ends);
     const bool left = orientation_ == Sign::positive;
     const ConstraintKind kind = ends.size() == 1 ? ConstraintKind::point
@@ -141,7 +154,7 @@ class CoplanarMeeting {
   void append_to_g(Meetings& meetings, int i, Ends ends) const {
     if (ends.empty()) return;
     const auto a = static_cast<std::size_t>(i), b = (a + 1) % 3;
-    order(ends, pf_[a], pf_[b]);
+    if (ends.size() == 2) order(ends, pf_[a], pf_[b], place_on_f(ends[0], i), place_on_f(ends[1], i));
     const bool left = orientation_ == Sign::positive;
     const ConstraintKind kind = ends.size() == 1 ? ConstraintKind::point
                                 : left           ? ConstraintKind::cover_left
