@@ -1,5 +1,7 @@
 #include "strata/cells/walk.h"
 
+#include "strata/kernel/filtered_plane.h"
+
 namespace strata {
 namespace {
 
@@ -26,6 +28,23 @@ Sign turn_about_axis(const Carriers& carriers, int axis, const Point& origin, co
   return first != Sign::zero ? first : second;
 }
 
+/// Does the line from O' to q pass through the inside of a triangle? Requires that q is not in its plane; where it is,
+/// the answer may be no.
+bool passes(const Carriers& carriers, const Carriers::Indices& f, const Carriers::Coordinates& origin, const Point& q) {
+  if (!carriers.has_rationals()) {  // a look in doubles
+    const auto &a = carriers.vertex(f[0]), &b = carriers.vertex(f[1]), &c = carriers.vertex(f[2]);
+    const int ab = FilteredPlane(origin, a, b).side_within(q.at), bc = FilteredPlane(origin, b, c).side_within(q.at);
+    if (ab * bc < 0) return false;
+    const int ca = FilteredPlane(origin, c, a).side_within(q.at);
+    if (ab * ca < 0 || bc * ca < 0) return false;
+    if (ab * bc * ca != 0) return true;
+  }
+  const Point o = Point::free(origin), a = vertex(carriers, f[0]), b = vertex(carriers, f[1]),
+              c = vertex(carriers, f[2]);
+  const Sign ab = side_of_line(carriers, o, q, a, b);
+  return ab == side_of_line(carriers, o, q, b, c) && ab == side_of_line(carriers, o, q, c, a);
+}
+
 }  // namespace
 
 Sign side_of_origin(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& origin) {
@@ -41,13 +60,8 @@ Sign side_of_origin(const Carriers& carriers, std::uint32_t face, const Carriers
 int crossing(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& origin, const Point& q) {
   const auto quick = filtered_side_of_face(carriers, face, q);
   if (quick == Sign::zero || (quick && *quick == side_of_origin(carriers, face, origin))) return 0;
-  // Faces in q's own plane come here; of most of them the walk's line keeps clear. Where q is in line with an edge its
-  // sign may be zero, and q is in the plane.
-  const auto f = carriers.face(face);
-  const Point o = Point::free(origin), a = vertex(carriers, f[0]), b = vertex(carriers, f[1]),
-              c = vertex(carriers, f[2]);
-  const Sign ab = side_of_line(carriers, o, q, a, b);
-  if (ab != side_of_line(carriers, o, q, b, c) || ab != side_of_line(carriers, o, q, c, a)) return 0;
+  // Faces in q's own plane come here; of most of them the walk's line keeps clear.
+  if (!passes(carriers, carriers.face(face), origin, q)) return 0;
   const Sign target = quick ? *quick : side_of_face(carriers, face, q), start = side_of_origin(carriers, face, origin);
   return target == Sign::zero || start == target ? 0 : to_int(start);
 }
