@@ -2,7 +2,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "strata/overlap/meeting.h"
 #include "support/random.h"
+#include "support/shapes.h"
 
 using namespace strata;
 
@@ -139,4 +141,42 @@ TEST_CASE("thousands of points in one face are located in little time", "[arrang
   for (std::uint32_t v = 3; v < plate.points.size(); v += 3) t.add_point(v);
   CHECK(t.points().size() > 3900);
   validate(plate.carriers, t);
+}
+
+// Catches: polygons traced the wrong way round, an ear over a point, sides left without their neighbours.
+TEST_CASE("paths of a surface that crosses a face are cut at once; rings are not", "[arrange][property]") {
+  int cut = 0, left = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    Plate plate;
+    plate.build();
+    const Mesh ball =
+        test::icosphere({64 * random.unit(), 64 * random.unit(), random.unit()}, 1 + 20 * random.unit(), 1);
+    plate.carriers.add(ball.vertices, ball.triangles);
+    Meetings meetings;
+    const FilteredFace face(plate.carriers, 0);
+    for (std::uint32_t g = 1; g < plate.carriers.face_count(); ++g)
+      meet_faces(plate.carriers, face, FilteredFace(plate.carriers, g), meetings);
+    PointTable table(plate.carriers);
+    const auto numbers = table.add(meetings.constructed, {});
+    std::vector<Constraint> constraints;
+    for (Constraint c : meetings.constraints) {
+      if (c.face != 0) continue;
+      for (PointId* id : {&c.tail, &c.head})
+        if (!table.is_input(*id)) *id = numbers[*id - table.first()];
+      constraints.push_back(c);
+    }
+    Triangulation t(plate.carriers, table);
+    t.start(0, Triangulation::Names::lowest);
+    const bool are_paths = t.add_paths(constraints);
+    validate(plate.carriers, t);
+    (are_paths ? cut : left) += static_cast<int>(!constraints.empty());
+    std::size_t notes = 0;
+    for (const auto& x : t.triangles())
+      for (const std::int32_t c : x.c) notes += static_cast<std::size_t>(c >= 0);
+    CHECK(notes == (are_paths ? 2 * constraints.size() : 0));
+  }
+  CHECK(cut > 20);
+  CHECK(left > 20);
 }
