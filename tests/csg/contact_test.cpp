@@ -179,6 +179,40 @@ TEST_CASE("faces on both sides of an operand's vertex", "[csg][degenerate]") {
   CHECK(subtract(all) == (Solid(outer) - outside));
 }
 
+TEST_CASE("needles whose tips are on a face, an ulp above and an ulp below", "[csg][degenerate]") {
+  std::vector<Solid> all{Solid(box({0, 0, 0}, {8, 8, 1}))};
+  Solid sum = all[0], rest = all[0];
+  for (int i = 0; i < 6; ++i) {
+    const double x = 1 + i, top = i % 3 == 0 ? 1 : std::nextafter(1, i % 3 == 1 ? 2 : 0);
+    all.emplace_back(test::tetrahedron({x, 1, -1}, {x + .5, 1, -1}, {x, 1.5, -1}, {x + .1, 1.1, top}));
+    sum = sum | all.back();
+    rest = rest - all.back();
+  }
+  CHECK(unite(all) == sum);
+  CHECK(subtract(all) == rest);
+}
+
+TEST_CASE("solids of many sizes about one corner, at any scale", "[csg][degenerate]") {
+  for (const double scale : {1.0, 0x1p-1000, 0x1p900}) {
+    CAPTURE(scale);
+    std::vector<Solid> all;
+    Solid sum, odd, common;
+    for (int k = 1; k < 7; ++k) {
+      Mesh m =
+          k % 2 == 1 ? box({0, 0, 0}, {1. * k, 1. * k, 1. * k}) : test::octahedron({k * .5, k * .5, k * .5}, k * .75);
+      for (Vertex& v : m.vertices)
+        for (double& x : v) x *= scale;
+      all.emplace_back(m);
+      sum = sum | all.back();
+      odd = odd ^ all.back();
+      common = k == 1 ? all.back() : common & all.back();
+    }
+    CHECK(unite(all) == sum);
+    CHECK(exclude(all) == odd);
+    CHECK(intersect(all) == common);
+  }
+}
+
 TEST_CASE("a gap of one ulp stays a gap, an overlap of one ulp an overlap", "[csg][degenerate]") {
   const Solid a = unit();
   const Solid apart(box({std::nextafter(1.0, 2.0), 0, 0}, {2, 1, 1})),

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "strata/io/corner_hash.h"
+#include "strata/mesh/corner_hash.h"
 
 namespace strata::io {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "strata/io/corner_hash.h"
+#include "strata/mesh/corner_hash.h"
 #include "strata/io/face_list.h"
 #include "strata/io/large_pages.h"
 

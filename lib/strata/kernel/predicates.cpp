@@ -72,16 +72,10 @@ std::optional<Sign> filtered_orient3d(const Carriers::Coordinates& a, const Carr
   return std::nullopt;
 }
 
-/// The same for the turn of three points, by Shewchuk's bound (3 + 16 u) u.
-std::optional<Sign> filtered_turn(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r) {
-  const double qu = q[0] - p[0], qv = q[1] - p[1];
-  const double ru = r[0] - p[0], rv = r[1] - p[1];
-  const double left = qu * rv, right = qv * ru, value = left - right;
-  constexpr double factor = (3 + 16 * 0x1p-53) * 0x1p-53;
-  const double bound = factor * (std::abs(left) + std::abs(right)) + 0x1p-1000;
-  if (value > bound) return Sign::positive;
-  if (-value > bound) return Sign::negative;
-  if ((qu == 0 || rv == 0) && (qv == 0 || ru == 0)) return Sign::zero;
+/// filtered_turn, and the zeros that doubles show.
+std::optional<Sign> turn_in_doubles(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r) {
+  if (const int turn = filtered_turn(p, q, r); turn != 0) return static_cast<Sign>(turn);
+  if ((q[0] == p[0] || r[1] == p[1]) && (q[1] == p[1] || r[0] == p[0])) return Sign::zero;
   if (q == r) return Sign::zero;
   return std::nullopt;
 }
@@ -189,7 +183,7 @@ Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p) 
 
 std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, const Point& q, const Point& r) {
   if (is_exact_in(projection, p) && is_exact_in(projection, q) && is_exact_in(projection, r)) {
-    const auto s = filtered_turn(seen(projection, p), seen(projection, q), seen(projection, r));
+    const auto s = turn_in_doubles(seen(projection, p), seen(projection, q), seen(projection, r));
     if (s) count(Tier::filter);
     return s;
   }
@@ -225,7 +219,7 @@ Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, c
 }
 
 Sign orient2d(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
-  if (const auto sign = filtered_turn(a, b, c)) {
+  if (const auto sign = turn_in_doubles(a, b, c)) {
     count(Tier::filter);
     return *sign;
   }
@@ -269,7 +263,7 @@ Sign normal_component(const Carriers& carriers, std::uint32_t face, int axis) {
       const auto& p = carriers.vertex(f[i]);
       return PlanePoint{p[static_cast<std::size_t>(across.u)], p[static_cast<std::size_t>(across.v)]};
     };
-    if (const auto sign = filtered_turn(corner(0), corner(1), corner(2))) {
+    if (const auto sign = turn_in_doubles(corner(0), corner(1), corner(2))) {
       count(Tier::filter);
       return *sign;
     }

@@ -7,6 +7,7 @@
 #include "strata/exact/sign.h"
 #include "strata/exact/twofold.h"
 #include "strata/kernel/carriers.h"
+#include "strata/kernel/filtered_turn.h"
 #include "strata/kernel/filters.h"
 #include "strata/kernel/point.h"
 
@@ -46,9 +47,6 @@ struct Projection {
 /// Turn of p, q, r in the projection: positive when counter-clockwise; zero: collinear there.
 [[nodiscard]] Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q,
                             const Point& r);
-
-/// A point of a plane, in doubles.
-using PlanePoint = std::array<double, 2>;
 
 /// The same for doubles that are nobody's vertices.
 [[nodiscard]] Sign orient2d(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);

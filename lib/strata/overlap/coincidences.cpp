@@ -8,6 +8,7 @@
 #include <bit>
 #include <numeric>
 
+#include "strata/mesh/corner_hash.h"
 #include "strata/mesh/huge_pages.h"
 
 namespace strata {
@@ -37,17 +38,6 @@ std::vector<std::uint32_t> vertices_near_others(const Carriers& carriers, const 
     for_each(n, [&](std::uint32_t v) { vertices[i++] = v; });
   });
   return vertices;
-}
-
-/// Round coordinates have set bits at the top only; two rounds of folding spread them.
-std::size_t hash_of(const Carriers::Coordinates& p) {
-  std::uint64_t h = 0;
-  for (const double x : p) {
-    h ^= std::bit_cast<std::uint64_t>(x + 0.0);  // -0 is 0
-    h = (h ^ h >> 32) * 0xff51afd7ed558ccdu;
-    h = (h ^ h >> 29) * 0xc4ceb9fe1a85ec53u;
-  }
-  return h ^ h >> 32;
 }
 
 /// A table of places, each with one of its vertices.

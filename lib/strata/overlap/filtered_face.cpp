@@ -1,24 +1,9 @@
 #include "strata/overlap/filtered_face.h"
 
-#include <cmath>
-
+#include "strata/kernel/filtered_turn.h"
 #include "strata/kernel/predicates.h"
 
 namespace strata {
-namespace {
-
-/// Turn of three points seen along an axis: 1, -1, or 0 when doubles do not tell. Shewchuk's bound (3 + 16 u) u, and
-/// 2^-1000 for underflow.
-int filtered_turn(const Carriers::Coordinates& p, const Carriers::Coordinates& q, const Carriers::Coordinates& r,
-                  std::size_t axis) {
-  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-  const double left = (q[u] - p[u]) * (r[v] - p[v]), right = (q[v] - p[v]) * (r[u] - p[u]), value = left - right;
-  constexpr double factor = (3 + 16 * 0x1p-53) * 0x1p-53;
-  const double bound = factor * (std::abs(left) + std::abs(right)) + 0x1p-1000;
-  return static_cast<int>(value > bound) - static_cast<int>(-value > bound);
-}
-
-}  // namespace
 
 FilteredFace::FilteredFace(const Carriers& carriers, std::uint32_t f)
     : FilteredFace(carriers, carriers.operand_of_face(f), f) {}
@@ -52,15 +37,16 @@ bool FilteredFace::is_beside(const FilteredFace& other, const Signs& sides) cons
 
 bool FilteredFace::is_off(const FilteredFace& other) const {
   if (!is_exact) return false;
-  const std::size_t axis = plane.widest_axis();
+  const std::size_t axis = plane.widest_axis(), u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const auto seen = [&](const Carriers::Coordinates& p) { return PlanePoint{p[u], p[v]}; };
   for (std::size_t e = 0; e < 3; ++e) {
     const std::size_t from = e, to = (e + 1) % 3;
-    const int own = filtered_turn(corners[from], corners[to], corners[(e + 2) % 3], axis);
+    const PlanePoint a = seen(corners[from]), b = seen(corners[to]);
+    const int own = filtered_turn(a, b, seen(corners[(e + 2) % 3]));
     bool off = own != 0;
     for (std::size_t i = 0; i < 3 && off; ++i) {
-      const std::uint32_t v = other.vertices[i];
-      off = v == vertices[from] || v == vertices[to] ||
-            filtered_turn(corners[from], corners[to], other.corners[i], axis) == -own;
+      const std::uint32_t w = other.vertices[i];
+      off = w == vertices[from] || w == vertices[to] || filtered_turn(a, b, seen(other.corners[i])) == -own;
     }
     if (off) return true;
   }

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace strata::io {
+namespace strata {
 
 /// Both halves of a product: every bit of a and b reaches the low bits and the high ones.
 inline std::uint64_t folded_product(std::uint64_t a, std::uint64_t b) {
@@ -30,4 +30,4 @@ bool are_equal(const std::array<Scalar, 3>& p, const std::array<Scalar, 3>& q) {
   return ((p[0] == q[0]) & (p[1] == q[1]) & (p[2] == q[2])) != 0;
 }
 
-}  // namespace strata::io
+}  // namespace strata
