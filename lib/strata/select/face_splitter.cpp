@@ -17,6 +17,7 @@ FaceSplitter::FaceSplitter(const Carriers& carriers, const CellTree& cells, cons
       layers_(carriers, cells),
       known_corners_(carriers.vertex_count()),
       settling_(carriers, rule),
+      covering_(carriers, rule),
       rule_(rule),
       self_(self),
       points_(points),
@@ -29,11 +30,12 @@ void FaceSplitter::split(std::span<const Constraint> constraints, SplitFace& res
   constraints_ = constraints;
   kept_.clear();
   list_met();
+  covering_.start(constraints);
   find_free_corners();
   settling_.start(corners_, met_);
   if (is_one_of_the_same()) {
     collect_whole();
-  } else if (!settling_.is_settled()) {
+  } else if (!settling_.is_settled() && (self_ || !covering_.hides_face())) {
     const std::optional<FreeCorner> corner = ask_free_corner();
     if (!corner || !settling_.is_settled(corner->windings)) collect_pieces(corner, equal);
   }
@@ -81,10 +83,8 @@ void FaceSplitter::collect_whole() {
   Region region;
   for (const Constraint& c : constraints_) region.covers.push_back(c.other);
   if (region.covers.front() < face_) return;  // sorted; that one speaks for all
-  const Point q = make_point(carriers_, PointName::weighted(face_, 1));
-  std::vector<std::uint32_t> covering = region.covers;
-  covering.push_back(face_);
-  region.above = self_ ? layers_.above(face_, q, covering) : above_others(q, covering);
+  if (!self_ && covering_.leaves_nothing(region.covers)) return;
+  region.above = above_at(make_point(carriers_, PointName::weighted(face_, 1)), region.covers);
   const Verdict verdict = verdict_on(region);
   if (verdict == Verdict::drop) return;
   PieceTriangle piece;
@@ -113,11 +113,8 @@ bool FaceSplitter::triangulate() {
 /// Corners on no other surface: constraints that end in a corner name it. There, winding numbers are the same for all
 /// faces of the corner.
 void FaceSplitter::find_free_corners() {
-  coplanar_.clear();
-  for (const Constraint& c : constraints_)
-    if (c.kind == ConstraintKind::coplanar) coplanar_.push_back(c.other);
   free_corners_.clear();
-  if (self_ || !coplanar_.empty()) return;
+  if (self_ || !covering_.coplanar().empty()) return;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto ends_here = [&](const Constraint& c) { return c.tail == corners_[i] || c.head == corners_[i]; };
     if (!carriers_.is_shared(corners_[i]) && std::none_of(constraints_.begin(), constraints_.end(), ends_here))
@@ -156,35 +153,23 @@ FaceSplitter::Start FaceSplitter::start_inside() {
     if (l.on == On::vertex) continue;
     if (l.on == On::side && triangulation_.triangles()[at(l.triangle)].c[at(l.index)] >= 0) continue;
     Region region;
-    std::vector<std::uint32_t> covering{face_};
-    for (const std::uint32_t g : coplanar_)
-      if (covers(g, q)) {
-        region.covers.push_back(g);
-        covering.push_back(g);
-      }
-    std::sort(region.covers.begin(), region.covers.end());
-    region.above = self_ ? layers_.above(face_, q, covering) : above_others(q, covering);
+    for (const std::uint32_t g : covering_.coplanar())
+      if (covering_.covers(g, q)) region.covers.push_back(g);
+    region.above = above_at(q, region.covers);
     return {l.triangle, region};
   }
   fail("no point inside a face off its constraints", face_);
 }
 
-/// Winding numbers of the other operands just above. `covering` are the faces through q, this one included.
-Windings FaceSplitter::above_others(const Point& q, const std::vector<std::uint32_t>& covering) const {
+/// Winding numbers just above q, of the other operands where operands are solids. `covers`: the other faces through q.
+Windings FaceSplitter::above_at(const Point& q, const std::vector<std::uint32_t>& covers) {
+  if (!self_)
+    if (auto told = covering_.above(covers)) return *std::move(told);
+  std::vector<std::uint32_t> covering = covers;
+  covering.push_back(face_);
   Windings w = layers_.above(face_, q, covering);
-  w.set(operand_, 0);
+  if (!self_) w.set(operand_, 0);
   return w;
-}
-
-/// Is q, a point of this face's plane on no edge of g, inside g?
-bool FaceSplitter::covers(std::uint32_t g, const Point& q) const {
-  const auto v = carriers_.face(g);
-  const Projection projection = projection_of(carriers_, face_);
-  std::array<Point, 3> p;
-  for (std::size_t i = 0; i < 3; ++i) p[i] = make_point(carriers_, PointName::input(v[i]));
-  const Sign a = orient2d(carriers_, projection, p[0], p[1], q);
-  return a != Sign::zero && a == orient2d(carriers_, projection, p[1], p[2], q) &&
-         a == orient2d(carriers_, projection, p[2], p[0], q);
 }
 
 /// Floods the triangles from a start: freely inside a region, with the changes noted on a side from one to the next.

@@ -10,6 +10,7 @@
 #include "strata/arrange/triangulation.h"
 #include "strata/layers/corner_cache.h"
 #include "strata/layers/local_layers.h"
+#include "strata/select/covering.h"
 #include "strata/select/settling.h"
 #include "strata/select/split_faces.h"
 
@@ -79,13 +80,13 @@ class FaceSplitter {
   void remember_corners();
   [[nodiscard]] std::int32_t triangle_at_corner(std::size_t i) const;
   [[nodiscard]] Start start_inside();
-  [[nodiscard]] Windings above_others(const Point& q, const std::vector<std::uint32_t>& covering) const;
-  [[nodiscard]] bool covers(std::uint32_t g, const Point& q) const;
+  [[nodiscard]] Windings above_at(const Point& q, const std::vector<std::uint32_t>& covers);
 
   const Carriers& carriers_;
   const LocalLayers layers_;
   CornerCache<Windings> known_corners_;
   Settling settling_;
+  Covering covering_;
   const Rule& rule_;
   bool self_;
   const PointTable& points_;
@@ -95,7 +96,6 @@ class FaceSplitter {
   Carriers::Indices corners_{};
   std::span<const Constraint> constraints_;
   std::vector<std::pair<std::int32_t, std::int32_t>> ends_;
-  std::vector<std::uint32_t> coplanar_;
   std::vector<std::uint32_t> met_;  ///< operands
   boost::container::static_vector<std::size_t, 3> free_corners_;
   std::vector<std::int32_t> region_of_;
