@@ -18,6 +18,21 @@ Sign side_of_line(const Carriers& carriers, const Point& origin, const Point& q,
   return Sign::zero;
 }
 
+/// The sign of d' in a form that is linear in d; `gradient(axis)` is the sign of its derivative.
+template <class Gradient>
+Sign perturbed(Sign value, const Gradient& gradient) {
+  for (int axis = 0; value == Sign::zero && axis < 3; ++axis) value = gradient(axis);
+  return value;
+}
+
+/// Sign of ((a - q) x (b - q)) . d'.
+Sign side_of_line_along(const Carriers& carriers, const Carriers::Coordinates& d, const Point& q, const Point& a,
+                        const Point& b) {
+  return perturbed(normal_along(carriers, q, a, b, d), [&](int axis) {
+    return orient2d(carriers, {(axis + 1) % 3, (axis + 2) % 3}, q, a, b);
+  });
+}
+
 /// Turn of O', a, b seen along `axis`; a line parallel to the axis through O' never meets the line ab.
 Sign turn_about_axis(const Carriers& carriers, int axis, const Point& origin, const Point& a, const Point& b) {
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -74,6 +89,27 @@ int crossing_along_axis(const Carriers& carriers, std::uint32_t face, const Carr
   if (ab != turn_about_axis(carriers, axis, o, b, c) || ab != turn_about_axis(carriers, axis, o, c, a)) return 0;
   const Sign start = side_of_origin(carriers, face, from);
   return start == side_of_origin(carriers, face, to) ? 0 : to_int(start);
+}
+
+Sign side_of_infinity(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& direction) {
+  const auto f = carriers.face(face);
+  const Sign along =
+      normal_along(carriers, vertex(carriers, f[0]), vertex(carriers, f[1]), vertex(carriers, f[2]), direction);
+  return -perturbed(along, [&](int axis) { return normal_component(carriers, face, axis); });
+}
+
+int crossing_from_infinity(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& direction,
+                           const Point& q) {
+  const Sign start = side_of_infinity(carriers, face, direction);
+  const auto quick = filtered_side_of_face(carriers, face, q);
+  if (quick == Sign::zero || quick == start) return 0;
+  const auto f = carriers.face(face);
+  const Point a = vertex(carriers, f[0]), b = vertex(carriers, f[1]), c = vertex(carriers, f[2]);
+  const Sign ab = side_of_line_along(carriers, direction, q, a, b);
+  if (ab != side_of_line_along(carriers, direction, q, b, c) || ab != side_of_line_along(carriers, direction, q, c, a))
+    return 0;
+  const Sign target = quick ? *quick : side_of_face(carriers, face, q);
+  return target == Sign::zero || start == target ? 0 : to_int(start);
 }
 
 }  // namespace strata

@@ -26,4 +26,15 @@ namespace strata {
 [[nodiscard]] int crossing_along_axis(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& from,
                                       const Carriers::Coordinates& to, int axis);
 
+/// An origin infinitely far away, from which walks go along a direction d, stands for d' = d + (e, e^2, e^3): the same
+/// laws, with d' for the way from O' to q.
+///
+/// Side of that origin relative to a face: positive on the outer side, never zero for a face of positive area.
+[[nodiscard]] Sign side_of_infinity(const Carriers& carriers, std::uint32_t face,
+                                    const Carriers::Coordinates& direction);
+
+/// Change of the winding number of `face`'s operand on the way to q from infinity, as `crossing`.
+[[nodiscard]] int crossing_from_infinity(const Carriers& carriers, std::uint32_t face,
+                                         const Carriers::Coordinates& direction, const Point& q);
+
 }  // namespace strata

@@ -15,12 +15,12 @@ class FilteredPlane {
  public:
   FilteredPlane() = default;
   FilteredPlane(const Carriers::Coordinates& a, const Carriers::Coordinates& b, const Carriers::Coordinates& c)
-      : a_(a) {
-    const double ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
-    const double vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
-    const double yz = uy * vz, zy = uz * vy, zx = uz * vx, xz = ux * vz, xy = ux * vy, yx = uy * vx;
-    normal_ = {yz - zy, zx - xz, xy - yx};
-    magnitude_ = {std::abs(yz) + std::abs(zy), std::abs(zx) + std::abs(xz), std::abs(xy) + std::abs(yx)};
+      : FilteredPlane(a, {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, {c[0] - a[0], c[1] - a[1], c[2] - a[2]}, Spanned()) {}
+
+  /// The plane through a and b that is parallel to a direction: the side of p is the sign of ((b - a) x d) . (p - a).
+  static FilteredPlane along(const Carriers::Coordinates& a, const Carriers::Coordinates& b,
+                             const Carriers::Coordinates& direction) {
+    return {a, {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, direction, Spanned()};
   }
 
   /// 1 above (on the outer side), -1 below, 0 when doubles do not tell.
@@ -43,6 +43,14 @@ class FilteredPlane {
   }
 
  private:
+  struct Spanned {};
+  FilteredPlane(const Carriers::Coordinates& a, const Carriers::Coordinates& u, const Carriers::Coordinates& v, Spanned)
+      : a_(a) {
+    const double yz = u[1] * v[2], zy = u[2] * v[1], zx = u[2] * v[0], xz = u[0] * v[2], xy = u[0] * v[1],
+                 yx = u[1] * v[0];
+    normal_ = {yz - zy, zx - xz, xy - yx};
+    magnitude_ = {std::abs(yz) + std::abs(zy), std::abs(zx) + std::abs(xz), std::abs(xy) + std::abs(yx)};
+  }
   [[nodiscard]] int side(const Carriers::Coordinates& p, double off) const {
     const double wx = p[0] - a_[0], wy = p[1] - a_[1], wz = p[2] - a_[2];
     const double value = normal_[0] * wx + normal_[1] * wy + normal_[2] * wz;

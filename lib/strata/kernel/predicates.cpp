@@ -161,6 +161,27 @@ Sign orient3d(const Carriers& carriers, std::uint32_t a, std::uint32_t b, std::u
                   input_point(carriers, d));
 }
 
+Sign normal_along(const Carriers& carriers, const Point& p, const Point& q, const Point& r,
+                  const Carriers::Coordinates& direction) {
+  const BoundedPoint d{direction[0], direction[1], direction[2]};
+  if (const auto sign = filtered(dot<Bounded>(cross<Bounded>(q.at - p.at, r.at - p.at), d))) return *sign;
+  const RealPoint<Twofold> fine{direction[0], direction[1], direction[2]};
+  if (const auto sign = filtered(dot<Twofold>(cross<Twofold>(q.fine - p.fine, r.fine - p.fine), fine))) return *sign;
+  // The direction has a lattice of its own: its unit is a positive factor.
+  Lattice own;
+  for (const double x : direction) own.add(x);
+  const auto width = [&](int b) {
+    const int normal = width_of_plane(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b)).abc;
+    return std::max(normal + own.bits() + 2, own.bits() + 65);
+  };
+  return decide(carriers, {&p, &q, &r}, width, [&](const auto& exact) {
+    const auto plane = plane_through(exact.point(p), exact.point(q), exact.point(r));
+    using Int = std::decay_t<decltype(plane.a)>;
+    const auto along = [&](double x) { return own.integer<Int>(x); };
+    return Int(plane.a * along(direction[0]) + plane.b * along(direction[1]) + plane.c * along(direction[2]));
+  });
+}
+
 std::optional<Sign> filtered_side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p) {
   const auto v = carriers.face(face);
   if (named_on_face(p.name, face, v)) {

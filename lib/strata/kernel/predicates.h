@@ -38,6 +38,10 @@ struct Projection {
 [[nodiscard]] Sign orient3d(const Carriers::Coordinates& a, const Carriers::Coordinates& b,
                             const Carriers::Coordinates& c, const Carriers::Coordinates& d);
 
+/// Sign of ((q - p) x (r - p)) . direction: orient3d(p, q, r, s) for an s infinitely far away in that direction.
+[[nodiscard]] Sign normal_along(const Carriers& carriers, const Point& p, const Point& q, const Point& r,
+                                const Carriers::Coordinates& direction);
+
 /// Side of p relative to the plane of a face: positive on its outer side.
 [[nodiscard]] Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p);
 

@@ -1,0 +1,137 @@
+#include "strata/layers/signed_covering.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "strata/cells/walk.h"
+#include "strata/layers/closed_face.h"
+#include "strata/layers/sight.h"
+
+namespace strata {
+namespace {
+
+const Origin& checked(const Origin& origin) {
+  for (const double x : origin.at)
+    if (!std::isfinite(x)) throw std::invalid_argument("the origin's coordinates are not finite");
+  if (!origin.is_point() && origin.at == Carriers::Coordinates{})
+    throw std::invalid_argument("the direction to an origin at infinity is zero");
+  return origin;
+}
+
+}  // namespace
+
+SignedCovering::SignedCovering(Scene scene, const Origin& origin, bool keep_footprints)
+    : scene_(std::move(scene)), origin_(checked(origin)), index_(scene_, origin_) {
+  if (!keep_footprints) index_.forget_footprints();
+  const Carriers& carriers = scene_.carriers();
+  const Sight sight(carriers, origin_);
+  turns_.resize(carriers.face_count());
+  starts_.resize(carriers.face_count());
+  tbb::parallel_for(std::uint32_t{0}, carriers.face_count(), [&](std::uint32_t f) {
+    turns_[f] = starts_[f] = sight.turn(carriers.face(f));
+    if (starts_[f] == Sign::zero)
+      starts_[f] =
+          origin_.is_point() ? side_of_origin(carriers, f, origin_.at) : side_of_infinity(carriers, f, origin_.at);
+  });
+  find_windings_of_origin();
+}
+
+int SignedCovering::crossing(std::uint32_t face, const Point& q) const {
+  return origin_.is_point() ? strata::crossing(scene_.carriers(), face, origin_.at, q)
+                            : crossing_from_infinity(scene_.carriers(), face, origin_.at, q);
+}
+
+/// Calls `visit` for every face that the walk to q may cross or end on.
+template <class Visit>
+void SignedCovering::for_each_face_of_walk(const Vertex& q, const Visit& visit) const {
+  for (const std::uint32_t f : index_.faces_at_origin()) visit(f);
+  if (!origin_.is_point() || q != origin_.at) index_.for_each_towards({q[0], q[1], q[2]}, visit);
+}
+
+/// From a point outside of everything, where all are zero.
+void SignedCovering::find_windings_of_origin() {
+  if (!origin_.is_point() || scene_.face_count() == 0) return;
+  Vertex far = origin_.at;
+  bool found = false;
+  for (std::size_t axis = 0; axis < 3 && !found; ++axis)
+    for (const double end : {HUGE_VAL, -HUGE_VAL}) {
+      double most = far[axis];
+      for (std::uint32_t s = 0; s < scene_.solid_count(); ++s)
+        for (const Vertex& v : scene_.solid(s).mesh.vertices)
+          most = end > 0 ? std::max(most, v[axis]) : std::min(most, v[axis]);
+      // Two steps: what is a rational reaches half a step beyond its nearest double.
+      const double beyond = std::nextafter(std::nextafter(most, end), end);
+      if (!std::isfinite(beyond)) continue;
+      far[axis] = beyond;
+      found = true;
+      break;
+    }
+  if (!found) throw std::invalid_argument("the scene leaves no double outside of it");
+  const Point q = Point::free(far);
+  for_each_face_of_walk(far, [&](std::uint32_t f) { at_origin_.add(scene_.solid_of(f), -crossing(f, q)); });
+}
+
+/// What a face means to the walk to q: its change, or that q lies on it.
+SignedCovering::Step SignedCovering::step(std::uint32_t face, const Vertex& vertex, const Point& q) const {
+  const Carriers& carriers = scene_.carriers();
+  if (!carriers.has_rationals()) {
+    const auto v = carriers.face(face);
+    const int side = FilteredPlane(carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2])).side(vertex);
+    if (side == to_int(starts_[face])) return {};
+    if (side != 0) return {crossing(face, q), false};
+  }
+  if (side_of_face(carriers, face, q) == Sign::zero) return {0, holds_point_of_plane(carriers, face, q)};
+  return {crossing(face, q), false};
+}
+
+Where SignedCovering::membership(const Vertex& q) const {
+  const Point point = Point::free(q);
+  Windings w = at_origin_;
+  bool on = false;
+  for_each_face_of_walk(q, [&](std::uint32_t f) {
+    const Step s = step(f, q, point);
+    on = on || s.on;
+    w.add(scene_.solid_of(f), s.change);
+  });
+  if (on) return Where::on;
+  return w.begin() == w.end() ? Where::out : Where::in;
+}
+
+Location SignedCovering::locate(const Vertex& q) const {
+  const Point point = Point::free(q);
+  Location location{at_origin_, {}};
+  for_each_face_of_walk(q, [&](std::uint32_t f) {
+    const Step s = step(f, q, point);
+    location.windings.add(scene_.solid_of(f), s.change);
+    if (s.on) location.contacts.push_back({scene_.solid_of(f), f});
+  });
+  std::sort(location.contacts.begin(), location.contacts.end(),
+            [](const Contact& a, const Contact& b) { return a.face < b.face; });
+  const auto same = [](const Contact& a, const Contact& b) { return a.solid == b.solid; };
+  location.contacts.erase(std::unique(location.contacts.begin(), location.contacts.end(), same),
+                          location.contacts.end());
+  for (const Contact& c : location.contacts) location.windings.set(c.solid, 0);
+  return location;
+}
+
+void SignedCovering::membership(std::span<const Vertex> q, std::span<Where> answers) const {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, std::min(q.size(), answers.size()), 256),
+                    [&](const auto& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i) answers[i] = membership(q[i]);
+                    });
+}
+
+std::vector<Location> SignedCovering::locate(std::span<const Vertex> q) const {
+  std::vector<Location> answers(q.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, q.size(), 256), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) answers[i] = locate(q[i]);
+  });
+  return answers;
+}
+
+}  // namespace strata
