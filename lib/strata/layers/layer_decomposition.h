@@ -40,6 +40,7 @@ class LayerDecomposition {
   [[nodiscard]] std::uint32_t face_of(std::uint32_t piece) const { return data_->pieces.face_of(piece); }
   /// Exact; corners made by cuts are rationals. Counter-clockwise seen from outside.
   [[nodiscard]] std::array<RationalPoint, 3> triangle(std::uint32_t piece) const;
+  [[nodiscard]] const Pieces& pieces() const { return data_->pieces; }
   /// The sign of a piece's tetrahedron: +1 when the outward normal points away from the origin, -1 when towards it, 0
   /// when flat.
   [[nodiscard]] int sign(std::uint32_t piece) const { return -to_int(covering().turn(face_of(piece))); }
