@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "kernel/tiers.h"
 #include "strata/overlap/meeting.h"
 #include "support/random.h"
 #include "support/shapes.h"
@@ -179,4 +180,33 @@ TEST_CASE("paths of a surface that crosses a face are cut at once; rings are not
   }
   CHECK(cut > 20);
   CHECK(left > 20);
+}
+
+// Four vertices, or nearly, in a plane whose trace no coordinate shows: below two doubles' reach of it, if at all.
+// Catches: edges taken for coplanar because they are neighbours, and the exact turn asked where they are.
+TEST_CASE("where a quadrilateral crosses a face, its sides and diagonal tell if the trace bends", "[arrange][degenerate]") {
+  const double least = 1e-60;
+  for (const double off : {-least, 0.0, least}) {
+    CAPTURE(off);
+    const std::vector<Carriers::Coordinates> points{{0, 0, 0}, {64, 0, 0}, {0, 64, 0},      // the face
+                                                    {3, 3, -3}, {5, 5, 5}, {7, 7, -4}, {off, 0, 7}};
+    const std::vector<Carriers::Indices> faces{{0, 1, 2}, {3, 5, 4}, {4, 5, 6}};
+    Carriers carriers;
+    carriers.add(points, faces);
+    const std::vector<PointName> names{PointName::edge_face(3, 4, 0), PointName::edge_face(4, 5, 0),
+                                       PointName::edge_face(5, 6, 0)};
+    PointTable table(carriers);
+    const auto numbers = table.add(names, {});
+    FacePoints face(carriers, table);
+    face.start(0);
+    std::vector<std::int32_t> v;
+    for (const PointId id : numbers) v.push_back(face.add(id));
+    const Sign expected = off < 0 ? Sign::positive : off > 0 ? Sign::negative : Sign::zero;
+    test::TierProbe probe;
+    CHECK(face.turn(v[0], v[1], v[2]) == expected);
+    const auto asked = probe.take();
+    if (test::counts_tiers && off == 0)
+      CHECK(asked[static_cast<std::size_t>(Tier::bits_512)] + asked[static_cast<std::size_t>(Tier::bits_1024)] == 0);
+    CHECK(orient2d(carriers, face.projection(), face[v[0]], face[v[1]], face[v[2]]) == expected);
+  }
 }

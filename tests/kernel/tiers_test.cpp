@@ -1,5 +1,6 @@
 #include "kernel/tiers.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -54,6 +55,18 @@ TEST_CASE("a vertex that occurs twice, and planes across an axis, need no intege
   check_tier(Tier::filter, Sign::zero, [&] { return orient3d(g.carriers, 0U, 1U, 2U, 3U); });
   const Given tilted({{0, 0, 7}, {1, 0, 8}, {0, 1, 9}});
   check_tier(Tier::filter, Sign::zero, [&] { return orient3d(tilted.carriers, 0U, 1U, 1U, 2U); });
+}
+
+// Catches: edges along different axes taken for parallel.
+TEST_CASE("two edges along one axis need no integers, whatever their order", "[kernel]") {
+  const double x = 0.1, y = 0.7, z = 1e17;  // differences and products round
+  const Given walls({{x, y, -3}, {x, y, z}, {y, 0.3, 0.3}, {y, 0.3, -5}, {y, 0.9, 0.3}});
+  const std::array<std::uint32_t, 3> rest{1, 2, 3};
+  for (const auto& [i, j, k] : {std::array{0U, 1U, 2U}, {0U, 2U, 1U}, {1U, 2U, 0U}, {1U, 0U, 2U}})
+    check_tier(Tier::filter, Sign::zero,
+               [&, i = i, j = j, k = k] { return orient3d(walls.carriers, 0U, rest[i], rest[j], rest[k]); });
+  CHECK(orient3d(walls.carriers, 0U, 1U, 2U, 4U) == Sign::positive);
+  CHECK(orient3d(walls.carriers, 0U, 2U, 4U, 1U) == Sign::positive);
 }
 
 // Both differences from the first vertex round to the same double. Catches: equal differences taken for equal points.

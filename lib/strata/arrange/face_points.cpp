@@ -1,5 +1,7 @@
 #include "strata/arrange/face_points.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "strata/arrange/triangle_index.h"
@@ -19,7 +21,7 @@ void FacePoints::start(std::uint32_t face) {
   points_.clear();
   ids_.clear();
   known_.clear();
-  many_known_.clear();
+  if (!many_known_.empty()) many_known_ = {};  // its buckets, as many as the largest face needed, would all be cleared
   for (const std::uint32_t v : corners_) add(v);
 }
 
@@ -67,6 +69,7 @@ Sign FacePoints::turn(std::int32_t a, std::int32_t b, std::int32_t c) const {
   if (const auto sign = filtered_orient2d(projection_, p, q, r)) return *sign;
   if (collinear_by_name(p, q, r)) return Sign::zero;
   if (const auto sign = refined_orient2d(projection_, p, q, r)) return *sign;
+  if (collinear_by_edges(p, q, r)) return Sign::zero;
   return exact_orient2d(carriers_, projection_, p, q, r);
 }
 
@@ -112,6 +115,22 @@ bool FacePoints::collinear_by_name(const Point& p, const Point& q, const Point& 
     }
   }
   return false;
+}
+
+/// Three points where edges cross this face are collinear when the edges lie in one plane: it is not the face's, which
+/// they cross. Asked of edges that have four vertices in all, as next to each other on the sides of a quadrilateral and
+/// on its diagonal: degree 3, where the turn has 11.
+bool FacePoints::collinear_by_edges(const Point& p, const Point& q, const Point& r) const {
+  std::array<std::uint32_t, 6> ends{};
+  std::size_t count = 0;
+  for (const Point* x : {&p, &q, &r}) {
+    if (x->name.kind != PointName::Kind::edge_face || x->name.id[2] != face_) return false;
+    ends[count++] = x->name.id[0];
+    ends[count++] = x->name.id[1];
+  }
+  std::sort(ends.begin(), ends.end());
+  if (std::unique(ends.begin(), ends.end()) != ends.begin() + 4) return false;
+  return orient3d(carriers_, ends[0], ends[1], ends[2], ends[3]) == Sign::zero;
 }
 
 }  // namespace strata

@@ -51,6 +51,7 @@ class FacePoints {
 
  private:
   [[nodiscard]] bool collinear_by_name(const Point& p, const Point& q, const Point& r) const;
+  [[nodiscard]] bool collinear_by_edges(const Point& p, const Point& q, const Point& r) const;
   [[nodiscard]] bool leaves_plane(const Carriers::Indices& vertices) const;
 
   const Carriers& carriers_;

@@ -146,7 +146,8 @@ class Triangulation {
   std::vector<Note> notes_;
   std::vector<ConstraintLine> lines_;  ///< per constraint number
   std::vector<std::pair<PointName, PointName>> equal_;
-  std::vector<std::pair<std::int32_t, std::int32_t>> crossed_, stack_;
+  std::vector<std::pair<std::int32_t, std::int32_t>> crossed_;
+  std::vector<std::int32_t> stack_;  ///< triangles at a new vertex whose opposite sides are to be judged
   std::int32_t last_ = 0;
 };
 

@@ -109,13 +109,9 @@ bool Triangulation::prefers_flip(Side s) const {
 /// computed, is smaller, and lengths are a fixed function of the finitely many vertex pairs.
 void Triangulation::improve(std::int32_t vertex) {
   stack_.clear();
-  const auto push_link = [&](std::int32_t t) {
-    const int i = next(index_of(t, vertex));
-    stack_.emplace_back(tri(t).v[at(i)], tri(t).v[at(next(i))]);
-  };
   const auto visit = [&](std::int32_t start, bool forward) {
     for (std::int32_t t = start;;) {
-      push_link(t);
+      stack_.push_back(t);
       const int i = index_of(t, vertex);
       t = tri(t).n[at(forward ? previous(i) : i)];
       if (t < 0 || t == start) return t;
@@ -127,16 +123,14 @@ void Triangulation::improve(std::int32_t vertex) {
     if (back >= 0) visit(back, false);
   }
   while (!stack_.empty()) {
-    const auto [a, b] = stack_.back();
+    const std::int32_t t = stack_.back();
     stack_.pop_back();
-    const Side s = find_side(a, b);
-    if (s.triangle < 0 || tri(s.triangle).n[at(s.index)] < 0 || tri(s.triangle).c[at(s.index)] >= 0) continue;
-    if (tri(s.triangle).v[at(previous(s.index))] != vertex || !prefers_flip(s) || !is_flippable(s)) continue;
-    const Side o = twin(s);
-    const std::int32_t d = tri(o.triangle).v[at(previous(o.index))];
+    const Side s{t, next(index_of(t, vertex))};
+    const std::int32_t beyond = tri(t).n[at(s.index)];
+    if (beyond < 0 || tri(t).c[at(s.index)] >= 0 || !prefers_flip(s) || !is_flippable(s)) continue;
     flip(s);
-    stack_.emplace_back(a, d);
-    stack_.emplace_back(d, b);
+    stack_.push_back(t);
+    stack_.push_back(beyond);
   }
 }
 

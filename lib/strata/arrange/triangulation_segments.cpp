@@ -24,13 +24,13 @@ void Triangulation::add_segment(std::int32_t tail, std::int32_t head, std::int32
 /// First step of the segment from -> to. Among the triangles (from, x, y) there is one with x not left and y not right
 /// of it; x or y on the line is ahead, since the angle at `from` is less than a half turn.
 Triangulation::Departure Triangulation::depart(std::int32_t from, std::int32_t to) const {
+  if (find_side(from, to).triangle >= 0 || find_side(to, from).triangle >= 0) return {{}, to};
   const std::int32_t start = at_[at(from)];
   for (const bool forward : {true, false}) {
     std::int32_t t = start;
     do {
       const int i = index_of(t, from);
       const std::int32_t x = tri(t).v[at(next(i))], y = tri(t).v[at(previous(i))];
-      if (x == to || y == to) return {{}, to};
       const Sign sx = turn(from, to, x), sy = turn(from, to, y);
       if (sx == Sign::zero && sy == Sign::positive) return {{}, x};
       if (sy == Sign::zero && sx == Sign::negative) return {{}, y};

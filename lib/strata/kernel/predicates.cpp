@@ -61,13 +61,22 @@ std::optional<Sign> filtered(const Twofold& value) {
 
 Point input_point(const Carriers& carriers, std::uint32_t v) { return make_point(carriers, PointName::input(v)); }
 
+/// True when ab and cd run along that axis, or are points.
+bool are_along(std::size_t axis, const Carriers::Coordinates& a, const Carriers::Coordinates& b,
+               const Carriers::Coordinates& c, const Carriers::Coordinates& d) {
+  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+  return a[u] == b[u] && a[v] == b[v] && c[u] == d[u] && c[v] == d[v];
+}
+
 /// FilteredPlane, and the zeros that doubles show.
 std::optional<Sign> filtered_orient3d(const Carriers::Coordinates& a, const Carriers::Coordinates& b,
                                       const Carriers::Coordinates& c, const Carriers::Coordinates& d) {
   if (const int side = FilteredPlane(a, b, c).side(d); side != 0) return side > 0 ? Sign::positive : Sign::negative;
-  // Equal points, and planes across an axis.
-  for (std::size_t i = 0; i < 3; ++i)
+  // Equal points, planes across an axis, and planes along one that show it in two edges.
+  for (std::size_t i = 0; i < 3; ++i) {
     if (a[i] == b[i] && a[i] == c[i] && a[i] == d[i]) return Sign::zero;
+    if (are_along(i, a, b, c, d) || are_along(i, a, c, b, d) || are_along(i, a, d, b, c)) return Sign::zero;
+  }
   if (a == d || b == d || c == d || a == c || b == c || a == b) return Sign::zero;
   return std::nullopt;
 }
