@@ -41,6 +41,22 @@ TEST_CASE("the screen sees coordinates that are not finite only where they are u
   }
 }
 
+// Catches: corners left out, a run of triangles left out, vertices counted that no triangle has.
+TEST_CASE("the screen finds the box of the vertices in use", "[mesh]") {
+  Mesh one = box({1, 2, 3}, {4, 5, 6});
+  one.vertices.push_back({-9, 99, 9});
+  CHECK(screen(one).bounds.lower == Vertex{1, 2, 3});
+  CHECK(screen(one).bounds.upper == Vertex{4, 5, 6});
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const double far : {-7.0, 7.0}) {
+      Mesh many = globe(80);  // several runs
+      Vertex& v = many.vertices[many.triangles[many.triangles.size() * k / 2 - (k == 2 ? 1 : 0)][k]];
+      v[k] = far;
+      const Screening facts = screen(many);
+      CHECK((far < 0 ? facts.bounds.lower : facts.bounds.upper)[k] == far);
+    }
+}
+
 TEST_CASE("the screen sees indices out of range", "[mesh]") {
   Mesh mesh = box({0, 0, 0}, {1, 1, 1});
   mesh.triangles[5][1] = 8;

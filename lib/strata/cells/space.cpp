@@ -6,68 +6,43 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace strata {
 namespace {
 
-/// lower > upper when it holds nothing.
-struct Box {
-  Carriers::Coordinates lower, upper;
-};
-
-Box nothing() {
-  Box b;
-  b.lower.fill(std::numeric_limits<double>::infinity());
-  b.upper.fill(-std::numeric_limits<double>::infinity());
-  return b;
-}
-
-void include(Box& box, const Carriers::Coordinates& lower, const Carriers::Coordinates& upper) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    box.lower[i] = std::min(box.lower[i], lower[i]);
-    box.upper[i] = std::max(box.upper[i], upper[i]);
-  }
-}
-
 /// Bounds of the vertices that faces use.
 Box bounds_of_operand(const Carriers& carriers, std::uint32_t operand) {
+  if (const Box* known = carriers.bounds(operand)) return *known;
   const auto points = carriers.points(operand);
   const auto faces = carriers.faces(operand);
   return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, faces.size(), 1 << 14), nothing(),
+      tbb::blocked_range<std::size_t>(0, faces.size(), 1 << 14), Box(),
       [&](const auto& range, Box b) {
         for (std::size_t i = range.begin(); i != range.end(); ++i)
-          for (const std::uint32_t v : faces[i]) include(b, points[v], points[v]);
+          for (const std::uint32_t v : faces[i]) b.include(points[v]);
         return b;
       },
       [](Box a, const Box& b) {
-        include(a, b.lower, b.upper);
+        a.include(b);
         return a;
       });
-}
-
-bool overlap(const Box& a, const Box& b) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (a.lower[i] > b.upper[i] || b.lower[i] > a.upper[i]) return false;
-  return true;
 }
 
 /// The box around everything that bounds of two operands share.
 Box shared_bounds(std::vector<Box> operands) {
   std::sort(operands.begin(), operands.end(), [](const Box& a, const Box& b) { return a.lower[0] < b.lower[0]; });
-  Box shared = nothing();
+  Box shared;
   for (std::size_t i = 0; i < operands.size(); ++i)
     for (std::size_t j = i + 1; j < operands.size() && operands[j].lower[0] <= operands[i].upper[0]; ++j) {
       const Box &a = operands[i], &b = operands[j];
-      if (!overlap(a, b)) continue;
-      Carriers::Coordinates lower, upper;
+      if (!a.overlaps(b)) continue;
+      Box both;
       for (std::size_t k = 0; k < 3; ++k) {
-        lower[k] = std::max(a.lower[k], b.lower[k]);
-        upper[k] = std::min(a.upper[k], b.upper[k]);
+        both.lower[k] = std::max(a.lower[k], b.lower[k]);
+        both.upper[k] = std::min(a.upper[k], b.upper[k]);
       }
-      include(shared, lower, upper);
+      shared.include(both);
     }
   return shared;
 }
@@ -78,11 +53,11 @@ Space find_space(const Carriers& carriers, bool self) {
   std::vector<Box> operands(carriers.operand_count());
   tbb::parallel_for(std::uint32_t{0}, carriers.operand_count(),
                     [&](std::uint32_t o) { operands[o] = bounds_of_operand(carriers, o); });
-  Box all = nothing();
-  for (const Box& b : operands) include(all, b.lower, b.upper);
+  Box all;
+  for (const Box& b : operands) all.include(b);
   Space space;
   const Box shared = self ? all : shared_bounds(std::move(operands));
-  space.empty = shared.lower[0] > shared.upper[0];
+  space.empty = shared.empty();
   if (space.empty) return space;
   space.grid = Grid(all.lower, all.upper);
   space.corner = shared.lower;

@@ -26,7 +26,7 @@ class Operands {
       const Prepared& p = prepared_.back();
       notes.insert(notes.end(), p.notes.begin(), p.notes.end());
       const MeshView mesh = p.mesh ? MeshView(*p.mesh) : given[i].mesh;
-      carriers_.add(mesh.vertices, mesh.triangles, given[i].exact);
+      carriers_.add(mesh.vertices, mesh.triangles, given[i].exact, p.bounds);
     }
   }
 

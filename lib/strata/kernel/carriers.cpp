@@ -9,11 +9,11 @@
 namespace strata {
 
 void Carriers::add(std::span<const Coordinates> points, std::span<const Indices> faces,
-                   std::span<const ExactVertex> exact) {
+                   std::span<const ExactVertex> exact, const std::optional<Box>& bounds) {
   constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() - 1;
   if (points.size() > most - vertex_end_ || faces.size() > most - face_end_)
     throw std::length_error("more than 2^32 - 2 vertices or faces in one evaluation");
-  blocks_.push_back({points, faces, exact, vertex_end_, face_end_});
+  blocks_.push_back({points, faces, exact, vertex_end_, face_end_, bounds});
   vertex_end_ += static_cast<std::uint32_t>(points.size());
   face_end_ += static_cast<std::uint32_t>(faces.size());
   constexpr std::uint32_t many = 64;

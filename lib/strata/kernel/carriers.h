@@ -1,10 +1,12 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "strata/kernel/box.h"
 #include "strata/kernel/exact_vertex.h"
 
 namespace strata {
@@ -18,9 +20,10 @@ class Carriers {
   using Indices = std::array<std::uint32_t, 3>;
 
   /// Appends the points and faces of one operand. `exact` lists the points that are rationals, by increasing index;
-  /// `points` then holds their nearest doubles. Indices in `faces` are local to the operand.
+  /// `points` then holds their nearest doubles. Indices in `faces` are local to the operand. `bounds`: a box of the
+  /// points that faces use, if one is known.
   void add(std::span<const Coordinates> points, std::span<const Indices> faces,
-           std::span<const ExactVertex> exact = {});
+           std::span<const ExactVertex> exact = {}, const std::optional<Box>& bounds = {});
 
   /// Vertices at one place, as pairs: from now on faces name the lowest of them. Vertices keep their coordinates.
   void identify(std::span<const std::pair<std::uint32_t, std::uint32_t>> equal);
@@ -41,6 +44,11 @@ class Carriers {
   }
   [[nodiscard]] std::span<const Coordinates> points(std::uint32_t operand) const { return blocks_[operand].points; }
   [[nodiscard]] std::span<const Indices> faces(std::uint32_t operand) const { return blocks_[operand].faces; }
+  /// The box that was given with an operand, or null.
+  [[nodiscard]] const Box* bounds(std::uint32_t operand) const {
+    const auto& b = blocks_[operand].bounds;
+    return b ? &*b : nullptr;
+  }
 
   [[nodiscard]] std::uint32_t operand_of_vertex(std::uint32_t vertex) const { return find<true>(vertex); }
   [[nodiscard]] std::uint32_t operand_of_face(std::uint32_t face) const { return find<false>(face); }
@@ -70,6 +78,7 @@ class Carriers {
     std::span<const ExactVertex> exact;
     std::uint32_t first_vertex = 0;
     std::uint32_t first_face = 0;
+    std::optional<Box> bounds;
   };
 
   [[nodiscard]] const RationalPoint* find_exact(std::uint32_t vertex) const;

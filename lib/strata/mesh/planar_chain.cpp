@@ -32,18 +32,18 @@ void sum_up(const PointTable& points, Chain& chain) {
 }
 
 /// Where an edge lies along y and z, in ranks.
-struct Box {
+struct RankBox {
   std::uint32_t lower[2];
   std::uint32_t upper[2];
 
-  [[nodiscard]] bool meets(const Box& other) const {
+  [[nodiscard]] bool meets(const RankBox& other) const {
     return lower[0] <= other.upper[0] && other.lower[0] <= upper[0] && lower[1] <= other.upper[1] &&
            other.lower[1] <= upper[1];
   }
 };
 
-Box box_of(const PointTable& points, const NetEdge& edge) {
-  Box box{};
+RankBox box_of(const PointTable& points, const NetEdge& edge) {
+  RankBox box{};
   for (int axis = 1; axis < 3; ++axis) {
     const std::uint32_t a = points.rank(edge.low, axis);
     const std::uint32_t b = points.rank(edge.high, axis);
@@ -57,7 +57,7 @@ Box box_of(const PointTable& points, const NetEdge& edge) {
 /// point must be one given at the start, so that numbers are in lexicographic order.
 template <class Visit>
 void for_each_near_pair(const PointTable& points, const Chain& chain, Visit visit) {
-  std::vector<Box> boxes;
+  std::vector<RankBox> boxes;
   boxes.reserve(chain.size());
   for (const NetEdge& edge : chain) boxes.push_back(box_of(points, edge));
   std::vector<std::size_t> active;

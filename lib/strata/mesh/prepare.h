@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "strata/kernel/box.h"
 #include "strata/mesh/defect.h"
 #include "strata/mesh/mesh.h"
 
@@ -15,6 +16,7 @@ struct Screening {
   bool chain_closed = true;   ///< directed edges cancel: random linear hash, wrong with probability < 2^-60
   bool degenerate = false;    ///< some triangle has zero area, decided exactly
   int orientation = 0;        ///< sign of the signed volume, exact; 0 too unless closed, finite and valid
+  Box bounds;                 ///< of the vertices used, where all are finite and valid
 };
 
 /// Streams once over vertices and triangles, in parallel. O(n), no allocation in proportion to n.
@@ -30,6 +32,7 @@ struct Prepared {
   std::optional<Mesh> mesh;                ///< replaces the input
   std::vector<std::uint32_t> source_face;  ///< input face per triangle of `mesh`
   std::vector<Defect> notes;               ///< what was resolved, exactly
+  std::optional<Box> bounds;               ///< a box of the vertices used, if one was found on the way
 };
 
 /// Accepts a closed oriented mesh (`solid` and `overlapping` input).

@@ -35,6 +35,7 @@ Prepared prepare_closed(MeshView mesh, bool allow_inside_out, std::size_t operan
     number_sources(result.source_face, welded.triangles.size());
     result.mesh = std::move(welded);
   }
+  result.bounds = facts.bounds;
   if (facts.orientation < 0 && !allow_inside_out) refuse(mesh, operand);
   if (facts.degenerate) {
     if (!result.mesh) {

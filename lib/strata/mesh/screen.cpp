@@ -1,10 +1,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <vector>
 
 #include "strata/mesh/edge_table.h"
 #include "strata/mesh/prepare.h"
@@ -35,53 +35,7 @@ struct Chunks {
   }
 };
 
-/// The box of all vertices that are finite, and whether all are.
-struct Extent {
-  Vertex lower{};
-  Vertex upper{};
-  bool finite = true;
-  bool empty = true;
-
-  void add(const Extent& other) {
-    finite = finite && other.finite;
-    if (other.empty) return;
-    for (int i = 0; i < 3; ++i) {
-      lower[i] = empty ? other.lower[i] : std::min(lower[i], other.lower[i]);
-      upper[i] = empty ? other.upper[i] : std::max(upper[i], other.upper[i]);
-    }
-    empty = false;
-  }
-};
-
 bool is_finite(const Vertex& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
-
-Extent extent(std::span<const Vertex> vertices) {
-  Extent result;
-  for (const Vertex& v : vertices) {
-    if (is_finite(v)) {
-      if (result.empty) result.lower = result.upper = v;
-      for (int i = 0; i < 3; ++i) {
-        result.lower[i] = std::min(result.lower[i], v[i]);
-        result.upper[i] = std::max(result.upper[i], v[i]);
-      }
-      result.empty = false;
-    } else {
-      result.finite = false;
-    }
-  }
-  return result;
-}
-
-Extent whole_extent(std::span<const Vertex> vertices) {
-  const Chunks chunks(vertices.size());
-  std::array<Extent, max_chunks> parts;
-  chunks.for_each([&](std::size_t k, std::size_t first, std::size_t last) {
-    parts[k] = extent(vertices.subspan(first, last - first));
-  });
-  Extent whole;
-  for (std::size_t k = 0; k < chunks.count; ++k) whole.add(parts[k]);
-  return whole;
-}
 
 using Wide = __int128;
 
@@ -102,17 +56,40 @@ inline std::int64_t boundary_number(const Triangle& t) {
   return edge_number(t[0], t[1]) + edge_number(t[1], t[2]) + edge_number(t[2], t[0]);
 }
 
+/// The box of a triangle. Its corners are compared with each other first: what is compared with the box of all of a run
+/// waits for the one before.
+Box box_of(const Vertex& p, const Vertex& q, const Vertex& r) {
+  Box box;
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.lower[i] = std::min(std::min(p[i], q[i]), r[i]);
+    box.upper[i] = std::max(std::max(p[i], q[i]), r[i]);
+  }
+  return box;
+}
+
 /// What a run of triangles adds up to.
 struct Tally {
   Wide chain = 0;     ///< sum of edge numbers
   double volume = 0;  ///< sum of det(a-o, b-o, c-o), rounded
   double size = 0;    ///< sum of |b-a| |c-a| in the maximum norm: the scale of rounding errors
+  Box box;            ///< of the vertices, if they are finite
+  bool finite = true;
   bool indices_valid = true;
   bool degenerate = false;
+
+  void add(const Tally& other) {
+    chain += other.chain;
+    volume += other.volume;
+    size += other.size;
+    box.include(other.box);
+    finite = finite && other.finite;
+    indices_valid = indices_valid && other.indices_valid;
+    degenerate = degenerate || other.degenerate;
+  }
 };
 
-Tally tally_of(MeshView mesh, std::size_t first, std::size_t last, const Vertex& o, bool finite,
-               const ZeroAreaTest& is_zero) {
+/// Coordinates that are not finite leave the normal uncertain.
+Tally tally_of(MeshView mesh, std::size_t first, std::size_t last, const Vertex& o, const ZeroAreaTest& is_zero) {
   Tally tally;
   std::uint32_t largest = 0;
   for (std::size_t f = first; f < last; ++f) {
@@ -124,13 +101,18 @@ Tally tally_of(MeshView mesh, std::size_t first, std::size_t last, const Vertex&
   for (std::size_t f = first; f < last; ++f) {
     const Triangle& t = mesh.triangles[f];
     tally.chain += boundary_number(t);
-    const Vertex& p = mesh.vertices[t[0]];
-    const auto [n, scale, certain] = filtered_normal(p, mesh.vertices[t[1]], mesh.vertices[t[2]]);
+    const Vertex &p = mesh.vertices[t[0]], &q = mesh.vertices[t[1]], &r = mesh.vertices[t[2]];
+    const auto [n, scale, certain] = filtered_normal(p, q, r);
     tally.volume += (p[0] - o[0]) * n[0] + (p[1] - o[1]) * n[1] + (p[2] - o[2]) * n[2];
     tally.size += scale;
+    tally.box.include(box_of(p, q, r));
     if (certain) continue;
     if (repeats_vertex(t)) tally.chain -= boundary_number(t);  // it has no boundary
-    if (finite && !tally.degenerate) tally.degenerate = is_zero.exactly(f);
+    if (!is_finite(p) || !is_finite(q) || !is_finite(r)) {
+      tally.finite = false;
+    } else if (!tally.degenerate) {
+      tally.degenerate = is_zero.exactly(f);
+    }
   }
   return tally;
 }
@@ -141,9 +123,9 @@ Tally tally_of(MeshView mesh, std::size_t first, std::size_t last, const Vertex&
 /// in every component, each term has an error below 3 R (8.01 e U V) + 3 R (2 U V)(4e) + underflow <= 49 e R U V +
 /// (R+1) 2^-1070, and is at most 7 R U V in size. Adding up m terms in a row and then k partial sums costs at most (m +
 /// k) e times the sum of sizes.
-int orientation(MeshView mesh, const Tally& total, const Extent& box, const Vertex& o, const Chunks& chunks) {
+int orientation(MeshView mesh, const Tally& total, const Vertex& o, const Chunks& chunks) {
   double radius = 0;
-  for (int i = 0; i < 3; ++i) radius = std::max(radius, std::max(box.upper[i] - o[i], o[i] - box.lower[i]));
+  for (int i = 0; i < 3; ++i) radius = std::max(radius, std::max(total.box.upper[i] - o[i], o[i] - total.box.lower[i]));
   const auto terms = static_cast<double>(chunks.size + chunks.count);
   const double error = 1.01 * (radius * total.size * (49 + 7 * terms) * 0x1p-53 +
                                static_cast<double>(chunks.items) * (radius + 1) * 0x1p-1060);
@@ -156,22 +138,11 @@ int orientation(MeshView mesh, const Tally& total, const Extent& box, const Vert
   return exact.sign();
 }
 
-bool used_vertices_finite(MeshView mesh) {
-  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
-    return is_finite(mesh.vertices[t[0]]) && is_finite(mesh.vertices[t[1]]) && is_finite(mesh.vertices[t[2]]);
-  });
-}
-
-bool indices_in_range(MeshView mesh) {
-  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
-                     [n = mesh.vertices.size()](const Triangle& t) { return t[0] < n && t[1] < n && t[2] < n; });
-}
-
 }  // namespace
 
 bool chain_is_closed(MeshView mesh) {
   const Chunks chunks(mesh.triangles.size());
-  std::array<Wide, max_chunks> parts{};
+  std::vector<Wide> parts(chunks.count);
   chunks.for_each([&](std::size_t k, std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f)
       if (!repeats_vertex(mesh.triangles[f])) parts[k] += boundary_number(mesh.triangles[f]);
@@ -182,27 +153,22 @@ bool chain_is_closed(MeshView mesh) {
 Screening screen(MeshView mesh) {
   Screening result;
   if (mesh.triangles.empty()) return result;
-  const Extent box = whole_extent(mesh.vertices);
-  result.finite = box.finite || !indices_in_range(mesh) || used_vertices_finite(mesh);
-  Vertex o;
-  for (int i = 0; i < 3; ++i) o[i] = box.lower[i] / 2 + box.upper[i] / 2;
+  const std::uint32_t somewhere = mesh.triangles[0][0];
+  const Vertex o = somewhere < mesh.vertices.size() ? mesh.vertices[somewhere] : Vertex{};
   const Chunks chunks(mesh.triangles.size());
   const ZeroAreaTest is_zero(mesh);
-  std::array<Tally, max_chunks> parts;
+  std::vector<Tally> parts(chunks.count);
   chunks.for_each([&](std::size_t k, std::size_t first, std::size_t last) {
-    parts[k] = tally_of(mesh, first, last, o, result.finite, is_zero);
+    parts[k] = tally_of(mesh, first, last, o, is_zero);
   });
   Tally total;
-  for (std::size_t k = 0; k < chunks.count; ++k) {
-    total.chain += parts[k].chain;
-    total.volume += parts[k].volume;
-    total.size += parts[k].size;
-    total.indices_valid = total.indices_valid && parts[k].indices_valid;
-    result.degenerate = result.degenerate || parts[k].degenerate;
-  }
+  for (const Tally& part : parts) total.add(part);
+  result.finite = total.finite || !total.indices_valid;
   result.indices_valid = total.indices_valid;
+  result.degenerate = total.degenerate;
+  result.bounds = total.box;
   result.chain_closed = total.indices_valid && total.chain == 0;
-  if (result.finite && result.chain_closed) result.orientation = orientation(mesh, total, box, o, chunks);
+  if (result.finite && result.chain_closed) result.orientation = orientation(mesh, total, o, chunks);
   return result;
 }
 
