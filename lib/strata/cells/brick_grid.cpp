@@ -1,5 +1,6 @@
 #include "strata/cells/brick_grid.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace strata {
@@ -79,13 +80,24 @@ double BrickGrid::lower_bound(int axis, std::uint32_t k) const {
   const auto value = [](std::int64_t i) {
     return std::bit_cast<double>(i < 0 ? std::numeric_limits<std::int64_t>::min() - i : i);
   };
+  const auto is_below = [&](std::int64_t i) { return along(axis, grid_.at(axis, value(i))) < k; };
   std::int64_t low = ordered(-std::numeric_limits<double>::max()), high = ordered(std::numeric_limits<double>::max());
+  if (!is_below(low)) return value(low);
+  // As a rule it is not far from where the grid's inverse has it.
+  constexpr std::int64_t far = 64;
+  const std::int64_t start = lower_[at(axis)] + (std::int64_t{k - 1} << shift_);
+  const double inverse = grid_.inverse(axis, static_cast<std::int32_t>(std::min<std::int64_t>(start, Grid::extent)));
+  const std::int64_t guess = std::clamp(ordered(inverse), low + far, high - far);
+  if (is_below(guess - far) && !is_below(guess + far)) {
+    low = guess - far;
+    high = guess + far;
+  }
   while (low < high) {
     const std::int64_t middle = (low >> 1) + (high >> 1) + (low & high & 1);
-    if (along(axis, grid_.at(axis, value(middle))) >= k) {
-      high = middle;
-    } else {
+    if (is_below(middle)) {
       low = middle + 1;
+    } else {
+      high = middle;
     }
   }
   return value(low);
