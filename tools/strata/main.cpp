@@ -8,6 +8,7 @@
 #include <string>
 #include <system_error>
 
+#include "draw.h"
 #include "exit_code.h"
 #include "settings.h"
 #include "strata/io/mesh_file.h"
@@ -39,7 +40,8 @@ void add_boolean(CLI::App& app, Settings& settings, Action& action, strata::Oper
   add_input_class(*verb, settings);
   add_output_options(*verb, settings);
   verb->footer(fmt::format("Example:\n  strata {} A.stl B.stl -o OUT.stl\n\n{}", name, exit_codes));
-  verb->callback([&, operation, name] { action = [&, operation, name] { return run_boolean(operation, name, settings); }; });
+  verb->callback(
+      [&, operation, name] { action = [&, operation, name] { return run_boolean(operation, name, settings); }; });
 }
 
 void add_verbs(CLI::App& app, Settings& settings, Action& action) {
@@ -49,7 +51,8 @@ void add_verbs(CLI::App& app, Settings& settings, Action& action) {
   add_boolean(app, settings, action, Operation::subtract, "difference", "What is in the first mesh and in no other");
   add_boolean(app, settings, action, Operation::exclude, "xor", "What is in an odd number of the meshes");
 
-  CLI::App* check = app.add_subcommand("check", "Is the mesh the boundary of a solid? Lists every defect, writes nothing");
+  CLI::App* check =
+      app.add_subcommand("check", "Is the mesh the boundary of a solid? Lists every defect, writes nothing");
   add_common_options(*check, settings, 1, 1);
   check->footer(fmt::format("Example:\n  strata check scan.stl\n\n{}", exit_codes));
   check->callback([&] { action = [&] { return run_check(settings); }; });
@@ -64,6 +67,18 @@ void add_verbs(CLI::App& app, Settings& settings, Action& action) {
   add_input_class(*compare, settings);
   compare->footer(fmt::format("Example:\n  strata compare before.stl after.obj\n\n{}", exit_codes));
   compare->callback([&] { action = [&] { return run_compare(settings); }; });
+}
+
+void add_draw(CLI::App& app, Settings& settings, DrawSettings& draw_settings, Action& action) {
+  CLI::App* draw = app.add_subcommand("draw", "A picture, hidden lines removed exactly, as SVG or PNG");
+  add_common_options(*draw, settings, 1, 0);
+  add_input_class(*draw, settings);
+  add_draw_options(*draw, draw_settings);
+  draw->add_option("-o,--output", settings.output, "The picture, .svg or .png; - is standard output")
+      ->required()
+      ->type_name("OUT");
+  draw->footer(fmt::format("Example:\n  strata draw part.stl --direction 1,2,-1 -o part.svg\n\n{}", exit_codes));
+  draw->callback([&] { action = [&] { return run_draw(draw_settings, settings); }; });
 }
 
 ExitCode complain(ExitCode code, const std::string& message) {
@@ -107,12 +122,14 @@ ExitCode run(const Action& action, const Settings& settings) {
 
 int main(int argc, char** argv) {
   Settings settings;
+  DrawSettings draw_settings;
   Action action;
   CLI::App app("Exact Booleans of meshes, on the doubles in the files", "strata");
   app.set_version_flag("--version", "strata " STRATA_VERSION);
   app.require_subcommand(1);
   app.footer(std::string(examples) + exit_codes);
   add_verbs(app, settings, action);
+  add_draw(app, settings, draw_settings, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

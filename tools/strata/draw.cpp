@@ -1,0 +1,208 @@
+#include "draw.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "files.h"
+#include "progress.h"
+#include "report.h"
+#include "stopwatch.h"
+#include "strata/csg/arena.h"
+#include "strata/csg/solid.h"
+#include "strata/layers/seen_edges.h"
+#include "svg.h"
+#include "svg_to_png.h"
+#include "view.h"
+#include "watch.h"
+
+namespace {
+
+using strata::Vertex;
+
+Vertex vertex(const std::vector<double>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+
+strata::Origin origin_of(const DrawSettings& draw) {
+  if (draw.from.empty() == draw.direction.empty()) throw UsageError("draw needs either --from or --direction");
+  if (!draw.from.empty()) return strata::Origin::point(vertex(draw.from));
+  if (vertex(draw.direction) == Vertex{}) throw UsageError("--direction is zero");
+  return strata::Origin::direction(vertex(draw.direction));
+}
+
+std::vector<strata::Solid> accept(std::vector<LoadedMesh> operands, const Settings& settings) {
+  std::vector<strata::Solid> solids;
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    try {
+      solids.emplace_back(std::move(operands[i].mesh.mesh), settings.input);
+    } catch (const strata::InputError& error) {
+      throw strata::InputError(error.defects(), i);
+    }
+  }
+  return solids;
+}
+
+strata::Scene scene_of(std::span<const strata::Solid> solids) {
+  std::vector<strata::ExactMesh> meshes;
+  for (const strata::Solid& s : solids) meshes.push_back(s.exact_mesh());
+  return strata::Scene(std::move(meshes));
+}
+
+/// Seen from outside, solids that cross look like their union, which has the curves where they cross as edges.
+strata::LayerDecomposition decompose(const std::vector<strata::Solid>& solids, const strata::Origin& origin,
+                                     const strata::Monitor& monitor) {
+  strata::LayerDecomposition layers(scene_of(solids), origin, monitor);
+  const auto& inside = layers.covering().windings_of_origin();
+  if (layers.cuts_at_crossings() == 0 || inside.begin() != inside.end()) return layers;
+  const strata::Solid all = strata::unite(solids);
+  return strata::LayerDecomposition(scene_of({&all, 1}), origin, monitor);
+}
+
+struct Box {
+  Vertex lower{HUGE_VAL, HUGE_VAL, HUGE_VAL}, upper{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+};
+
+Vertex centre_of(std::span<const strata::Solid> solids) {
+  Box box;
+  for (const strata::Solid& s : solids)
+    for (const Vertex& v : s.mesh().vertices)
+      for (std::size_t i = 0; i < 3; ++i) {
+        box.lower[i] = std::min(box.lower[i], v[i]);
+        box.upper[i] = std::max(box.upper[i], v[i]);
+      }
+  Vertex centre{};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (box.lower[i] <= box.upper[i]) centre[i] = box.lower[i] / 2 + box.upper[i] / 2;
+  return centre;
+}
+
+Vertex rounded(const strata::RationalPoint& p) {
+  return {strata::to_nearest_double(p[0]), strata::to_nearest_double(p[1]), strata::to_nearest_double(p[2])};
+}
+
+/// Lines of one kind: the stretches' ends are exact until they are projected.
+std::vector<PaperPath> draw_lines(const strata::Visibility& visibility, std::span<const strata::SeenEdge> edges,
+                                  strata::EdgeKind kind, const View& view) {
+  const strata::Pieces& pieces = visibility.decomposition().pieces();
+  std::vector<PaperPath> lines;
+  for (const strata::SeenEdge& e : edges) {
+    if (e.kind != kind) continue;
+    const strata::RationalPoint a = pieces.position(e.a), b = pieces.position(e.b);
+    const auto at = [&](const strata::Rational& t) {
+      if (t == 0) return rounded(a);
+      if (t == 1) return rounded(b);
+      strata::RationalPoint p;
+      for (std::size_t i = 0; i < 3; ++i) p[i] = a[i] + t * (b[i] - a[i]);
+      return rounded(p);
+    };
+    for (const strata::Stretch& s : e.seen) {
+      PaperPath line = view.segment(at(s.from), at(s.to));
+      if (!line.empty()) lines.push_back(std::move(line));
+    }
+  }
+  return lines;
+}
+
+Vertex unit_normal(const std::array<Vertex, 3>& t) {
+  const Vertex u{t[1][0] - t[0][0], t[1][1] - t[0][1], t[1][2] - t[0][2]};
+  const Vertex w{t[2][0] - t[0][0], t[2][1] - t[0][1], t[2][2] - t[0][2]};
+  const Vertex n{u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]};
+  const double length = std::hypot(n[0], n[1], n[2]);
+  return length > 0 ? Vertex{n[0] / length, n[1] / length, n[2] / length} : Vertex{};
+}
+
+/// The painter's way: everything that faces the eye, back to front.
+void fill_back_to_front(const strata::LayerDecomposition& layers, const View& view, SvgPage& page) {
+  const auto& inside = layers.covering().windings_of_origin();
+  const bool from_outside = inside.begin() == inside.end();
+  for (const std::uint32_t p : layers.back_to_front()) {
+    if (from_outside && layers.sign(p) > 0) continue;  // turned away: something is before it
+    const auto exact = layers.triangle(p);
+    const std::array<Vertex, 3> corners{rounded(exact[0]), rounded(exact[1]), rounded(exact[2])};
+    Vertex normal = unit_normal(corners);
+    if (layers.sign(p) > 0)
+      for (double& x : normal) x = -x;
+    const int shade = static_cast<int>(std::lround(view.brightness(normal) * 48)) * 5;
+    page.add_polygon(view.polygon({corners.begin(), corners.end()}), shade);
+  }
+}
+
+SvgPage draw_page(const DrawSettings& draw, const strata::Visibility& visibility,
+                  std::span<const strata::SeenEdge> edges, const View& view) {
+  SvgPage page;
+  if (draw.style != "lines") fill_back_to_front(visibility.decomposition(), view, page);
+  if (draw.style != "fill") {
+    page.add_lines(draw_lines(visibility, edges, strata::EdgeKind::crease, view), draw.width / 1250, "#333");
+    page.add_lines(draw_lines(visibility, edges, strata::EdgeKind::outline, view), draw.width / 500, "#000");
+  }
+  return page;
+}
+
+}  // namespace
+
+void add_draw_options(CLI::App& verb, DrawSettings& draw) {
+  const auto three = [&](const char* name, std::vector<double>& numbers, const char* what) {
+    verb.add_option(name, numbers, what)->delimiter(',')->expected(3)->type_name("x,y,z");
+  };
+  three("--from", draw.from, "Perspective from this point");
+  three("--direction", draw.direction, "Parallel projection: the direction in which one looks");
+  three("--towards", draw.towards, "Where a perspective looks; by default the middle of the meshes");
+  three("--up", draw.up, "What is upwards in the picture; by default 0,0,1");
+  verb.add_option("--style", draw.style, "lines: hidden lines removed; fill: shaded faces; both")
+      ->check(CLI::IsMember({"lines", "fill", "both"}))
+      ->capture_default_str();
+  verb.add_option("--crease", draw.crease_angle, "Edges are drawn where faces meet at more than this angle")
+      ->check(CLI::Range(0.0, 180.0))
+      ->type_name("DEGREES")
+      ->capture_default_str();
+  verb.add_option("--width", draw.width, "Longer side of the picture in units; pixels of a PNG")
+      ->check(CLI::Range(10.0, 20000.0))
+      ->capture_default_str();
+}
+
+ExitCode run_draw(const DrawSettings& draw, const Settings& settings) {
+  Watch watch(settings.timeout);
+  Stopwatch stopwatch;
+  Json report = {{"operation", "draw"}, {"operands", Json::array()}, {"seconds", Json::object()}};
+  const strata::Origin origin = origin_of(draw);
+  const bool png = settings.output.ends_with(".png");
+  std::vector<LoadedMesh> operands = read_operands(settings);
+  for (const LoadedMesh& o : operands) report["operands"].push_back(o.path);
+  report["seconds"]["read"] = stopwatch.lap();
+
+  watch.on_stop(OnStop::ask);
+  strata::Options options;
+  options.threads = settings.threads;
+  ProgressBar bar(settings.progress, settings.quiet);
+  const std::function<void(double)> progress = [&bar](double fraction) { bar.show(fraction); };
+  const strata::Monitor monitor(&watch.token(), &progress);
+  std::string svg;
+  try {
+    svg = strata::arena_for(options).execute([&] {
+      const std::vector<strata::Solid> solids = accept(std::move(operands), settings);
+      const Vertex centre = draw.towards.empty() ? centre_of(solids) : vertex(draw.towards);
+      const View view(origin, centre, draw.up.empty() ? Vertex{0, 0, 1} : vertex(draw.up));
+      const strata::Visibility visibility(decompose(solids, origin, monitor));
+      report["layers"] = visibility.decomposition().layer_count();
+      report["cuts"] = visibility.decomposition().cuts_of_cycles();
+      report["seconds"]["layers"] = stopwatch.lap();
+      std::vector<strata::SeenEdge> edges;
+      if (draw.style != "fill") edges = strata::find_seen_edges(visibility, draw.crease_angle, monitor);
+      report["seen_edges"] = edges.size();
+      report["seconds"]["visibility"] = stopwatch.lap();
+      return draw_page(draw, visibility, edges, view).text(draw.width, "strata draw");
+    });
+  } catch (const strata::Cancelled&) {
+    watch.on_stop(OnStop::leave);  // says why
+    throw;
+  }
+  const std::string picture = png ? svg_to_png(svg) : svg;
+  report["seconds"]["draw"] = stopwatch.lap();
+  watch.on_stop(OnStop::finish);
+  write_text(settings.output, picture);
+  report["bytes"] = picture.size();
+  if (!settings.report.empty()) write_report(settings.report, std::move(report));
+  return ExitCode::ok;
+}
