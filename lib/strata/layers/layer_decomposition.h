@@ -60,8 +60,8 @@ class LayerDecomposition {
   [[nodiscard]] std::size_t bytes() const;
 
   /// The invariants that do not hold, as sentences; empty if all do: every dominator is in a lower layer, every layer
-  /// has all its pieces, every piece above the first layer is dominated from the layer before, and the signed covering
-  /// gives at `samples` points the winding numbers that rational rays give. O(n + k) and O(n) per sample.
+  /// has its pieces, every piece comes right after its last dominator, and the signed covering gives at `samples`
+  /// points the winding numbers that walks from infinity past all faces give. O(n + k) and O(n) per sample.
   [[nodiscard]] std::vector<std::string> validate(std::size_t samples = 16) const;
 
  private:
