@@ -12,6 +12,7 @@
 #include "report.h"
 #include "stopwatch.h"
 #include "strata/csg/arena.h"
+#include "strata/csg/combine_layers.h"
 #include "strata/csg/solid.h"
 #include "strata/layers/seen_edges.h"
 #include "svg.h"
@@ -44,20 +45,14 @@ std::vector<strata::Solid> accept(std::vector<LoadedMesh> operands, const Settin
   return solids;
 }
 
-strata::Scene scene_of(std::span<const strata::Solid> solids) {
-  std::vector<strata::ExactMesh> meshes;
-  for (const strata::Solid& s : solids) meshes.push_back(s.exact_mesh());
-  return strata::Scene(std::move(meshes));
-}
-
 /// Seen from outside, solids that cross look like their union, which has the curves where they cross as edges.
 strata::LayerDecomposition decompose(const std::vector<strata::Solid>& solids, const strata::Origin& origin,
                                      const strata::Monitor& monitor) {
-  strata::LayerDecomposition layers(scene_of(solids), origin, monitor);
+  strata::LayerDecomposition layers(strata::scene_of(solids), origin, monitor);
   const auto& inside = layers.covering().windings_of_origin();
   if (layers.cuts_at_crossings() == 0 || inside.begin() != inside.end()) return layers;
   const strata::Solid all = strata::unite(solids);
-  return strata::LayerDecomposition(scene_of({&all, 1}), origin, monitor);
+  return strata::LayerDecomposition(strata::scene_of({&all, 1}), origin, monitor);
 }
 
 struct Box {

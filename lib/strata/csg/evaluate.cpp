@@ -5,6 +5,7 @@
 #include "strata/cells/cell_tree.h"
 #include "strata/csg/stopwatch.h"
 #include "strata/kernel/counters.h"
+#include "strata/layers/local_layers.h"
 #include "strata/overlap/coincidences.h"
 #include "strata/overlap/pairs.h"
 #include "strata/select/merge.h"
@@ -25,7 +26,8 @@ Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& p
   watch.lap("overlap");
   monitor.report(0.55);
   Pools pools;
-  std::vector<SplitFace> split = split_faces(carriers, cells, rule, meetings, self, points, pools, monitor);
+  const LocalLayers layers(carriers, cells);
+  std::vector<SplitFace> split = split_faces(carriers, layers, rule, meetings, self, points, pools, monitor);
   watch.lap("arrange");
   monitor.report(0.8);
   const auto whole = judge_whole_faces(carriers, cells, rule, split, self, monitor);

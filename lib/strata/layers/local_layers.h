@@ -5,23 +5,20 @@
 #include "strata/cells/cell_tree.h"
 #include "strata/cells/windings.h"
 #include "strata/kernel/point.h"
+#include "strata/layers/surroundings.h"
 
 namespace strata {
 
 /// Winding numbers at points, from the signed covering about local origins: w(q) = w(O) + the signs of the faces of q's
 /// cell that the walk from O to q crosses, which are those whose tetrahedron about O holds q. No order of the faces is
 /// needed, so cyclic dominance is no obstacle. theory.md.
-class LocalLayers {
+class LocalLayers final : public Surroundings {
  public:
   LocalLayers(const Carriers& carriers, const CellTree& cells) : carriers_(carriers), cells_(cells) {}
 
-  /// Winding numbers about all operands but `own`, whose entry is left out, at a point of a face of `own` that is on no
-  /// face of theirs.
-  [[nodiscard]] Windings around(const Point& q, std::uint32_t own) const;
+  [[nodiscard]] Windings around(const Point& q, std::uint32_t own) const override;
 
-  /// Winding numbers about all operands just above `face` (on its outer side) at a point of it. `covering` are the
-  /// faces coplanar with it that contain q, itself included; q is on no other face.
-  [[nodiscard]] Windings above(std::uint32_t face, const Point& q, std::span<const std::uint32_t> covering) const;
+  [[nodiscard]] Windings above(std::uint32_t face, const Point& q, std::span<const std::uint32_t> covering) const override;
 
   /// Grid coordinates of a point, by its nearest doubles.
   [[nodiscard]] std::array<std::int32_t, 3> grid_of(const Point& q) const;

@@ -11,10 +11,10 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-FaceSplitter::FaceSplitter(const Carriers& carriers, const CellTree& cells, const Rule& rule, bool self,
+FaceSplitter::FaceSplitter(const Carriers& carriers, const Surroundings& surroundings, const Rule& rule, bool self,
                            const PointTable& points)
     : carriers_(carriers),
-      layers_(carriers, cells),
+      surroundings_(surroundings),
       known_corners_(carriers.vertex_count()),
       settling_(carriers, rule),
       covering_(carriers, rule),
@@ -132,7 +132,7 @@ std::optional<FaceSplitter::FreeCorner> FaceSplitter::ask_free_corner() const {
     if (const Windings* known = known_corners_.find(corners_[i])) return FreeCorner{i, *known};
   if (free_corners_.empty()) return std::nullopt;
   const std::size_t i = free_corners_.front();
-  return FreeCorner{i, layers_.around(make_point(carriers_, PointName::input(corners_[i])), operand_)};
+  return FreeCorner{i, surroundings_.around(make_point(carriers_, PointName::input(corners_[i])), operand_)};
 }
 
 void FaceSplitter::remember_corners() {
@@ -167,7 +167,7 @@ Windings FaceSplitter::above_at(const Point& q, const std::vector<std::uint32_t>
     if (auto told = covering_.above(covers)) return *std::move(told);
   std::vector<std::uint32_t> covering = covers;
   covering.push_back(face_);
-  Windings w = layers_.above(face_, q, covering);
+  Windings w = surroundings_.above(face_, q, covering);
   if (!self_) w.set(operand_, 0);
   return w;
 }

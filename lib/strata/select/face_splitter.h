@@ -9,7 +9,7 @@
 
 #include "strata/arrange/triangulation.h"
 #include "strata/layers/corner_cache.h"
-#include "strata/layers/local_layers.h"
+#include "strata/layers/surroundings.h"
 #include "strata/select/covering.h"
 #include "strata/select/settling.h"
 #include "strata/select/split_faces.h"
@@ -22,7 +22,8 @@ using EqualNames = std::vector<std::pair<PointName, PointName>>;
 /// Splits and judges one face; kept for the next one, so that its memory is reused. For one thread.
 class FaceSplitter {
  public:
-  FaceSplitter(const Carriers& carriers, const CellTree& cells, const Rule& rule, bool self, const PointTable& points);
+  FaceSplitter(const Carriers& carriers, const Surroundings& surroundings, const Rule& rule, bool self,
+               const PointTable& points);
 
   /// Tells what stays of the face with these constraints, which are all it has, and adds names found to be one point.
   void split(std::span<const Constraint> constraints, SplitFace& result, EqualNames& equal, Pool& pool);
@@ -83,7 +84,7 @@ class FaceSplitter {
   [[nodiscard]] Windings above_at(const Point& q, const std::vector<std::uint32_t>& covers);
 
   const Carriers& carriers_;
-  const LocalLayers layers_;
+  const Surroundings& surroundings_;
   CornerCache<Windings> known_corners_;
   Settling settling_;
   Covering covering_;

@@ -39,7 +39,7 @@ void complete(PointTable& points, std::vector<SplitFace>& faces, std::span<const
 
 }  // namespace
 
-std::vector<SplitFace> split_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
+std::vector<SplitFace> split_faces(const Carriers& carriers, const Surroundings& surroundings, const Rule& rule,
                                    const Meetings& meetings, bool self, PointTable& points, Pools& pools,
                                    const Monitor& monitor) {
   const std::span<const Constraint> constraints = meetings.constraints;
@@ -51,7 +51,7 @@ std::vector<SplitFace> split_faces(const Carriers& carriers, const CellTree& cel
 
   std::vector<EqualNames> equal(faces.size());
   tbb::enumerable_thread_specific<FaceSplitter> splitters(
-      [&] { return FaceSplitter(carriers, cells, rule, self, points); });
+      [&] { return FaceSplitter(carriers, surroundings, rule, self, points); });
   tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t i) {
     monitor.check();
     splitters.local().split(constraints.subspan(first[i], first[i + 1] - first[i]), faces[i], equal[i], pools.local());

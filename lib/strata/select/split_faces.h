@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "strata/kernel/point.h"
-#include "strata/layers/local_layers.h"
+#include "strata/layers/surroundings.h"
 #include "strata/mesh/monitor.h"
 #include "strata/mesh/pool.h"
 #include "strata/overlap/constraint.h"
@@ -42,12 +42,12 @@ using Pools = tbb::enumerable_thread_specific<Pool>;
 ///
 /// Splits every constrained face along its constraints and judges each piece.
 ///
-/// One place of a face is located among the layers of its cell; from there the winding numbers just above the face
+/// One place of a face is located by its surroundings; from there the winding numbers just above the face
 /// follow across the constraints, each of which says by how much they change. Below a piece they are those above plus
 /// what the piece itself and the coplanar pieces on it contribute. Of coinciding pieces the one of the lowest face
 /// counts. Points constructed by the way become points of the table, and what was found equal is identified there.
-[[nodiscard]] std::vector<SplitFace> split_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
-                                                 const Meetings& meetings, bool self, PointTable& points, Pools& pools,
-                                                 const Monitor& monitor);
+[[nodiscard]] std::vector<SplitFace> split_faces(const Carriers& carriers, const Surroundings& surroundings,
+                                                 const Rule& rule, const Meetings& meetings, bool self,
+                                                 PointTable& points, Pools& pools, const Monitor& monitor);
 
 }  // namespace strata

@@ -107,4 +107,22 @@ std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const CellTree&
   return verdicts;
 }
 
+std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const Surroundings& surroundings, const Rule& rule,
+                                       const std::vector<SplitFace>& split, const Monitor& monitor) {
+  std::vector<std::uint8_t> is_split(carriers.face_count());
+  for (const SplitFace& s : split) is_split[s.face] = 1;
+  std::vector<Verdict> verdicts(carriers.face_count(), Verdict::drop);
+  tbb::parallel_for(std::uint32_t{0}, carriers.face_count(), [&](std::uint32_t f) {
+    if (is_split[f] != 0) return;
+    monitor.check();
+    const std::uint32_t operand = carriers.operand_of_face(f);
+    Windings w = surroundings.above(f, make_point(carriers, PointName::weighted(f, 1)), {&f, 1});
+    w.set(operand, 0);
+    const bool above = rule.inside(w);
+    w.add(operand, 1);
+    verdicts[f] = verdict(above, rule.inside(w));
+  });
+  return verdicts;
+}
+
 }  // namespace strata

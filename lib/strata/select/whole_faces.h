@@ -15,4 +15,9 @@ namespace strata {
                                                      const std::vector<SplitFace>& split, bool self,
                                                      const Monitor& monitor);
 
+/// The same by a point inside of every face, asked of its surroundings.
+[[nodiscard]] std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const Surroundings& surroundings,
+                                                     const Rule& rule, const std::vector<SplitFace>& split,
+                                                     const Monitor& monitor);
+
 }  // namespace strata

@@ -1,0 +1,20 @@
+#pragma once
+#include <span>
+
+#include "strata/csg/options.h"
+#include "strata/csg/solid.h"
+#include "strata/layers/layer_decomposition.h"
+
+namespace strata {
+
+/// The solids' exact boundaries as a scene, in this order.
+[[nodiscard]] Scene scene_of(std::span<const Solid> solids);
+
+/// Combines two decompositions about a common origin, each of one solid: faces that meet are split along each other,
+/// each piece is judged by the winding numbers that the two coverings give about the origin, and what stays is put in
+/// layers again. The result's boundary is its scene's solid 0; as a point set it does not depend on the origin. Throws
+/// std::invalid_argument (different origins, not one solid each), Cancelled.
+[[nodiscard]] LayerDecomposition combine(const LayerDecomposition& a, const LayerDecomposition& b, Operation operation,
+                                         const Options& options = {});
+
+}  // namespace strata
