@@ -1,8 +1,10 @@
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "kernel/reference.h"
 #include "kernel/tiers.h"
+#include "strata/kernel/filtered_turn.h"
 #include "strata/kernel/predicates.h"
 #include "support/random.h"
 
@@ -122,4 +124,46 @@ TEST_CASE("differences that overflow are decided exactly", "[kernel]") {
   check(four);
   check(Four({{-most, -most, 0}, {most, -most, 0}, {-most, most, 0}, {most, most, 0}}));
   check(Four({{-most, -most, 0}, {most, -most, 0}, {-most, most, 0}, {most, most, -0x1p-1074}}));
+}
+
+// Catches: rests compared the wrong way round, products that vanished or overflowed taken for equal, differences taken
+// for exact that are rounded.
+TEST_CASE("turns by differences are exact or not given", "[kernel][property]") {
+  Random random(11);
+  int given = 0, zeros = 0;
+  for (int i = 0; i < 40'000; ++i) {
+    CAPTURE(i);
+    const int scale = random.pick(std::array{0, 0, 0, -300, 300, -470, -530, 505, 960}), bits = random.between(2, 53);
+    const auto coordinate = [&] {
+      const double whole = std::floor((random.unit() - .5) * std::ldexp(1, bits));
+      return std::ldexp(whole, scale + (random.once_in(8) ? random.between(-60, 60) : 0));
+    };
+    PlanePoint p{coordinate(), coordinate()}, q{coordinate(), coordinate()}, r{coordinate(), coordinate()};
+    if (random.once_in(2)) {  // nearly or exactly on a line
+      const double t = random.between(-3, 3);
+      for (std::size_t k = 0; k < 2; ++k) r[k] = p[k] + t * (q[k] - p[k]);
+      if (random.once_in(2)) r[0] = std::nextafter(r[0], HUGE_VAL);
+    }
+    if (!std::isfinite(p[0] + p[1] + q[0] + q[1] + r[0] + r[1])) continue;
+    const auto sign = turn_by_differences(p, q, r);
+    if (!sign) continue;
+    const auto of = [](double x) { return to_rational(x); };
+    const Rational left = (of(q[0]) - of(p[0])) * (of(r[1]) - of(p[1]));
+    const Rational right = (of(q[1]) - of(p[1])) * (of(r[0]) - of(p[0]));
+    REQUIRE(*sign == sign_of(Rational(left - right)));
+    ++given;
+    zeros += static_cast<int>(*sign == Sign::zero);
+  }
+  CHECK(given > 10'000);
+  CHECK(zeros > 1'000);
+}
+
+TEST_CASE("turns by differences refuse what rounding hides", "[kernel]") {
+  const double up = std::nextafter(1.0, 2.0);
+  CHECK(turn_by_differences({0, 0}, {3, up}, {3, 1}) == Sign::negative);
+  CHECK(turn_by_differences({0, 0}, {up, up}, {1, 1}) == Sign::zero);
+  CHECK_FALSE(turn_by_differences({-4, -4}, {1, 1}, {1, up}));                          // rounded differences
+  CHECK_FALSE(turn_by_differences({0, 0}, {0x1p-600, 0x1p-600}, {0x1p-600, 0x1p-600}));  // vanished products
+  CHECK_FALSE(turn_by_differences({0, 0}, {0x1p600, 0x1p600}, {0x1p600, 0x1p600}));
+  CHECK_FALSE(turn_by_differences({-0x1.8p1023, 0}, {0x1.8p1023, 1}, {0, 1}));
 }

@@ -89,6 +89,13 @@ std::optional<Sign> turn_in_doubles(const PlanePoint& p, const PlanePoint& q, co
   return std::nullopt;
 }
 
+/// turn_by_differences, counted.
+std::optional<Sign> differing(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r) {
+  const auto sign = turn_by_differences(p, q, r);
+  if (sign) count(Tier::twofold);
+  return sign;
+}
+
 /// Each product is off by a relative 3u + 3u^2 at most, each difference by u, the sum of n of them by n u more; the
 /// constant is twice that and leaves room for rounding the magnitude. Products that vanish are off by 2^-1075, which is
 /// far below the bound where magnitudes reach 2^-900.
@@ -221,6 +228,8 @@ std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, con
 }
 
 std::optional<Sign> refined_orient2d(Projection projection, const Point& p, const Point& q, const Point& r) {
+  if (is_exact_in(projection, p) && is_exact_in(projection, q) && is_exact_in(projection, r))
+    if (const auto sign = differing(seen(projection, p), seen(projection, q), seen(projection, r))) return sign;
   return filtered(turn_of(p.fine, q.fine, r.fine, projection.u, projection.v));
 }
 
@@ -253,6 +262,7 @@ Sign orient2d(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
     count(Tier::filter);
     return *sign;
   }
+  if (const auto sign = differing(a, b, c)) return *sign;
   const auto point = [](const PlanePoint& p) { return Point::free({p[0], p[1], 0}); };
   return orient2d(Carriers(), {.u = 0, .v = 1}, point(a), point(b), point(c));
 }

@@ -59,7 +59,7 @@ struct Projection {
 [[nodiscard]] std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, const Point& q,
                                                     const Point& r);
 
-/// The second tier of orient2d alone, by doubles in pairs: nullopt when it does not decide.
+/// The second tier of orient2d alone, by doubles in pairs and exact differences: nullopt when it does not decide.
 [[nodiscard]] std::optional<Sign> refined_orient2d(Projection projection, const Point& p, const Point& q,
                                                    const Point& r);
 

@@ -12,28 +12,71 @@ namespace {
 /// Points in which an edge meets a triangle; an edge and a convex set share at most a segment, so two ends at most.
 using Ends = boost::container::static_vector<SharedPoint, 8>;
 
+/// A triangle seen in a projection.
+class SeenTriangle {
+ public:
+  SeenTriangle(const Carriers& carriers, const FilteredFace& face, Projection projection)
+      : carriers_(carriers), face_(face), projection_(projection) {
+    for (std::size_t i = 0; i < 3; ++i) seen_[i] = seen(face.corners[i], projection);
+  }
+
+  /// Sides of the triangle's directed edge e on which the corners of another one are: left positive.
+  [[nodiscard]] Sign side(std::size_t e, const SeenTriangle& other, std::size_t p) const {
+    const std::size_t n = (e + 1) % 3;
+    if (face_.is_exact) return orient2d(seen_[e], seen_[n], other.seen_[p]);
+    return orient2d(carriers_, projection_, point(e), point(n), other.point(p));
+  }
+  [[nodiscard]] Point point(std::size_t i) const { return make_point(carriers_, PointName::input(face_.vertices[i])); }
+
+  /// Counter-clockwise positive.
+  [[nodiscard]] Sign orientation() const { return side(0, *this, 2); }
+
+  /// A projection that shows the face counter-clockwise.
+  static Projection projection_for(const Carriers& carriers, const FilteredFace& face) {
+    if (face.is_exact) {
+      const int axis = static_cast<int>(face.plane.widest_axis()), u = (axis + 1) % 3, v = (axis + 2) % 3;
+      const Sign s = SeenTriangle(carriers, face, {u, v}).orientation();
+      if (s != Sign::zero) return s == Sign::positive ? Projection{u, v} : Projection{v, u};
+    }
+    return projection_of(carriers, face.face);
+  }
+
+ private:
+  static PlanePoint seen(const Carriers::Coordinates& p, Projection projection) {
+    return {p[static_cast<std::size_t>(projection.u)], p[static_cast<std::size_t>(projection.v)]};
+  }
+
+  const Carriers& carriers_;
+  const FilteredFace& face_;
+  Projection projection_;
+  std::array<PlanePoint, 3> seen_;
+};
+
 /// Both triangles seen in the projection that shows f counter-clockwise.
 class CoplanarMeeting {
  public:
-  CoplanarMeeting(const Carriers& carriers, std::uint32_t f, std::uint32_t g)
+  CoplanarMeeting(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g)
       : carriers_(carriers),
-        f_(f),
-        g_(g),
-        vf_(carriers.face(f)),
-        vg_(carriers.face(g)),
-        projection_(projection_of(carriers, f)),
-        orientation_(same_orientation(carriers, f, g)) {
-    for (std::size_t i = 0; i < 3; ++i) pf_[i] = make_point(carriers, PointName::input(vf_[i]));
-    for (std::size_t i = 0; i < 3; ++i) pg_[i] = make_point(carriers, PointName::input(vg_[i]));
-  }
+        f_(f.face),
+        g_(g.face),
+        vf_(f.vertices),
+        vg_(g.vertices),
+        projection_(SeenTriangle::projection_for(carriers, f)),
+        seen_f_(carriers, f, projection_),
+        seen_g_(carriers, g, projection_),
+        orientation_(seen_g_.orientation()) {}
 
   bool find(Meetings& meetings) {
     for (std::size_t e = 0; e < 3; ++e) {
-      for (std::size_t p = 0; p < 3; ++p) g_vertex_side_[p][e] = side(pf_[e], pf_[(e + 1) % 3], pg_[p]);
+      for (std::size_t p = 0; p < 3; ++p) g_vertex_side_[p][e] = seen_f_.side(e, seen_g_, p);
       if (is_beyond(e)) return false;
     }
     for (std::size_t e = 0; e < 3; ++e)
-      for (std::size_t p = 0; p < 3; ++p) f_vertex_side_[p][e] = side(pg_[e], pg_[(e + 1) % 3], pf_[p]);
+      for (std::size_t p = 0; p < 3; ++p) f_vertex_side_[p][e] = seen_g_.side(e, seen_f_, p);
+    for (std::size_t i = 0; i < 3; ++i) {
+      f_vertex_in_g_[i] = locate(f_vertex_side_[i], orientation_);
+      g_vertex_in_f_[i] = locate(g_vertex_side_[i], Sign::positive);
+    }
     std::array<Ends, 3> g_edges, f_edges;
     bool any = false;
     for (int k = 0; k < 3; ++k) {
@@ -61,14 +104,11 @@ class CoplanarMeeting {
     }
     return true;
   }
-  [[nodiscard]] Sign side(const Point& a, const Point& b, const Point& p) const {
-    return orient2d(carriers_, projection_, a, b, p);
+  [[nodiscard]] const std::optional<Feature>& f_vertex_in_g(int i) const {
+    return f_vertex_in_g_[static_cast<std::size_t>(i)];
   }
-  [[nodiscard]] std::optional<Feature> f_vertex_in_g(int i) const {
-    return locate(f_vertex_side_[static_cast<std::size_t>(i)], orientation_);
-  }
-  [[nodiscard]] std::optional<Feature> g_vertex_in_f(int k) const {
-    return locate(g_vertex_side_[static_cast<std::size_t>(k)], Sign::positive);
+  [[nodiscard]] const std::optional<Feature>& g_vertex_in_f(int k) const {
+    return g_vertex_in_f_[static_cast<std::size_t>(k)];
   }
   [[nodiscard]] bool cross_properly(int i, int k) const {
     const auto e = static_cast<std::size_t>(i), h = static_cast<std::size_t>(k);
@@ -119,14 +159,14 @@ class CoplanarMeeting {
     if (p.on_g.kind != Feature::Kind::edge) return 1;
     return f_vertex_side_[static_cast<std::size_t>(i)][p.on_g.index] == -orientation_ ? 0 : 2;
   }
-  /// Orders two ends along the direction from a to b, by their places if these differ.
-  void order(Ends& ends, const Point& a, const Point& b, int first_place, int last_place) const {
+  /// Orders two ends along edge e of a triangle, by their places if these differ.
+  void order(Ends& ends, const SeenTriangle& triangle, std::size_t e, int first_place, int last_place) const {
     if (first_place > last_place) std::swap(ends[0], ends[1]);
     if (first_place != last_place) return;
     const Point p = make_point(carriers_, name_of(ends[0], f_, vf_, g_, vg_));
     const Point q = make_point(carriers_, name_of(ends[1], f_, vf_, g_, vg_));
     for (const int axis : {projection_.u, projection_.v}) {
-      const Sign along = compare(carriers_, axis, b, a);
+      const Sign along = compare(carriers_, axis, triangle.point((e + 1) % 3), triangle.point(e));
       if (along == Sign::zero) continue;
       if (compare(carriers_, axis, q, p) != along) std::swap(ends[0], ends[1]);
       return;
@@ -141,7 +181,7 @@ class CoplanarMeeting {
   void append_to_f(Meetings& meetings, int k, Ends ends) const {
     if (ends.empty()) return;
     const auto a = static_cast<std::size_t>(k), b = (a + 1) % 3;
-    if (ends.size() == 2) order(ends, pg_[a], pg_[b], place_on_g(ends[0], k), place_on_g(ends[1], k));
+    if (ends.size() == 2) order(ends, seen_g_, a, place_on_g(ends[0], k), place_on_g(ends[1], k));
     note_equal(meetings, ends);
     const bool left = orientation_ == Sign::positive;
     const ConstraintKind kind = ends.size() == 1 ? ConstraintKind::point
@@ -154,7 +194,7 @@ class CoplanarMeeting {
   void append_to_g(Meetings& meetings, int i, Ends ends) const {
     if (ends.empty()) return;
     const auto a = static_cast<std::size_t>(i), b = (a + 1) % 3;
-    if (ends.size() == 2) order(ends, pf_[a], pf_[b], place_on_f(ends[0], i), place_on_f(ends[1], i));
+    if (ends.size() == 2) order(ends, seen_f_, a, place_on_f(ends[0], i), place_on_f(ends[1], i));
     const bool left = orientation_ == Sign::positive;
     const ConstraintKind kind = ends.size() == 1 ? ConstraintKind::point
                                 : left           ? ConstraintKind::cover_left
@@ -170,14 +210,15 @@ class CoplanarMeeting {
   std::uint32_t f_, g_;
   Carriers::Indices vf_, vg_;
   Projection projection_;
+  SeenTriangle seen_f_, seen_g_;
   Sign orientation_;
-  std::array<Point, 3> pf_, pg_;
   std::array<Signs, 3> f_vertex_side_, g_vertex_side_;
+  std::array<std::optional<Feature>, 3> f_vertex_in_g_, g_vertex_in_f_;
 };
 
 }  // namespace
 
-bool meet_coplanar_faces(const Carriers& carriers, std::uint32_t f, std::uint32_t g, Meetings& meetings) {
+bool meet_coplanar_faces(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g, Meetings& meetings) {
   return CoplanarMeeting(carriers, f, g).find(meetings);
 }
 

@@ -3,11 +3,12 @@
 
 #include "strata/kernel/carriers.h"
 #include "strata/overlap/constraint.h"
+#include "strata/overlap/filtered_face.h"
 
 namespace strata {
 
 /// meet_faces for two faces in one plane: every edge of either, clipped to the other, becomes a constraint there.
-bool meet_coplanar_faces(const Carriers& carriers, std::uint32_t f, std::uint32_t g, Meetings& meetings);
+bool meet_coplanar_faces(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g, Meetings& meetings);
 
 /// meet_faces for two faces with the same three vertices: either covers the other.
 bool meet_same_face(std::uint32_t f, const Carriers::Indices& vf, std::uint32_t g, const Carriers::Indices& vg,

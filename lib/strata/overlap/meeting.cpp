@@ -185,7 +185,7 @@ bool meet_faces(const Carriers& carriers, const FilteredFace& f, const FilteredF
   if (common == 2 && !is_coplanar(carriers, f.vertices, g.vertices)) return false;
   of_g = completed(carriers, of_g, f, g);
   if (all(of_g, Sign::positive) || all(of_g, Sign::negative)) return false;
-  if (all(of_g, Sign::zero)) return meet_coplanar_faces(carriers, f.face, g.face, meetings);
+  if (all(of_g, Sign::zero)) return meet_coplanar_faces(carriers, f, g, meetings);
   of_f = completed(carriers, of_f, g, f);
   if (all(of_f, Sign::positive) || all(of_f, Sign::negative)) return false;
   return TransversalMeeting(carriers, f, g, of_f, of_g).find(meetings);
