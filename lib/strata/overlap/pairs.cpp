@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "strata/overlap/constraint_order.h"
 #include "strata/overlap/filtered_face.h"
 #include "strata/overlap/meeting.h"
 
@@ -128,11 +129,11 @@ std::vector<const Cell*> mixed_cells(const CellTree& cells) {
 
 /// What all cells found, constraints sorted by face and other face. All constraints of a pair come from one cell, in
 /// one run.
-Meetings gathered(const std::vector<Meetings>& per_cell, PointTable& points, const Monitor& monitor) {
+Meetings gathered(const std::vector<Meetings>& per_cell, const Carriers& carriers, PointTable& points,
+                  const Monitor& monitor) {
   Meetings all;
-  std::vector<std::size_t> first_constraint{0}, first_name{0};  // per cell
+  std::vector<std::size_t> first_name{0};  // per cell
   for (const Meetings& m : per_cell) {
-    first_constraint.push_back(first_constraint.back() + m.constraints.size());
     first_name.push_back(first_name.back() + m.constructed.size());
     all.equal.insert(all.equal.end(), m.equal.begin(), m.equal.end());
     all.pairs_tested += m.pairs_tested;
@@ -143,30 +144,20 @@ Meetings gathered(const std::vector<Meetings>& per_cell, PointTable& points, con
   all.equal.erase(std::unique(all.equal.begin(), all.equal.end()), all.equal.end());
 
   std::vector<PointName> names(first_name.back());  // what several cells found occurs several times
-  struct Key {
-    std::uint64_t faces;
-    std::uint32_t cell, index;
-  };
-  std::vector<Key> keys(first_constraint.back());
   tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t c) {
-    const Meetings& m = per_cell[c];
-    std::copy(m.constructed.begin(), m.constructed.end(), names.begin() + static_cast<std::ptrdiff_t>(first_name[c]));
-    for (std::uint32_t i = 0; i < m.constraints.size(); ++i)
-      keys[first_constraint[c] + i] = {std::uint64_t{m.constraints[i].face} << 32 | m.constraints[i].other,
-                                       static_cast<std::uint32_t>(c), i};
+    const auto& constructed = per_cell[c].constructed;
+    std::copy(constructed.begin(), constructed.end(), names.begin() + static_cast<std::ptrdiff_t>(first_name[c]));
   });
-  tbb::parallel_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    return a.faces < b.faces || (a.faces == b.faces && a.index < b.index);
-  });
+  const std::vector<ConstraintPlace> places = order_by_face(per_cell, carriers.face_count());
   const PointId first = points.first();
   const std::vector<PointId> numbers = points.add(names, monitor);
-  all.constraints.resize(keys.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, keys.size(), 1 << 12), [&](const auto& range) {
+  all.constraints.resize(places.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 1 << 12), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       Constraint& c = all.constraints[i];
-      c = per_cell[keys[i].cell].constraints[keys[i].index];
+      c = per_cell[places[i].cell].constraints[places[i].index];
       for (PointId* p : {&c.tail, &c.head})
-        if (*p >= first) *p = numbers[*p - first + first_name[keys[i].cell]];
+        if (*p >= first) *p = numbers[*p - first + first_name[places[i].cell]];
     }
   });
   return all;
@@ -183,7 +174,7 @@ Meetings find_meetings(const Carriers& carriers, const CellTree& cells, bool sel
     monitor.check();
     pairs.local().find(*mixed[i], per_cell[i]);
   });
-  return gathered(per_cell, points, monitor);
+  return gathered(per_cell, carriers, points, monitor);
 }
 
 }  // namespace strata
