@@ -62,7 +62,7 @@ class Scene {
   }
 
   /// The faces through q; nothing when it is on one that is not coplanar, or on an edge.
-  std::optional<std::vector<std::uint32_t>> covers_at(std::uint32_t f, const Point& q, const Covering& covering) const {
+  std::optional<std::vector<std::uint32_t>> covers_at(std::uint32_t f, const Point& q, Covering& covering) const {
     std::vector<std::uint32_t> covers;
     for (std::uint32_t g = 0; g < carriers_.face_count(); ++g) {
       if (carriers_.operand_of_face(g) == carriers_.operand_of_face(f)) continue;

@@ -1,6 +1,7 @@
 #include "strata/select/covering.h"
 
 #include <algorithm>
+#include <array>
 
 namespace strata {
 
@@ -12,7 +13,7 @@ void Covering::start(std::span<const Constraint> constraints) {
   if (coplanar_.empty()) return;
   face_ = constraints.front().face;
   operand_ = carriers_.operand_of_face(face_);
-  projection_ = projection_of(carriers_, face_);
+  projection_.reset();
 }
 
 std::optional<Windings> Covering::above(std::span<const std::uint32_t> covers) {
@@ -75,17 +76,28 @@ void Covering::find_sheets(std::span<const std::uint32_t> covers) {
   }
 }
 
-Covering::Place Covering::place_in(std::uint32_t g, const Point& q) const {
+Covering::Place Covering::place_in(std::uint32_t g, const Point& q) {
+  if (!projection_) projection_ = projection_of(carriers_, face_);
   const auto v = carriers_.face(g);
-  const auto side = [&](std::size_t i) {
-    return orient2d(carriers_, projection_, make_point(carriers_, PointName::input(v[i])),
-                    make_point(carriers_, PointName::input(v[(i + 1) % 3])), q);
-  };
-  const Sign a = side(0), b = side(1);
+  if (is_beyond_box(v, *projection_, q)) return Place::outside;
+  std::array<Point, 3> p;
+  for (std::size_t i = 0; i < 3; ++i) p[i] = make_point(carriers_, PointName::input(v[i]));
+  const Sign a = orient2d(carriers_, *projection_, p[0], p[1], q), b = orient2d(carriers_, *projection_, p[1], p[2], q);
   if (a * b == Sign::negative) return Place::outside;
-  const Sign c = side(2);
+  const Sign c = orient2d(carriers_, *projection_, p[2], p[0], q);
   if (a * c == Sign::negative || b * c == Sign::negative) return Place::outside;
   return a * b * c == Sign::zero ? Place::border : Place::inside;
+}
+
+/// True when q is certainly beyond the box of a triangle, as seen in a projection.
+bool Covering::is_beyond_box(const Carriers::Indices& triangle, Projection projection, const Point& q) const {
+  if (carriers_.has_rationals()) return false;
+  const auto &a = carriers_.vertex(triangle[0]), &b = carriers_.vertex(triangle[1]), &c = carriers_.vertex(triangle[2]);
+  for (const int axis : {projection.u, projection.v}) {
+    const auto i = static_cast<std::size_t>(axis);
+    if (q.at[i].upper() < std::min({a[i], b[i], c[i]}) || q.at[i].lower() > std::max({a[i], b[i], c[i]})) return true;
+  }
+  return false;
 }
 
 }  // namespace strata

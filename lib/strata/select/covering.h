@@ -26,7 +26,7 @@ class Covering {
   /// The faces coplanar with this one that it meets, by increasing number.
   [[nodiscard]] std::span<const std::uint32_t> coplanar() const { return coplanar_; }
   /// Is q, a point of this face's plane on no edge of g, inside g?
-  [[nodiscard]] bool covers(std::uint32_t g, const Point& q) const { return place_in(g, q) == Place::inside; }
+  [[nodiscard]] bool covers(std::uint32_t g, const Point& q) { return place_in(g, q) == Place::inside; }
 
   /// Winding numbers about the other operands just above a place with these covers, which are sorted, if they tell all.
   [[nodiscard]] std::optional<Windings> above(std::span<const std::uint32_t> covers);
@@ -50,12 +50,13 @@ class Covering {
 
   [[nodiscard]] bool meets_coplanar_faces_only() const;
   void find_sheets(std::span<const std::uint32_t> covers);
-  [[nodiscard]] Place place_in(std::uint32_t g, const Point& q) const;
+  [[nodiscard]] Place place_in(std::uint32_t g, const Point& q);
+  [[nodiscard]] bool is_beyond_box(const Carriers::Indices& triangle, Projection projection, const Point& q) const;
 
   const Carriers& carriers_;
   const Rule& rule_;
   std::uint32_t face_ = 0, operand_ = 0;
-  Projection projection_;
+  std::optional<Projection> projection_;  ///< of the face, once it was needed
   std::span<const Constraint> constraints_;
   std::vector<std::uint32_t> coplanar_, covers_;
   std::vector<Sheet> sheets_;

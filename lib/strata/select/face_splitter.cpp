@@ -33,16 +33,17 @@ void FaceSplitter::split(std::span<const Constraint> constraints, SplitFace& res
   covering_.start(constraints);
   find_free_corners();
   settling_.start(corners_, met_);
-  if (is_one_of_the_same()) {
+  const bool same = is_one_of_the_same();
+  if (same) {
     collect_whole();
   } else if (!settling_.is_settled() && (self_ || !covering_.hides_face())) {
     const std::optional<FreeCorner> corner = ask_free_corner();
     if (!corner || !settling_.is_settled(corner->windings)) collect_pieces(corner, equal);
   }
   result.face = face_;
-  result.may_merge = self_ || carriers_.operand_count() > 2 ||
-                     std::any_of(constraints.begin(), constraints.end(),
-                                 [](const Constraint& c) { return c.kind != ConstraintKind::crossing; });
+  result.may_merge = !same && (self_ || carriers_.operand_count() > 2 ||
+                               std::any_of(constraints.begin(), constraints.end(),
+                                           [](const Constraint& c) { return c.kind != ConstraintKind::crossing; }));
   result.points = pool.keep(kept_.points);
   result.triangles = pool.keep(kept_.triangles);
   result.constructed = pool.keep(kept_.constructed);
@@ -84,7 +85,7 @@ void FaceSplitter::collect_whole() {
   for (const Constraint& c : constraints_) region.covers.push_back(c.other);
   if (region.covers.front() < face_) return;  // sorted; that one speaks for all
   if (!self_ && covering_.leaves_nothing(region.covers)) return;
-  region.above = above_at(make_point(carriers_, PointName::weighted(face_, 1)), region.covers);
+  region.above = above_at(PointName::weighted(face_, 1), region.covers);
   const Verdict verdict = verdict_on(region);
   if (verdict == Verdict::drop) return;
   PieceTriangle piece;
@@ -155,19 +156,19 @@ FaceSplitter::Start FaceSplitter::start_inside() {
     Region region;
     for (const std::uint32_t g : covering_.coplanar())
       if (covering_.covers(g, q)) region.covers.push_back(g);
-    region.above = above_at(q, region.covers);
+    region.above = above_at(q.name, region.covers);
     return {l.triangle, region};
   }
   fail("no point inside a face off its constraints", face_);
 }
 
 /// Winding numbers just above q, of the other operands where operands are solids. `covers`: the other faces through q.
-Windings FaceSplitter::above_at(const Point& q, const std::vector<std::uint32_t>& covers) {
+Windings FaceSplitter::above_at(const PointName& q, const std::vector<std::uint32_t>& covers) {
   if (!self_)
     if (auto told = covering_.above(covers)) return *std::move(told);
   std::vector<std::uint32_t> covering = covers;
   covering.push_back(face_);
-  Windings w = surroundings_.above(face_, q, covering);
+  Windings w = surroundings_.above(face_, make_point(carriers_, q), covering);
   if (!self_) w.set(operand_, 0);
   return w;
 }

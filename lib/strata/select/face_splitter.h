@@ -81,7 +81,7 @@ class FaceSplitter {
   void remember_corners();
   [[nodiscard]] std::int32_t triangle_at_corner(std::size_t i) const;
   [[nodiscard]] Start start_inside();
-  [[nodiscard]] Windings above_at(const Point& q, const std::vector<std::uint32_t>& covers);
+  [[nodiscard]] Windings above_at(const PointName& q, const std::vector<std::uint32_t>& covers);
 
   const Carriers& carriers_;
   const Surroundings& surroundings_;

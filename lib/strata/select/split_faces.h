@@ -28,7 +28,7 @@ struct PieceTriangle {
 /// What stays of a face that meets others. The arrays are in pools.
 struct SplitFace {
   std::uint32_t face = 0;
-  bool may_merge = false;  ///< more happens here than that two solids cross
+  bool may_merge = false;  ///< it is divided, and by more than that two solids cross
   std::span<PointId> points;
   std::span<PieceTriangle> triangles;
   /// Points constructed in this face, numbered from the end of the PointTable until they are in it.
