@@ -40,12 +40,6 @@ bool certify(const strata::Mesh& mesh, strata::Format format, const Settings& se
   return strata::is_embedded(strata::read_mesh(std::string_view(bytes), format, settings.output).mesh, options);
 }
 
-Json operand_reports(std::span<const LoadedMesh> operands, strata::InputClass input) {
-  Json list = Json::array();
-  for (const LoadedMesh& operand : operands) list.push_back(operand_report(operand, operand_defects(operand, input)));
-  return list;
-}
-
 // An operand was refused: the report says which defects it has.
 void report_refusal(const char* name, std::span<const LoadedMesh> operands, const strata::InputError& error,
                     const Settings& settings) {

@@ -26,6 +26,11 @@ ByteSource::~ByteSource() {
 }
 
 std::size_t ByteSource::read(char* to, std::size_t size) {
+  if (!back_.empty()) {
+    const std::size_t taken = back_.copy(to, size);
+    back_.erase(0, taken);
+    return taken;
+  }
   while (true) {
     wait();
     const ::ssize_t got = ::read(descriptor_, to, size);
@@ -35,6 +40,8 @@ std::size_t ByteSource::read(char* to, std::size_t size) {
     return static_cast<std::size_t>(got);
   }
 }
+
+void ByteSource::put_back(std::string bytes) { back_.insert(0, bytes); }
 
 double ByteSource::fraction() const {
   return size_ == 0 ? 0 : std::min(1.0, static_cast<double>(done_) / static_cast<double>(size_));

@@ -17,6 +17,8 @@ class ByteSource {
   [[nodiscard]] const std::string& name() const { return name_; }
   /// Copies the next bytes, at most `size`; 0 at the end only.
   std::size_t read(char* to, std::size_t size);
+  /// Puts bytes back, to be read next.
+  void put_back(std::string bytes);
   /// How much of the file was read, 0 to 1; 0 where nobody can tell (pipes).
   [[nodiscard]] double fraction() const;
 
@@ -26,6 +28,7 @@ class ByteSource {
 
   std::string name_;
   const std::atomic<bool>* cancel_;
+  std::string back_;  ///< bytes that were put back
   int descriptor_ = 0;
   std::uint64_t size_ = 0;
   std::uint64_t done_ = 0;

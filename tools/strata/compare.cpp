@@ -4,23 +4,10 @@
 
 #include "files.h"
 #include "report.h"
+#include "scene_input.h"
 #include "stopwatch.h"
-#include "strata/csg/solid.h"
 #include "verbs.h"
 #include "watch.h"
-
-namespace {
-
-// A solid made from operand k; errors name that operand.
-strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, strata::InputClass input) {
-  try {
-    return strata::Solid(operands[k].mesh.mesh, input);
-  } catch (const strata::InputError& error) {
-    throw strata::InputError(error.defects(), k);
-  }
-}
-
-}  // namespace
 
 ExitCode run_compare(const Settings& settings) {
   const Watch watch(settings.timeout);

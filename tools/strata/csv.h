@@ -43,7 +43,7 @@ class CsvReader {
   std::vector<std::size_t> targets_;  ///< per field of a row: the column that it is
 };
 
-/// No shorter buffer holds every double: "-2.2250738585072014e-308".
+/// Characters of the longest number: "-2.2250738585072014e-308".
 inline constexpr std::size_t longest_number = 24;
 
 /// Puts the shortest digits that read back as the same double. Returns the place behind.

@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include "strata/csg/arena.h"
+#include "threads.h"
 
 namespace {
 
@@ -37,14 +37,6 @@ std::string read_all(std::istream& stream, const std::string& name) {
   }
   if (stream.bad()) throw strata::IoError(name, {}, "read error");
   return bytes;
-}
-
-// Runs on as many threads as were asked for.
-template <class Work>
-auto on_threads(const Settings& settings, const Work& work) {
-  strata::Options options;
-  options.threads = settings.threads;
-  return strata::arena_for(options).execute(work);
 }
 
 std::optional<Format> input_format(const Settings& settings) {
@@ -104,7 +96,7 @@ std::vector<LoadedMesh> read_operands(const Settings& settings) {
   for (const std::string& path : settings.operands) {
     strata::MeshFile file = on_threads(settings, [&] { return read_operand(path, settings); });
     print_notes(path, file.notes, settings);
-    operands.push_back({path, {std::move(file.mesh), {}}});
+    operands.push_back({path, {std::move(file.mesh), {}}, std::move(file.polygon_of_triangle)});
   }
   return operands;
 }
@@ -113,12 +105,14 @@ Format output_format(const Settings& settings) {
   if (!settings.output_format.empty()) {
     const auto format = strata::format_named(settings.output_format);
     if (format && *format != Format::other) return *format;
-    throw UsageError(fmt::format("cannot write the format {}; these can be written: {}", settings.output_format, writable));
+    throw UsageError(
+        fmt::format("cannot write the format {}; these can be written: {}", settings.output_format, writable));
   }
   if (settings.output == "-") return Format::stl;
   const Format format = strata::format_of(settings.output);
   if (format != Format::other) return format;
-  throw UsageError(fmt::format("cannot tell a format from {}; use --format with one of: {}", settings.output, writable));
+  throw UsageError(
+      fmt::format("cannot tell a format from {}; use --format with one of: {}", settings.output, writable));
 }
 
 void write_output(const Settings& settings, Format format, const strata::Mesh& mesh) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 struct LoadedMesh {
   std::string path;  ///< as given; "-" for standard input
   strata::ExactMesh mesh;
+  std::vector<std::uint32_t> polygon_of_triangle = {};  ///< as in strata::MeshFile
 };
 
 /// Reads all operands; what the readers note goes to stderr unless quiet. Throws strata::IoError, UsageError.

@@ -11,15 +11,15 @@ bool LineBlocks::next(LineBlock& block) {
     back_.text.clear();
     return true;
   }
-  constexpr std::size_t longest = std::size_t{1} << 26;
+  constexpr std::size_t size = std::size_t{1} << 19, longest = std::size_t{1} << 26;
   std::string& text = block.text;
   text.swap(begun_);
   begun_.clear();
   while (true) {
     const std::size_t before = text.size();
     if (before > longest) throw strata::IoError(source_.name(), {line_, {}}, "the line is too long for a table");
-    text.resize(before + size_);
-    const std::size_t got = source_.read(text.data() + before, size_);
+    text.resize(before + size);
+    const std::size_t got = source_.read(text.data() + before, size);
     text.resize(before + got);
     if (got == 0) break;
     const auto last = std::find(text.rbegin(), text.rbegin() + static_cast<std::ptrdiff_t>(got), '\n').base();

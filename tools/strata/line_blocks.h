@@ -15,9 +15,8 @@ struct LineBlock {
 /// Reads a text in blocks of whole lines, so that its memory is bounded however long the text is.
 class LineBlocks {
  public:
-  static constexpr std::size_t usual_size = std::size_t{1} << 19;
-
-  explicit LineBlocks(ByteSource& source, std::size_t size = usual_size) : source_(source), size_(size) {}
+  /// `first_line`: the number of the line that comes next.
+  explicit LineBlocks(ByteSource& source, std::uint64_t first_line = 1) : source_(source), line_(first_line) {}
 
   /// The next lines, in the order of the text; false at its end. Throws strata::IoError, also for a line that is longer
   /// than any table has.
@@ -27,10 +26,9 @@ class LineBlocks {
 
  private:
   ByteSource& source_;
-  std::size_t size_;
   LineBlock back_;     ///< put back; empty: none
   std::string begun_;  ///< the start of a line whose end is not read yet
-  std::uint64_t line_ = 1;
+  std::uint64_t line_;
 };
 
 /// Calls `visit(first, last, number)` for every line of a block, without its end (LF or CR LF).

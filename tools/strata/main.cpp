@@ -30,6 +30,8 @@ constexpr const char* examples = R"(Examples:
   cat a.off | strata xor - b.off --input-format off -o - --format off > changed.off
   strata check scan.stl
   strata compare yesterday.stl today.obj
+  strata layers house.obj tree.obj -o layers.ply
+  strata locate part.stl --points probes.csv -o answers.csv
 
 )";
 
@@ -81,6 +83,50 @@ void add_draw(CLI::App& app, Settings& settings, DrawSettings& draw_settings, Ac
   draw->callback([&] { action = [&] { return run_draw(draw_settings, settings); }; });
 }
 
+void add_layers(CLI::App& app, Settings& settings, Action& action) {
+  CLI::App* verb = app.add_subcommand("layers", "The faces of solids in layers as seen from an origin, back to front");
+  add_common_options(*verb, settings, 1, 0);
+  add_input_class(*verb, settings);
+  add_origin_option(*verb, settings);
+  verb->add_option("-o,--output", settings.output, "Where the faces go, coloured by layer (PLY); - is standard output")
+      ->type_name("OUT.ply");
+  verb->footer(fmt::format(R"(Examples:
+  strata layers house.obj tree.obj -o layers.ply
+  strata layers part.stl --origin direction:0,0,-1 --report -
+
+{})",
+                           exit_codes));
+  verb->callback([&] { action = [&] { return run_layers(settings); }; });
+}
+
+void add_locate(CLI::App& app, Settings& settings, Action& action) {
+  CLI::App* verb =
+      app.add_subcommand("locate", "Which points are in, on or out of solids, in which and on which faces?");
+  add_common_options(*verb, settings, 1, 0);
+  add_input_class(*verb, settings);
+  add_origin_option(*verb, settings);
+  verb->add_option("--points", settings.points,
+                   "The points: CSV with the columns x,y,z, or PLY; - is standard input (CSV)")
+      ->required()
+      ->type_name("FILE");
+  verb->add_option("-o,--output", settings.output, "Where the answers go: CSV, or PLY; - is standard output (CSV)")
+      ->required()
+      ->type_name("OUT");
+  verb->add_flag("--all", settings.all, "List all solids at a point, not the lowest only");
+  verb->footer(fmt::format(
+      R"(Rows are x,y,z,where,solid,face: where is in, on or out; solid is the lowest solid that the point is on, else in;
+face is the lowest face of that solid that it is on. Solids and faces are counted from 0, in the order of the files.
+In PLY, where is 0 (out), 1 (on) or 2 (in), and what there is not is -1.
+
+Examples:
+  strata locate part.stl --points probes.csv -o answers.csv
+  generate | strata locate a.off b.off --points - -o - --all | grep ,on,
+
+{})",
+      exit_codes));
+  verb->callback([&] { action = [&] { return run_locate(settings); }; });
+}
+
 ExitCode complain(ExitCode code, const std::string& message) {
   std::fputs(("strata: " + message + "\n").c_str(), stderr);
   return code;
@@ -130,6 +176,8 @@ int main(int argc, char** argv) {
   app.footer(std::string(examples) + exit_codes);
   add_verbs(app, settings, action);
   add_draw(app, settings, draw_settings, action);
+  add_layers(app, settings, action);
+  add_locate(app, settings, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -84,6 +84,12 @@ std::vector<Defect> operand_defects(const LoadedMesh& operand, strata::InputClas
   return {};
 }
 
+Json operand_reports(std::span<const LoadedMesh> operands, strata::InputClass input) {
+  Json list = Json::array();
+  for (const LoadedMesh& operand : operands) list.push_back(operand_report(operand, operand_defects(operand, input)));
+  return list;
+}
+
 std::uint64_t peak_bytes() {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);

@@ -31,6 +31,9 @@ using Json = nlohmann::ordered_json;
 /// What the engine resolved on the way in, as it would say for this operand alone; errors too.
 [[nodiscard]] std::vector<strata::Defect> operand_defects(const LoadedMesh& operand, strata::InputClass input);
 
+/// A report per operand, with its defects.
+[[nodiscard]] Json operand_reports(std::span<const LoadedMesh> operands, strata::InputClass input);
+
 /// Largest memory the process has held so far.
 [[nodiscard]] std::uint64_t peak_bytes();
 

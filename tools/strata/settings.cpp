@@ -39,12 +39,22 @@ void add_output_options(CLI::App& verb, Settings& settings) {
       ->type_name("OUT");
   verb.add_option("--format", settings.output_format, "Format of the result, instead of the extension of OUT")
       ->type_name("FORMAT");
-  verb.add_flag("--certify", settings.certify, "Check that no faces cross in the rounded result; exit code 5 if some do");
+  verb.add_flag("--certify", settings.certify,
+                "Check that no faces cross in the rounded result; exit code 5 if some do");
+}
+
+void add_origin_option(CLI::App& verb, Settings& settings) {
+  verb.add_option("--origin", settings.origin,
+                  "Where the scene is seen from: a point, a direction along which all rays run, or auto")
+      ->type_name("x,y,z|auto|direction:x,y,z")
+      ->default_str("auto");
 }
 
 void check_streams(const Settings& settings) {
   const auto from_stdin = std::count(settings.operands.begin(), settings.operands.end(), "-");
   if (from_stdin > 1) throw UsageError("standard input can be one operand only");
+  if (from_stdin == 1 && settings.points == "-")
+    throw UsageError("standard input cannot be both a mesh and the points");
   if (from_stdin == 1 && settings.input_format.empty()) throw UsageError("standard input needs --input-format");
   if (settings.output == "-" && settings.report == "-") {
     throw UsageError("result and report cannot both go to standard output");

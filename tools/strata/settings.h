@@ -16,7 +16,10 @@ struct Settings {
   std::string output_format;  ///< empty: by extension
   std::string report;         ///< path of the JSON report; "-" is stdout; empty: none
   bool certify = false;
-  unsigned threads = 0;  ///< 0: all cores
+  std::string origin = "auto";  ///< x,y,z, direction:x,y,z or auto
+  std::string points;           ///< path of the points to locate; "-" is stdin
+  bool all = false;             ///< list all solids at a point, not the lowest only
+  unsigned threads = 0;         ///< 0: all cores
   bool quiet = false;
   bool progress = false;
   double timeout = 0;  ///< seconds; 0: none
@@ -36,6 +39,9 @@ void add_input_class(CLI::App& verb, Settings& settings);
 
 /// -o and what goes with making a mesh.
 void add_output_options(CLI::App& verb, Settings& settings);
+
+/// --origin x,y,z|auto|direction:x,y,z.
+void add_origin_option(CLI::App& verb, Settings& settings);
 
 /// Throws UsageError where stdin or stdout would be used twice.
 void check_streams(const Settings& settings);

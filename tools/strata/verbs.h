@@ -14,3 +14,9 @@
 
 /// Are two meshes equal as point sets?
 [[nodiscard]] ExitCode run_compare(const Settings& settings);
+
+/// The layers of a scene as seen from an origin; writes them as a coloured mesh.
+[[nodiscard]] ExitCode run_layers(const Settings& settings);
+
+/// Where are points in a scene? Streams them from a file into another.
+[[nodiscard]] ExitCode run_locate(const Settings& settings);

@@ -1,0 +1,115 @@
+#include "layer_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "output_file.h"
+#include "strata/exact/rational.h"
+#include "strata/io/binary.h"
+#include "strata/io/blocks.h"
+#include "strata/mesh/mesh.h"
+
+namespace {
+
+using strata::LayerDecomposition;
+using strata::Triangle;
+using strata::Vertex;
+using Colour = std::array<std::uint8_t, 3>;
+
+constexpr Colour grey{128, 128, 128};
+/// Neighbours in the list are easy to tell apart (Brewer, "Paired", bright ones first).
+constexpr std::array<Colour, 12> palette{{{227, 26, 28},
+                                          {31, 120, 180},
+                                          {51, 160, 44},
+                                          {255, 127, 0},
+                                          {106, 61, 154},
+                                          {177, 89, 40},
+                                          {251, 154, 153},
+                                          {166, 206, 227},
+                                          {178, 223, 138},
+                                          {253, 191, 111},
+                                          {202, 178, 214},
+                                          {255, 255, 153}}};
+
+Colour colour_of(std::uint32_t layer) { return layer == 0 ? grey : palette[(layer - 1) % palette.size()]; }
+
+/// The pieces that are not replaced by parts, with vertices for them: those of the scene, then corners of cuts.
+class PieceMesh {
+ public:
+  explicit PieceMesh(const LayerDecomposition& layers) : layers_(layers) {
+    const strata::Carriers& carriers = layers.scene().carriers();
+    for (std::uint32_t s = 0; s < carriers.operand_count(); ++s)
+      vertices.insert(vertices.end(), carriers.points(s).begin(), carriers.points(s).end());
+    for (std::uint32_t p = 0; p < layers.piece_count(); ++p) {
+      if (layers.is_replaced(p)) continue;
+      pieces.push_back(p);
+      triangles.push_back(p < carriers.face_count() ? carriers.face(p) : triangle_of_part(p));
+    }
+  }
+
+  std::vector<Vertex> vertices;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> pieces;  ///< per triangle
+
+ private:
+  /// Corners of the face stay what they are; others are made once per solid and place.
+  Triangle triangle_of_part(std::uint32_t piece) {
+    const std::uint32_t face = layers_.face_of(piece);
+    const Triangle own = layers_.scene().carriers().face(face);
+    const auto places = layers_.triangle(piece);
+    Triangle t{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      Vertex q;
+      for (std::size_t axis = 0; axis < 3; ++axis) q[axis] = strata::to_nearest_double(places[i][axis]);
+      t[i] = vertex_at(q, own, layers_.scene().solid_of(face));
+    }
+    return t;
+  }
+
+  std::uint32_t vertex_at(const Vertex& q, const Triangle& own, std::uint32_t solid) {
+    for (const std::uint32_t v : own)
+      if (vertices[v] == q) return v;
+    const auto [at, is_new] = made_.try_emplace({solid, q}, static_cast<std::uint32_t>(vertices.size()));
+    if (is_new) vertices.push_back(q);
+    return at->second;
+  }
+
+  const LayerDecomposition& layers_;
+  std::map<std::pair<std::uint32_t, Vertex>, std::uint32_t> made_;
+};
+
+std::string header_of(const PieceMesh& mesh) {
+  return fmt::format(
+      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
+      "property double z\nelement face {}\nproperty list uchar int vertex_indices\nproperty uchar red\n"
+      "property uchar green\nproperty uchar blue\nproperty int layer\nproperty int solid\nend_header\n",
+      mesh.vertices.size(), mesh.triangles.size());
+}
+
+}  // namespace
+
+void write_layers(const std::string& path, const LayerDecomposition& layers) {
+  constexpr auto order = std::endian::little;
+  const PieceMesh mesh(layers);
+  OutputFile file(path);
+  file.write(header_of(mesh));
+  strata::io::write_blocks(file, mesh.vertices.size(), sizeof(Vertex), [&](std::size_t i, char* at) {
+    for (const double x : mesh.vertices[i]) at = strata::io::store(at, x, order);
+    return at;
+  });
+  strata::io::write_blocks(file, mesh.triangles.size(), 1 + 3 * 4 + 3 + 2 * 4, [&](std::size_t i, char* at) {
+    const std::uint32_t piece = mesh.pieces[i];
+    *at++ = '\3';
+    for (const std::uint32_t v : mesh.triangles[i]) at = strata::io::store(at, v, order);
+    for (const std::uint8_t c : colour_of(layers.layer(piece))) at = strata::io::store(at, c, order);
+    at = strata::io::store(at, layers.layer(piece), order);
+    return strata::io::store(at, layers.scene().solid_of(layers.face_of(piece)), order);
+  });
+  file.finish();
+}

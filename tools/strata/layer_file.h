@@ -1,0 +1,9 @@
+#pragma once
+#include <string>
+
+#include "strata/layers/layer_decomposition.h"
+
+/// Writes the pieces of a decomposition as a binary PLY file, whole or not at all: faces with the list vertex_indices,
+/// a colour (uchar red, green, blue) per layer, the layer (int, 0 for flat faces, which are grey) and the solid (int).
+/// Corners that were made by cuts are rounded to the nearest doubles. Throws strata::IoError.
+void write_layers(const std::string& path, const strata::LayerDecomposition& layers);

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "byte_source.h"
+#include "location_table.h"
+#include "origin_option.h"
+#include "point_source.h"
+#include "progress.h"
+#include "report.h"
+#include "row_file.h"
+#include "stopwatch.h"
+#include "strata/io/mesh_file.h"
+#include "strata/layers/choose_origin.h"
+#include "stream_blocks.h"
+#include "threads.h"
+#include "verbs.h"
+#include "watch.h"
+
+namespace {
+
+using Form = LocationTable::Form;
+
+/// Points on their way through the stages.
+struct PointBlock {
+  LineBlock lines;
+  std::vector<double> coordinates;
+  std::string rows;
+  WhereCounts counts;
+};
+
+Form form_of(const Settings& settings) {
+  const bool ply = strata::format_of(settings.output) == strata::Format::ply;
+  if (ply && settings.all) throw UsageError("--all lists have no place in PLY; write CSV");
+  return ply ? Form::ply : settings.all ? Form::csv_all : Form::csv;
+}
+
+/// Answers all points; returns how many are where.
+WhereCounts stream_points(const LocationTable& table, Form form, const Settings& settings, const Watch& watch) {
+  ProgressBar bar(settings.progress, settings.quiet);
+  ByteSource bytes(settings.points, &watch.token());
+  const auto points = make_point_source(settings.points, bytes);
+  const auto count = form == Form::ply ? points->count() : std::optional<std::uint64_t>(0);
+  RowFile file(
+      settings.output, [&](std::uint64_t rows) { return table.header(rows); }, count);
+  WhereCounts counts{};
+  stream_blocks<PointBlock>(
+      [&](PointBlock& block) {
+        bar.show(bytes.fraction());
+        return points->next(block.lines);
+      },
+      [&](PointBlock& block) {
+        block.coordinates.clear();
+        block.rows.clear();
+        block.counts = {};
+        points->parse(block.lines, block.coordinates);
+        table.append_rows(block.coordinates, block.rows, block.counts);
+      },
+      [&](const PointBlock& block) {
+        for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += block.counts[i];
+        file.write(block.rows);
+      });
+  file.finish(counts[0] + counts[1] + counts[2]);
+  return counts;
+}
+
+Json counts_report(const WhereCounts& counts) {
+  const auto [out, on, in] = counts;
+  return {{"count", out + on + in}, {"in", in}, {"on", on}, {"out", out}};
+}
+
+/// Everything from the solids to the finished file.
+void locate(std::span<const LoadedMesh> operands, const std::optional<strata::Origin>& asked, Form form,
+            const Settings& settings, const Watch& watch, Json& report) {
+  Stopwatch stopwatch;
+  const SceneInput input(operands, settings.input);
+  report["seconds"]["prepare"] = stopwatch.lap();
+  const strata::Origin origin = asked ? *asked : strata::choose_origin(input.scene());
+  report["origin"] = to_json(origin);
+  report["seconds"]["origin"] = stopwatch.lap();
+  const strata::SignedCovering covering(input.scene(), origin);
+  report["seconds"]["build"] = stopwatch.lap();
+  const WhereCounts counts = stream_points(LocationTable(covering, input, form), form, settings, watch);
+  report["points"] = counts_report(counts);
+  report["seconds"]["locate"] = stopwatch.lap();
+}
+
+void print_counts(const Json& points) {
+  for (const auto& [key, value] : points.items())
+    fmt::print("{:14} {}\n", key == "count" ? "points" : key, value.dump());
+}
+
+}  // namespace
+
+ExitCode run_locate(const Settings& settings) {
+  Watch watch(settings.timeout);
+  Stopwatch stopwatch;
+  const Form form = form_of(settings);
+  const auto asked = parse_origin(settings.origin);
+  Json report = {{"operation", "locate"}, {"operands", nullptr}, {"origin", nullptr}, {"points", nullptr}};
+  const std::vector<LoadedMesh> operands = read_operands(settings);
+  report["seconds"]["read"] = stopwatch.lap();
+
+  watch.on_stop(OnStop::ask);
+  try {
+    on_threads(settings, [&] { locate(operands, asked, form, settings, watch, report); });
+  } catch (const strata::Cancelled&) {
+    watch.on_stop(OnStop::leave);  // says why
+    throw;
+  }
+  report["peak_bytes"] = peak_bytes();
+
+  watch.on_stop(OnStop::finish);
+  if (!settings.quiet && settings.output != "-" && settings.report != "-") print_counts(report["points"]);
+  if (settings.report.empty()) return ExitCode::ok;
+  report["operands"] = operand_reports(operands, settings.input);
+  write_report(settings.report, std::move(report));
+  return ExitCode::ok;
+}

@@ -1,0 +1,43 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "scene_input.h"
+#include "strata/layers/signed_covering.h"
+
+/// How many points are out, on and in: by strata::Where.
+using WhereCounts = std::array<std::uint64_t, 3>;
+
+/// Where a point is with respect to all solids together: on a face of any, in any, or out.
+[[nodiscard]] strata::Where where(const strata::Location& location);
+
+/// Answers points and writes rows about them: x, y, z, where (in, on, out), solid and face.
+/// The solid is the lowest one that the point is on, else in; the face the lowest face of that solid that it is on.
+class LocationTable {
+ public:
+  enum class Form {
+    csv,      ///< coordinates with the shortest digits that read back the same; what there is not is empty
+    csv_all,  ///< all solids that the point is on or in, joined by ';', and as many faces, empty where it is in
+    ply,      ///< double x y z, uchar where (0 out, 1 on, 2 in), int solid, int face; what there is not is -1
+  };
+
+  /// Keeps references.
+  LocationTable(const strata::SignedCovering& covering, const SceneInput& input, Form form)
+      : covering_(covering), input_(input), form_(form) {}
+
+  /// What stands before the rows; a PLY file says how many there are.
+  [[nodiscard]] std::string header(std::uint64_t count) const;
+  /// Appends a row per point (x0 y0 z0 x1 ...) and counts them. Safe to call from many threads.
+  void append_rows(std::span<const double> coordinates, std::string& rows, WhereCounts& counts) const;
+
+ private:
+  void append_csv(const strata::Vertex& q, const strata::Location& location, std::string& rows) const;
+  void append_all(const strata::Location& location, std::string& rows) const;
+  void append_ply(const strata::Vertex& q, const strata::Location& location, std::string& rows) const;
+
+  const strata::SignedCovering& covering_;
+  const SceneInput& input_;
+  Form form_;
+};

@@ -1,0 +1,22 @@
+#include "scene_input.h"
+
+#include "strata/csg/scene_of.h"
+
+strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, strata::InputClass input) {
+  try {
+    return strata::Solid(operands[k].mesh.mesh, input);
+  } catch (const strata::InputError& error) {
+    throw strata::InputError(error.defects(), k);
+  }
+}
+
+SceneInput::SceneInput(std::span<const LoadedMesh> operands, strata::InputClass input) {
+  std::vector<strata::Solid> solids;
+  for (std::size_t k = 0; k < operands.size(); ++k) {
+    solids.push_back(make_solid(operands, k, input));
+    const std::vector<std::uint32_t>& polygons = operands[k].polygon_of_triangle;
+    for (const strata::Source& source : solids.back().sources())
+      file_faces_.push_back(polygons.empty() ? source.face : polygons[source.face]);
+  }
+  scene_ = strata::scene_of(solids);
+}

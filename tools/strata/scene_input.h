@@ -1,0 +1,26 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "files.h"
+#include "strata/csg/solid.h"
+#include "strata/layers/scene.h"
+
+/// A solid made from operand k; errors name that operand. Throws strata::InputError.
+[[nodiscard]] strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, strata::InputClass input);
+
+/// The scene of the operands, one solid each, which knows their faces by the numbers that they have in the files.
+class SceneInput {
+ public:
+  /// Throws strata::InputError, which names the operand.
+  SceneInput(std::span<const LoadedMesh> operands, strata::InputClass input);
+
+  [[nodiscard]] const strata::Scene& scene() const { return scene_; }
+  /// The number in its file of a face of the scene, from 0.
+  [[nodiscard]] std::uint32_t file_face(std::uint32_t face) const { return file_faces_[face]; }
+
+ private:
+  strata::Scene scene_;
+  std::vector<std::uint32_t> file_faces_;
+};

@@ -1,0 +1,11 @@
+#pragma once
+#include "settings.h"
+#include "strata/csg/arena.h"
+
+/// Runs on as many threads as were asked for.
+template <class Work>
+auto on_threads(const Settings& settings, const Work& work) {
+  strata::Options options;
+  options.threads = settings.threads;
+  return strata::arena_for(options).execute(work);
+}
