@@ -130,15 +130,21 @@ class Locate(ToolTest):
         self.assertEqual(self.left_over(), ["a.off", "out.csv", "points.csv"])
 
     def test_the_first_error_is_told_for_any_number_of_threads(self):
-        """Catches errors that are told as threads happen to meet them."""
+        """Catches errors that are told as threads happen to meet them: the first one ends a block, the next starts one."""
         a = self.file("a.off", cube())
         rows = ["0.5,0.5,0.5"] * 200000
-        rows[90000] = "first"
-        rows[120000] = "second"
+        rows[43600] = "first"
+        rows[43800] = "second"
         self.file("points.csv", "x,y,z\n" + "\n".join(rows) + "\n")
         for threads in (1, 2, 8):
             done = self.run_tool("locate", a, "--points", "points.csv", "-o", "out.csv", "-j", threads, expect=FILE)
-            self.assertIn("points.csv:90002: ", done.stderr.decode())
+            self.assertIn("points.csv:43602: ", done.stderr.decode())
+
+    def test_lines_are_counted_through_all_blocks(self):
+        a = self.file("a.off", cube())
+        self.file("points.csv", "x,y,z\n" + "0.5,0.5,0.5\n\n" * 100000 + "oops\n")
+        done = self.run_tool("locate", a, "--points", "points.csv", "-o", "out.csv", expect=FILE)
+        self.assertIn("points.csv:200002: ", done.stderr.decode())
 
     def test_the_answer_does_not_depend_on_threads(self):
         rng = random.Random(1)
