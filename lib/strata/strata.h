@@ -1,9 +1,15 @@
 #pragma once
-/// Strata: exact Booleans of solids given as triangle meshes.
+/// Strata: exact Booleans of solids given as triangle meshes, and what is seen and met from a point.
 #include "strata/csg/check.h"
 #include "strata/csg/combine.h"
+#include "strata/csg/combine_layers.h"
 #include "strata/csg/options.h"
+#include "strata/csg/scene_of.h"
 #include "strata/csg/solid.h"
+#include "strata/layers/choose_origin.h"
+#include "strata/layers/layer_decomposition.h"
+#include "strata/layers/seen_edges.h"
+#include "strata/layers/visibility.h"
 #include "strata/mesh/canonical.h"
 #include "strata/mesh/defect.h"
 #include "strata/mesh/measure.h"

@@ -1,8 +1,10 @@
 #include "strata/csg/combine_layers.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "layers/scenes.h"
+#include "strata/csg/scene_of.h"
 #include "support/touching.h"
 
 using namespace strata;

@@ -10,9 +10,10 @@
 #include "files.h"
 #include "progress.h"
 #include "report.h"
+#include "scene_input.h"
 #include "stopwatch.h"
 #include "strata/csg/arena.h"
-#include "strata/csg/combine_layers.h"
+#include "strata/csg/scene_of.h"
 #include "strata/csg/solid.h"
 #include "strata/layers/seen_edges.h"
 #include "svg.h"
@@ -33,15 +34,9 @@ strata::Origin origin_of(const DrawSettings& draw) {
   return strata::Origin::direction(vertex(draw.direction));
 }
 
-std::vector<strata::Solid> accept(std::vector<LoadedMesh> operands, const Settings& settings) {
+std::vector<strata::Solid> make_solids(std::span<const LoadedMesh> operands, strata::InputClass input) {
   std::vector<strata::Solid> solids;
-  for (std::size_t i = 0; i < operands.size(); ++i) {
-    try {
-      solids.emplace_back(std::move(operands[i].mesh.mesh), settings.input);
-    } catch (const strata::InputError& error) {
-      throw strata::InputError(error.defects(), i);
-    }
-  }
+  for (std::size_t k = 0; k < operands.size(); ++k) solids.push_back(make_solid(operands, k, input));
   return solids;
 }
 
@@ -163,7 +158,7 @@ ExitCode run_draw(const DrawSettings& draw, const Settings& settings) {
   Json report = {{"operation", "draw"}, {"operands", Json::array()}, {"seconds", Json::object()}};
   const strata::Origin origin = origin_of(draw);
   const bool png = settings.output.ends_with(".png");
-  std::vector<LoadedMesh> operands = read_operands(settings);
+  const std::vector<LoadedMesh> operands = read_operands(settings);
   for (const LoadedMesh& o : operands) report["operands"].push_back(o.path);
   report["seconds"]["read"] = stopwatch.lap();
 
@@ -176,7 +171,7 @@ ExitCode run_draw(const DrawSettings& draw, const Settings& settings) {
   std::string svg;
   try {
     svg = strata::arena_for(options).execute([&] {
-      const std::vector<strata::Solid> solids = accept(std::move(operands), settings);
+      const std::vector<strata::Solid> solids = make_solids(operands, settings.input);
       const Vertex centre = draw.towards.empty() ? centre_of(solids) : vertex(draw.towards);
       const View view(origin, centre, draw.up.empty() ? Vertex{0, 0, 1} : vertex(draw.up));
       const strata::Visibility visibility(decompose(solids, origin, monitor));

@@ -50,12 +50,6 @@ ExactMesh combine_boundaries(const LayerDecomposition& a, const LayerDecompositi
 
 }  // namespace
 
-Scene scene_of(std::span<const Solid> solids) {
-  std::vector<ExactMesh> meshes;
-  for (const Solid& s : solids) meshes.push_back(s.exact_mesh());
-  return Scene(std::move(meshes));
-}
-
 LayerDecomposition combine(const LayerDecomposition& a, const LayerDecomposition& b, Operation operation,
                            const Options& options) {
   if (!(a.origin() == b.origin())) throw std::invalid_argument("the decompositions have different origins");

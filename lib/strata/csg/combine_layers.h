@@ -1,14 +1,8 @@
 #pragma once
-#include <span>
-
 #include "strata/csg/options.h"
-#include "strata/csg/solid.h"
 #include "strata/layers/layer_decomposition.h"
 
 namespace strata {
-
-/// The solids' exact boundaries as a scene, in this order.
-[[nodiscard]] Scene scene_of(std::span<const Solid> solids);
 
 /// Combines two decompositions about a common origin, each of one solid: faces that meet are split along each other,
 /// each piece is judged by the winding numbers that the two coverings give about the origin, and what stays is put in

@@ -8,12 +8,24 @@
 
 namespace strata {
 
+namespace {
+
+/// Marks the vertices that are rationals, if there are any.
+std::shared_ptr<const std::vector<bool>> rationals(std::size_t vertices, std::span<const ExactVertex> exact) {
+  if (exact.empty()) return nullptr;
+  const auto marks = std::make_shared<std::vector<bool>>(vertices, false);
+  for (const ExactVertex& e : exact) (*marks)[e.vertex] = true;
+  return marks;
+}
+
+}  // namespace
+
 void Carriers::add(std::span<const Coordinates> points, std::span<const Indices> faces,
                    std::span<const ExactVertex> exact, const std::optional<Box>& bounds) {
   constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() - 1;
   if (points.size() > most - vertex_end_ || faces.size() > most - face_end_)
     throw std::length_error("more than 2^32 - 2 vertices or faces in one evaluation");
-  blocks_.push_back({points, faces, exact, vertex_end_, face_end_, bounds});
+  blocks_.push_back({points, faces, exact, rationals(points.size(), exact), vertex_end_, face_end_, bounds});
   vertex_end_ += static_cast<std::uint32_t>(points.size());
   face_end_ += static_cast<std::uint32_t>(faces.size());
   constexpr std::uint32_t many = 64;
@@ -49,9 +61,10 @@ void Carriers::identify(std::span<const std::pair<std::uint32_t, std::uint32_t>>
 const RationalPoint* Carriers::find_exact(std::uint32_t vertex) const {
   const Block& b = blocks_[find<true>(vertex)];
   const std::uint32_t local = vertex - b.first_vertex;
+  if (b.is_rational == nullptr || !(*b.is_rational)[local]) return nullptr;
   const auto at = std::lower_bound(b.exact.begin(), b.exact.end(), local,
                                    [](const ExactVertex& e, std::uint32_t v) { return e.vertex < v; });
-  return at != b.exact.end() && at->vertex == local ? &at->position : nullptr;
+  return &at->position;
 }
 
 }  // namespace strata

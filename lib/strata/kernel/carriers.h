@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -22,8 +23,8 @@ class Carriers {
   /// Appends the points and faces of one operand. `exact` lists the points that are rationals, by increasing index;
   /// `points` then holds their nearest doubles. Indices in `faces` are local to the operand. `bounds`: a box of the
   /// points that faces use, if one is known.
-  void add(std::span<const Coordinates> points, std::span<const Indices> faces,
-           std::span<const ExactVertex> exact = {}, const std::optional<Box>& bounds = {});
+  void add(std::span<const Coordinates> points, std::span<const Indices> faces, std::span<const ExactVertex> exact = {},
+           const std::optional<Box>& bounds = {});
 
   /// Vertices at one place, as pairs: from now on faces name the lowest of them. Vertices keep their coordinates.
   void identify(std::span<const std::pair<std::uint32_t, std::uint32_t>> equal);
@@ -65,7 +66,7 @@ class Carriers {
     const Indices v{t[0] + b.first_vertex, t[1] + b.first_vertex, t[2] + b.first_vertex};
     return same_.empty() ? v : Indices{same_[v[0]], same_[v[1]], same_[v[2]]};
   }
-  /// The rational place of a vertex, or null when its doubles are exact. O(log) in operands that have any.
+  /// The rational place of a vertex, or null when its doubles are exact. O(1), and O(log) for rationals.
   [[nodiscard]] const RationalPoint* exact(std::uint32_t vertex) const {
     return has_rationals_ ? find_exact(vertex) : nullptr;
   }
@@ -76,6 +77,7 @@ class Carriers {
     std::span<const Coordinates> points;
     std::span<const Indices> faces;
     std::span<const ExactVertex> exact;
+    std::shared_ptr<const std::vector<bool>> is_rational;  ///< per vertex, if any is
     std::uint32_t first_vertex = 0;
     std::uint32_t first_face = 0;
     std::optional<Box> bounds;

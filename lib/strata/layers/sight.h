@@ -45,6 +45,7 @@ class SightLine {
  private:
   const Sight& sight_;
   std::uint32_t a_, b_;
+  bool filtered_;
   FilteredPlane plane_;  ///< above it are the points with a negative turn
 };
 
