@@ -32,6 +32,7 @@ constexpr const char* examples = R"(Examples:
   strata compare yesterday.stl today.obj
   strata layers house.obj tree.obj -o layers.ply
   strata locate part.stl --points probes.csv -o answers.csv
+  strata ray part.stl --rays beams.csv -o hits.csv --all
 
 )";
 
@@ -127,6 +128,33 @@ Examples:
   verb->callback([&] { action = [&] { return run_locate(settings); }; });
 }
 
+void add_ray(CLI::App& app, Settings& settings, Action& action) {
+  CLI::App* verb = app.add_subcommand("ray", "Where do rays meet solids: the first hit, or all?");
+  add_common_options(*verb, settings, 1, 0);
+  add_input_class(*verb, settings);
+  verb->add_option("--rays", settings.rays, "The rays: CSV with the columns x,y,z,dx,dy,dz; - is standard input")
+      ->required()
+      ->type_name("FILE");
+  verb->add_option("-o,--output", settings.output, "Where the hits go: CSV; - is standard output")
+      ->required()
+      ->type_name("OUT");
+  verb->add_flag("--first", settings.first, "The first hit of each ray (default)");
+  verb->add_flag("--all", settings.all, "All hits of each ray");
+  verb->add_flag("--exact", settings.exact, "Four more columns: the place and t as rationals");
+  verb->footer(fmt::format(
+      R"(Rows are ray,hit,x,y,z,t,solid,face,passage: the place is x,y,z + t * (dx,dy,dz) of the ray, in nearest doubles; passage
+is entering, leaving, touching or along (the surface). Rays, hits, solids and faces are counted from 0, in the order of
+the files. A ray that meets nothing has a row with its number only.
+
+Examples:
+  strata ray part.stl --rays beams.csv -o hits.csv
+  generate | strata ray a.off b.off --rays - -o - --all --exact
+
+{})",
+      exit_codes));
+  verb->callback([&] { action = [&] { return run_ray(settings); }; });
+}
+
 ExitCode complain(ExitCode code, const std::string& message) {
   std::fputs(("strata: " + message + "\n").c_str(), stderr);
   return code;
@@ -178,6 +206,7 @@ int main(int argc, char** argv) {
   add_draw(app, settings, draw_settings, action);
   add_layers(app, settings, action);
   add_locate(app, settings, action);
+  add_ray(app, settings, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

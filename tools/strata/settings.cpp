@@ -55,6 +55,7 @@ void check_streams(const Settings& settings) {
   if (from_stdin > 1) throw UsageError("standard input can be one operand only");
   if (from_stdin == 1 && settings.points == "-")
     throw UsageError("standard input cannot be both a mesh and the points");
+  if (from_stdin == 1 && settings.rays == "-") throw UsageError("standard input cannot be both a mesh and the rays");
   if (from_stdin == 1 && settings.input_format.empty()) throw UsageError("standard input needs --input-format");
   if (settings.output == "-" && settings.report == "-") {
     throw UsageError("result and report cannot both go to standard output");

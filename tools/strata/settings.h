@@ -18,7 +18,10 @@ struct Settings {
   bool certify = false;
   std::string origin = "auto";  ///< x,y,z, direction:x,y,z or auto
   std::string points;           ///< path of the points to locate; "-" is stdin
-  bool all = false;             ///< list all solids at a point, not the lowest only
+  std::string rays;             ///< path of the rays to cast; "-" is stdin
+  bool all = false;             ///< list all solids at a point, or all hits of a ray
+  bool first = false;           ///< list the first hit of a ray only
+  bool exact = false;           ///< rationals beside doubles
   unsigned threads = 0;         ///< 0: all cores
   bool quiet = false;
   bool progress = false;

@@ -20,3 +20,6 @@
 
 /// Where are points in a scene? Streams them from a file into another.
 [[nodiscard]] ExitCode run_locate(const Settings& settings);
+
+/// Where do rays meet a scene? Streams them from a file, and their hits into another.
+[[nodiscard]] ExitCode run_ray(const Settings& settings);

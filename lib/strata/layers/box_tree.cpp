@@ -109,7 +109,7 @@ class BoxTreeBuilder {
  private:
   using Node = BoxTree::Node;
   using Nodes = std::vector<Node>;
-  static constexpr std::size_t leaf_size = 4;
+  static constexpr std::size_t leaf_size = 5;
   static constexpr std::size_t task_size = 1 << 15;
   static constexpr std::size_t bin_count = 16;
   /// From here on faces are halved, so that no tree is deeper than this and 32 levels more.
