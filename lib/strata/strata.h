@@ -8,6 +8,7 @@
 #include "strata/csg/solid.h"
 #include "strata/layers/choose_origin.h"
 #include "strata/layers/layer_decomposition.h"
+#include "strata/layers/ray_caster.h"
 #include "strata/layers/seen_edges.h"
 #include "strata/layers/visibility.h"
 #include "strata/mesh/canonical.h"

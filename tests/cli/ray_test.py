@@ -27,7 +27,7 @@ class Ray(ToolTest):
         rays = table([(-1, 0.25, 0.5, 1, 0, 0), (0.5, 0.5, 0.5, 0, 0, 2), (0.5, 0.5, 1.5, 0, 0, 1),
                       (-1, -1, -1, 1, 1, 1), (-1, 1, 0, 1, -1, 0), (-1, 0, 0.5, 1, 0, 0)])
         rows = self.ray(a, rays=rays)
-        self.assertEqual(rows[0], ["0", "0", "0", "0.25", "0.5", "1", "0", "11", "entering"])
+        self.assertEqual(rows[0], ["0", "0", "0", "0.25", "0.5", "1", "0", "10", "entering"])
         self.assertEqual(rows[1], ["1", "0", "0.5", "0.5", "1", "0.25", "0", "2", "leaving"])
         self.assertEqual(rows[2], ["2"] + 8 * [""])
         self.assertEqual(rows[3], ["3", "0", "0", "0", "0", "1", "0", "0", "entering"])

@@ -39,6 +39,13 @@ ChartVector DirectionCharts::at(std::size_t chart, const BoundedPoint& p) const 
   return {r[(along_ + 1) % 3] - slope_[0] * r[along_], r[(along_ + 2) % 3] - slope_[1] * r[along_], Bounded(1)};
 }
 
+Bounded DirectionCharts::depth(std::size_t chart, const BoundedPoint& p) const {
+  const std::size_t axis = origin_.is_point() ? chart / 2 : along_;
+  const Bounded r = p[axis] - base_[axis];
+  const bool grows = origin_.is_point() ? chart % 2 == 0 : origin_.at[axis] > 0;
+  return grows ? r : -r;
+}
+
 std::size_t DirectionCharts::chart_of(const BoundedPoint& p) const {
   if (!origin_.is_point()) return 0;
   const BoundedPoint r = from_origin(p);

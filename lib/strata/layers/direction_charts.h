@@ -27,6 +27,10 @@ class DirectionCharts {
   /// Within bounds, which overflow makes infinite or NaN.
   [[nodiscard]] ChartVector at(std::size_t chart, const BoundedPoint& p) const;
 
+  /// Grows along rays: no point of the way from the origin to p has more than p's. In the chart of p's direction, any
+  /// that sees it.
+  [[nodiscard]] Bounded depth(std::size_t chart, const BoundedPoint& p) const;
+
   /// A chart with p's direction in its domain. Any, if p is the origin.
   [[nodiscard]] std::size_t chart_of(const BoundedPoint& p) const;
 

@@ -39,16 +39,17 @@ DirectionIndex::Range DirectionIndex::range_of(const Chart& chart, std::size_t a
 }
 
 /// The list of the one square that the direction is certainly in.
-std::optional<std::span<const std::uint32_t>> DirectionIndex::list_towards(const BoundedPoint& q) const {
+std::optional<DirectionIndex::List> DirectionIndex::list_towards(const BoundedPoint& q) const {
   const std::size_t c = charts_of_.chart_of(q);
   const Chart& chart = charts_[c];
   const ChartVector r = charts_of_.at(c, q);
   if (!(r[2].lower() > 0)) return std::nullopt;
   const Range u = range_of(chart, 0, r), v = range_of(chart, 1, r);
   if (u.first != u.last || v.first != v.last) return std::nullopt;
-  if (chart.nodes.empty()) return std::span<const std::uint32_t>{};
+  if (chart.nodes.empty()) return List{};
   const Node& leaf = chart.leaf_at(u.first, v.first);
-  return std::span(chart.entries).subspan(leaf.first, leaf.count);
+  return List{std::span(chart.entries).subspan(leaf.first, leaf.count), u.first, v.first,
+              charts_of_.depth(c, q).upper()};
 }
 
 std::vector<std::uint32_t> DirectionIndex::gather_towards(const BoundedPoint& q) const {
@@ -65,8 +66,8 @@ std::vector<std::uint32_t> DirectionIndex::gather_towards(const BoundedPoint& q)
         const auto root = (static_cast<std::size_t>(j) << chart.bits) + static_cast<std::size_t>(i);
         visit_leaves(chart, chart.nodes[root], {{i * side, j * side}, side}, u, v,
                      [&](const ChartSquare&, const Node& node) {
-                       const auto list = std::span(chart.entries).subspan(node.first, node.count);
-                       faces.insert(faces.end(), list.begin(), list.end());
+                       for (const Entry& e : std::span(chart.entries).subspan(node.first, node.count))
+                         faces.push_back(e.face);
                      });
       }
   }
@@ -85,8 +86,8 @@ void DirectionIndex::forget_footprints() {
 std::size_t DirectionIndex::bytes() const {
   std::size_t sum = at_origin_.size() * sizeof(std::uint32_t);
   for (const Chart& c : charts_)
-    sum += c.nodes.size() * sizeof(Node) + (c.entries.size() + c.entry_footprints.size()) * sizeof(std::uint32_t) +
-           c.footprints.size() * sizeof(Footprint);
+    sum += c.nodes.size() * sizeof(Node) + c.entries.size() * sizeof(Entry) +
+           c.entry_footprints.size() * sizeof(std::uint32_t) + c.footprints.size() * sizeof(Footprint);
   return sum;
 }
 

@@ -33,6 +33,7 @@ struct Footprint {
   std::array<std::int32_t, 2> lower{}, upper{};
   /// Spans many squares: which of these it lies in is found out by its edges, not by the rectangle alone.
   bool is_large = false;
+  float near = 0;  ///< no point of the face has less depth
 };
 
 /// All faces of a scene by the directions in which they are seen from an origin: per chart a grid of squares, refined
@@ -45,13 +46,14 @@ class DirectionIndex {
   /// O(n log n), in parallel.
   DirectionIndex(const Scene& scene, const Origin& origin);
 
-  /// Calls `visit(face)` once for every face that the ray from the origin through q meets, and for a few more: those of
-  /// one list, unless q's direction is known too badly. Requires that q is not the origin. Faces that the origin lies
-  /// on are left out.
+  /// Calls `visit(face)` once for every face that the way from the origin to q meets, q included, and for a few more,
+  /// as rectangles and depths in one list tell, unless q's direction is known too badly. Requires that q is not the
+  /// origin. Faces that the origin lies on are left out.
   template <class Visit>
   void for_each_towards(const BoundedPoint& q, const Visit& visit) const {
     if (const auto list = list_towards(q)) {
-      for (const std::uint32_t f : *list) visit(f);
+      for (const Entry& e : list->entries)
+        if (e.reaches(*list)) visit(e.face);
     } else {
       for (const std::uint32_t f : gather_towards(q)) visit(f);
     }
@@ -85,12 +87,27 @@ class DirectionIndex {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
   };
+  /// The faces listed where a point is seen, and its place there.
+  struct List;
+  /// A face in a list, with what tells most ways that they do not meet it.
+  struct Entry {
+    std::uint32_t face = 0;
+    float near = 0;
+    std::array<std::int32_t, 2> lower{}, upper{};
+
+    [[nodiscard]] bool reaches(const List& to) const;
+  };
+  struct List {
+    std::span<const Entry> entries;
+    std::int32_t u = 0, v = 0;
+    double depth = 0;  ///< bound from above
+  };
   /// The first nodes are those of a grid of 2^bits by 2^bits squares.
   struct Chart {
     std::array<double, 2> lower{}, scale{};  ///< grid coordinate = (u - lower) * scale
     std::int32_t bits = 0;
     std::vector<Node> nodes;
-    std::vector<std::uint32_t> entries;           ///< faces
+    std::vector<Entry> entries;
     std::vector<std::uint32_t> entry_footprints;  ///< the same as numbers of footprints
     std::vector<Footprint> footprints;
 
@@ -102,7 +119,7 @@ class DirectionIndex {
   };
   /// Grid coordinates of a direction; empty (first > last) where it is certainly not in the chart's domain.
   [[nodiscard]] Range range_of(const Chart& chart, std::size_t axis, const ChartVector& r) const;
-  [[nodiscard]] std::optional<std::span<const std::uint32_t>> list_towards(const BoundedPoint& q) const;
+  [[nodiscard]] std::optional<List> list_towards(const BoundedPoint& q) const;
   [[nodiscard]] std::vector<std::uint32_t> gather_towards(const BoundedPoint& q) const;
   template <class Visit>
   static void visit_leaves(const Chart& chart, const Node& node, const ChartSquare& square, Range u, Range v,
@@ -112,6 +129,10 @@ class DirectionIndex {
   std::vector<Chart> charts_;
   std::vector<std::uint32_t> at_origin_;
 };
+
+inline bool DirectionIndex::Entry::reaches(const List& to) const {
+  return lower[0] <= to.u && to.u <= upper[0] && lower[1] <= to.v && to.v <= upper[1] && !(to.depth < near);
+}
 
 }  // namespace strata
 

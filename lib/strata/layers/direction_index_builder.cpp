@@ -83,13 +83,25 @@ std::array<ChartVector, 3> DirectionIndexBuilder::corners(std::size_t chart, std
   return p;
 }
 
+/// The least depth of the corners, rounded down.
+float DirectionIndexBuilder::nearest(std::size_t chart, std::uint32_t face) const {
+  double least = HUGE_VAL;
+  for (const std::uint32_t v : scene_.carriers().face(face)) {
+    const double depth = index_.charts_of_.depth(chart, approximate_vertex<Bounded>(scene_.carriers(), v)).lower();
+    least = std::isfinite(depth) ? std::min(least, depth) : -HUGE_VAL;
+  }
+  constexpr float low = -std::numeric_limits<float>::infinity();
+  constexpr double most = 1e38;  // of a float
+  return least < -most ? low : std::nextafter(static_cast<float>(std::min(least, most)), low);
+}
+
 std::optional<DirectionIndexBuilder::Span> DirectionIndexBuilder::span_in(std::size_t chart, std::uint32_t face) const {
   const auto p = corners(chart, face);
   const bool bounded = index_.charts_of_.is_bounded();
   if (bounded && is_outside(p)) return std::nullopt;
   constexpr double most = std::numeric_limits<double>::max();
   const double rim = bounded ? 1 : most;
-  Span s{face, {-rim, -rim}, {rim, rim}, true};
+  Span s{face, {-rim, -rim}, {rim, rim}, true, nearest(chart, face)};
   if (!std::all_of(p.begin(), p.end(), [](const ChartVector& c) { return certainly_positive(c[2]); })) return s;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     std::array<double, 3> low, high;
@@ -140,7 +152,7 @@ void DirectionIndexBuilder::put_footprints(Chart& chart, const std::vector<Span>
   chart.footprints.resize(spans.size());
   tbb::parallel_for(std::size_t{0}, spans.size(), [&](std::size_t i) {
     const Span& s = spans[i];
-    Footprint f{s.face, {0, 0}, {end, end}, s.is_whole};
+    Footprint f{s.face, {0, 0}, {end, end}, s.is_whole, s.near};
     if (!s.is_whole)
       for (std::size_t axis = 0; axis < 2; ++axis) {
         f.lower[axis] = std::max(chart.grid(axis, s.lower[axis]) - margin, 0);
@@ -215,15 +227,17 @@ void DirectionIndexBuilder::sort_into_squares(std::size_t c) const {
     chart.entry_footprints.insert(chart.entry_footprints.end(), parts[p].entries.begin(), parts[p].entries.end());
     parts[p] = {};
   }
-  chart.entries.resize(chart.entry_footprints.size());
-  for (std::size_t i = 0; i < chart.entries.size(); ++i)
-    chart.entries[i] = chart.footprints[chart.entry_footprints[i]].face;
+  chart.entries.reserve(chart.entry_footprints.size());
+  for (const std::uint32_t e : chart.entry_footprints) {
+    const Footprint& f = chart.footprints[e];
+    chart.entries.push_back({f.face, f.near, f.lower, f.upper});
+  }
 }
 
 /// Quarters squares, the large ones first, as long as this shortens their lists and all lists together stay in
 /// proportion to what there was: faces that are stacked along a line or in a point could be quartered for ever.
 void DirectionIndexBuilder::refine(std::size_t c, std::deque<Square> squares, Part& part) const {
-  constexpr std::size_t few = 8, growth = 12;
+  constexpr std::size_t few = 14, growth = 12;
   std::size_t total = 0;
   for (const Square& s : squares) total += s.entries.size();
   const std::size_t most = growth * total;

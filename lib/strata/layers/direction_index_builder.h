@@ -26,6 +26,7 @@ class DirectionIndexBuilder {
     std::uint32_t face = 0;
     std::array<double, 2> lower{}, upper{};
     bool is_whole = false;  ///< its rectangle is not known: the whole domain
+    float near = 0;
   };
   /// The nodes and entries of a run of grid squares.
   struct Part {
@@ -43,6 +44,7 @@ class DirectionIndexBuilder {
   void find_faces_at_origin();
   [[nodiscard]] std::vector<std::vector<Span>> find_spans() const;
   [[nodiscard]] std::optional<Span> span_in(std::size_t chart, std::uint32_t face) const;
+  [[nodiscard]] float nearest(std::size_t chart, std::uint32_t face) const;
   void lay_grid(Chart& chart, const std::vector<Span>& spans) const;
   static void put_footprints(Chart& chart, const std::vector<Span>& spans);
   [[nodiscard]] static std::int32_t bits_for(std::size_t faces);

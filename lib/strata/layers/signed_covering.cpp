@@ -76,15 +76,8 @@ void SignedCovering::find_windings_of_origin() {
   for_each_face_of_walk(far, [&](std::uint32_t f) { at_origin_.add(scene_.solid_of(f), -crossing(f, q)); });
 }
 
-RayLine SignedCovering::way_to(const Vertex& q) const {
-  return origin_.is_point() ? RayLine(scene_.carriers(), Segment{origin_.at, q})
-                            : RayLine(scene_.carriers(), Ray{q, origin_.at});
-}
-
 /// What a face means to the walk to q: its change, or that q lies on it.
-SignedCovering::Step SignedCovering::step(std::uint32_t face, const RayLine& way, const Vertex& vertex,
-                                          const Point& q) const {
-  if (way.passes_by(face)) return {};
+SignedCovering::Step SignedCovering::step(std::uint32_t face, const Vertex& vertex, const Point& q) const {
   const Carriers& carriers = scene_.carriers();
   if (!carriers.has_rationals()) {
     const auto v = carriers.face(face);
@@ -98,11 +91,10 @@ SignedCovering::Step SignedCovering::step(std::uint32_t face, const RayLine& way
 
 Where SignedCovering::membership(const Vertex& q) const {
   const Point point = Point::free(q);
-  const RayLine way = way_to(q);
   Windings w = at_origin_;
   bool on = false;
   for_each_face_of_walk(q, [&](std::uint32_t f) {
-    const Step s = step(f, way, q, point);
+    const Step s = step(f, q, point);
     on = on || s.on;
     w.add(scene_.solid_of(f), s.change);
   });
@@ -112,10 +104,9 @@ Where SignedCovering::membership(const Vertex& q) const {
 
 Location SignedCovering::locate(const Vertex& q) const {
   const Point point = Point::free(q);
-  const RayLine way = way_to(q);
   Location location{at_origin_, {}};
   for_each_face_of_walk(q, [&](std::uint32_t f) {
-    const Step s = step(f, way, q, point);
+    const Step s = step(f, q, point);
     location.windings.add(scene_.solid_of(f), s.change);
     if (s.on) location.contacts.push_back({scene_.solid_of(f), f});
   });

@@ -6,7 +6,6 @@
 #include "strata/cells/windings.h"
 #include "strata/kernel/point.h"
 #include "strata/layers/direction_index.h"
-#include "strata/layers/ray_line.h"
 #include "strata/layers/scene.h"
 
 namespace strata {
@@ -67,9 +66,7 @@ class SignedCovering {
     int change = 0;
     bool on = false;
   };
-  [[nodiscard]] Step step(std::uint32_t face, const RayLine& way, const Vertex& vertex, const Point& q) const;
-  /// The line of the walk to q.
-  [[nodiscard]] RayLine way_to(const Vertex& q) const;
+  [[nodiscard]] Step step(std::uint32_t face, const Vertex& vertex, const Point& q) const;
   template <class Visit>
   void for_each_face_of_walk(const Vertex& q, const Visit& visit) const;
   void find_windings_of_origin();
