@@ -39,6 +39,23 @@ SignedCovering::SignedCovering(Scene scene, const Origin& origin, bool keep_foot
           origin_.is_point() ? side_of_origin(carriers, f, origin_.at) : side_of_infinity(carriers, f, origin_.at);
   });
   find_windings_of_origin();
+  make_cones();
+}
+
+void SignedCovering::make_cones() {
+  const Carriers& carriers = scene_.carriers();
+  if (!origin_.is_point() || carriers.has_rationals()) return;
+  double largest = 0;
+  for (std::uint32_t s = 0; s < scene_.solid_count(); ++s)
+    for (const Vertex& v : carriers.points(s))
+      for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::abs(v[i] - origin_.at[i]));
+  if (!std::isfinite(largest) || largest == 0) return;
+  scale_ = largest;
+  cones_.resize(carriers.face_count());
+  tbb::parallel_for(std::uint32_t{0}, carriers.face_count(), [&](std::uint32_t f) {
+    const auto v = carriers.face(f);
+    cones_[f] = ConeFilter(origin_.at, {carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2])}, scale_);
+  });
 }
 
 int SignedCovering::crossing(std::uint32_t face, const Point& q) const {
@@ -89,12 +106,35 @@ SignedCovering::Step SignedCovering::step(std::uint32_t face, const Vertex& vert
   return {crossing(face, q), false};
 }
 
+SignedCovering::Step SignedCovering::step(std::uint32_t face, const Vertex& vertex, const Point& q,
+                                          const ConeRay& ray) const {
+  if (!cones_.empty()) switch (cones_[face].ask(ray)) {
+      case ConeFilter::Answer::passes:
+        return {};
+      case ConeFilter::Answer::crosses:
+        return {to_int(starts_[face]), false};
+      case ConeFilter::Answer::unknown:
+        break;
+    }
+  return step(face, vertex, q);
+}
+
 Where SignedCovering::membership(const Vertex& q) const {
   const Point point = Point::free(q);
-  Windings w = at_origin_;
+  const ConeRay ray = cone_ray(origin_.at, q, scale_);
   bool on = false;
+  if (scene_.solid_count() == 1) {
+    int w = at_origin_[0];
+    for_each_face_of_walk(q, [&](std::uint32_t f) {
+      const Step s = step(f, q, point, ray);
+      on = on || s.on;
+      w += s.change;
+    });
+    return on ? Where::on : w == 0 ? Where::out : Where::in;
+  }
+  Windings w = at_origin_;
   for_each_face_of_walk(q, [&](std::uint32_t f) {
-    const Step s = step(f, q, point);
+    const Step s = step(f, q, point, ray);
     on = on || s.on;
     w.add(scene_.solid_of(f), s.change);
   });
@@ -104,9 +144,10 @@ Where SignedCovering::membership(const Vertex& q) const {
 
 Location SignedCovering::locate(const Vertex& q) const {
   const Point point = Point::free(q);
+  const ConeRay ray = cone_ray(origin_.at, q, scale_);
   Location location{at_origin_, {}};
   for_each_face_of_walk(q, [&](std::uint32_t f) {
-    const Step s = step(f, q, point);
+    const Step s = step(f, q, point, ray);
     location.windings.add(scene_.solid_of(f), s.change);
     if (s.on) location.contacts.push_back({scene_.solid_of(f), f});
   });

@@ -5,6 +5,7 @@
 
 #include "strata/cells/windings.h"
 #include "strata/kernel/point.h"
+#include "strata/layers/cone_filter.h"
 #include "strata/layers/direction_index.h"
 #include "strata/layers/scene.h"
 
@@ -67,9 +68,12 @@ class SignedCovering {
     bool on = false;
   };
   [[nodiscard]] Step step(std::uint32_t face, const Vertex& vertex, const Point& q) const;
+  /// A look in floats first.
+  [[nodiscard]] Step step(std::uint32_t face, const Vertex& vertex, const Point& q, const ConeRay& ray) const;
   template <class Visit>
   void for_each_face_of_walk(const Vertex& q, const Visit& visit) const;
   void find_windings_of_origin();
+  void make_cones();
 
   Scene scene_;
   Origin origin_;
@@ -77,6 +81,8 @@ class SignedCovering {
   std::vector<Sign> starts_;  ///< side of the origin, perturbed: never zero
   DirectionIndex index_;
   Windings at_origin_;
+  double scale_ = 1;               ///< of the cones
+  std::vector<ConeFilter> cones_;  ///< per face, if the origin is a point and no vertex a rational
 };
 
 }  // namespace strata
