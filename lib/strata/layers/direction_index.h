@@ -73,6 +73,7 @@ class DirectionIndex {
   void for_each_leaf(const Visit& visit) const;
   [[nodiscard]] std::span<const Footprint> footprints(std::size_t chart) const { return charts_[chart].footprints; }
 
+  /// Frees what only `for_each_leaf` and `footprints` need.
   void forget_footprints();
 
   [[nodiscard]] std::size_t bytes() const;

@@ -50,7 +50,7 @@ std::span<const std::uint32_t> LayerDecomposition::dominators(std::uint32_t piec
 
 std::size_t LayerDecomposition::bytes() const {
   const LayerOrder& o = data_->order;
-  return covering().index().bytes() + 2 * covering().turns().size() +
+  return covering().bytes() +
          sizeof(std::uint32_t) * (o.layer.size() + o.first.size() + o.dominators.size() + data_->sorted.size());
 }
 

@@ -34,9 +34,6 @@ class RayLine {
   /// The greatest parameter: infinite for a ray, 1 for a segment.
   [[nodiscard]] double end() const { return end_; }
 
-  /// True only if the whole straight line, also moved by infinitely little, misses the closed face: a look in doubles.
-  [[nodiscard]] bool passes_by(std::uint32_t face) const { return look_at(carriers_.face(face)).turn == Turn::apart; }
-
   /// Calls `take(FaceHit&&)` for all hits of a face at parameters of [0, end]: none, one, or two for a stretch. Of a
   /// stretch that begins before 0 and ends after it the point at 0 is a hit that neither begins nor ends.
   template <class Take>

@@ -58,6 +58,11 @@ class SignedCovering {
   [[nodiscard]] Location locate(const Vertex& q) const;
   [[nodiscard]] std::vector<Location> locate(std::span<const Vertex> q) const;  ///< in parallel
 
+  /// Memory held, the scene's own arrays left out.
+  [[nodiscard]] std::size_t bytes() const {
+    return index_.bytes() + cones_.size() * sizeof(ConeFilter) + (turns_.size() + starts_.size()) * sizeof(Sign);
+  }
+
   /// Change of a solid's winding number at a face on the way from the origin to q: +1, 0 or -1. A face whose plane
   /// holds q counts as not crossed.
   [[nodiscard]] int crossing(std::uint32_t face, const Point& q) const;
