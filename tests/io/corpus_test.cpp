@@ -19,7 +19,7 @@ const fs::path* corpus() {
 }
 
 bool is_sound(const MeshFile& file) {
-  const auto& [mesh, notes, faces] = file;
+  const auto& [mesh, notes, faces, exact] = file;
   return std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
                      [](const Vertex& p) {
                        return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });

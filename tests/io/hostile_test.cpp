@@ -53,12 +53,15 @@ bool same_in_pieces(const std::string& bytes, Format format) {
   const auto [whole, error] = outcome(std::string::npos);
   const auto [pieces, error_in_pieces] = outcome(5);
   return error == error_in_pieces && whole.mesh == pieces.mesh && whole.notes == pieces.notes &&
-         whole.polygon_of_triangle == pieces.polygon_of_triangle;
+         whole.polygon_of_triangle == pieces.polygon_of_triangle && whole.exact.size() == pieces.exact.size();
 }
 
 const std::string polygons_obj =
     "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 1 0\nv 0 2 1\nf 1 2 3 4 5\nf -1 -2//3 -3/1\nl 1 2\nf 1 \\\n2 3\n";
 const std::string polygons_off = "OFF\n5 2 0\n0 0 0\n2 0 0\n2 2 0\n1 1 0\n0 2 1\n5 0 1 2 3 4\n3 2 1 0 1 0 0\n";
+const std::string polygons_xoff =
+    "XOFF\n8 2 0\n0 0 1/3\n6 0 1/3\n6 6 2/6\n0 6 1/3\n1 1 1/3\n1 2 1/3\n2 2 1/3\n12/8 1 1/3\n"
+    "4 0 1 2 3 + 4 4 5 6 7\n3 2 1 0 # all\n";
 const std::string polygons_ply =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty double y\nproperty short z\nproperty uchar "
     "red\n"
@@ -71,6 +74,7 @@ const std::string polygons_ply =
 TEST_CASE("Damaged files are read or refused, and nothing else happens", "[io][hostile]") {
   const std::pair<Format, std::string> files[] = {{Format::obj, polygons_obj},
                                                   {Format::off, polygons_off},
+                                                  {Format::xoff, polygons_xoff},
                                                   {Format::ply, polygons_ply},
                                                   {Format::ply, to_string(tetrahedron, Format::ply)},
                                                   {Format::ply, to_string(tetrahedron, Format::ply_big_endian)},
@@ -99,8 +103,8 @@ TEST_CASE("Damaged files are read or refused, and nothing else happens", "[io][h
 }
 
 TEST_CASE("Files cut off anywhere are read or refused", "[io][hostile]") {
-  for (const Format format : {Format::stl, Format::stl_ascii, Format::obj, Format::off, Format::ply, Format::ply_ascii,
-                              Format::ply_big_endian}) {
+  for (const Format format : {Format::stl, Format::stl_ascii, Format::obj, Format::off, Format::xoff, Format::ply,
+                              Format::ply_ascii, Format::ply_big_endian}) {
     const std::string whole = to_string(tetrahedron, format);
     for (std::size_t size = 0; size < whole.size(); ++size) {
       CAPTURE(name(format), size);

@@ -27,8 +27,13 @@ struct Outcome {
   std::string error;
 
   friend bool operator==(const Outcome& a, const Outcome& b) {
+    const auto same = [](const ExactVertex& x, const ExactVertex& y) {
+      return x.vertex == y.vertex && x.position == y.position;
+    };
+    const auto &p = a.file.exact, &q = b.file.exact;
     return a.error == b.error && a.file.mesh == b.file.mesh && a.file.notes == b.file.notes &&
-           a.file.polygon_of_triangle == b.file.polygon_of_triangle;
+           a.file.polygon_of_triangle == b.file.polygon_of_triangle &&
+           std::equal(p.begin(), p.end(), q.begin(), q.end(), same);
   }
 };
 
@@ -74,9 +79,9 @@ std::string with_line_ends(const std::string& text, const std::string& end) {
   return result;
 }
 
-constexpr Format text_formats[] = {Format::stl_ascii, Format::obj, Format::off, Format::ply_ascii};
-constexpr Format all_formats[] = {Format::stl, Format::stl_ascii, Format::obj,           Format::off,
-                                  Format::ply, Format::ply_ascii, Format::ply_big_endian};
+constexpr Format text_formats[] = {Format::stl_ascii, Format::obj, Format::off, Format::xoff, Format::ply_ascii};
+constexpr Format all_formats[] = {Format::stl,  Format::stl_ascii, Format::obj,       Format::off,
+                                  Format::xoff, Format::ply,       Format::ply_ascii, Format::ply_big_endian};
 
 const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
 

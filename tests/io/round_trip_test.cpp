@@ -11,7 +11,8 @@ using namespace strata::test;
 
 namespace {
 
-constexpr Format exact_formats[] = {Format::obj, Format::off, Format::ply, Format::ply_ascii, Format::ply_big_endian};
+constexpr Format exact_formats[] = {Format::obj, Format::off,       Format::xoff,
+                                    Format::ply, Format::ply_ascii, Format::ply_big_endian};
 
 /// Any finite doubles at all, subnormals and both zeros included.
 Mesh random_mesh(unsigned seed) {
@@ -50,10 +51,10 @@ TEST_CASE("What is written in doubles is read back bit by bit", "[io][property]"
 }
 
 TEST_CASE("An empty mesh survives every format", "[io]") {
-  for (const Format format : {Format::obj, Format::off, Format::ply, Format::ply_ascii, Format::ply_big_endian,
-                              Format::stl, Format::stl_ascii}) {
+  for (const Format format : {Format::obj, Format::off, Format::xoff, Format::ply, Format::ply_ascii,
+                              Format::ply_big_endian, Format::stl, Format::stl_ascii}) {
     CAPTURE(name(format));
-    const auto file = read_text(to_string({}, format), format);
+    const auto file = read_text(to_string(Mesh{}, format), format);
     CHECK(file.mesh == Mesh{});
     CHECK(file.notes == std::vector<std::string>{"the file holds no faces"});
   }

@@ -42,4 +42,16 @@ void check_writable(MeshView mesh, const std::string& name) {
                     std::to_string(vertices.size()));
 }
 
+void check_writable(std::span<const ExactVertex> exact, std::size_t vertex_count, const std::string& name) {
+  const ExactVertex* before = nullptr;
+  for (const ExactVertex& e : exact) {
+    const std::string which = "cannot write: the exact place of vertex " + std::to_string(e.vertex);
+    if (e.vertex >= vertex_count) throw IoError(name, {}, which + " of " + std::to_string(vertex_count));
+    if (before != nullptr && before->vertex >= e.vertex) throw IoError(name, {}, which + " is not in order");
+    for (const Rational& x : e.position)
+      if (!std::isfinite(to_nearest_double(x))) throw IoError(name, {}, which + " is beyond the range of doubles");
+    before = &e;
+  }
+}
+
 }  // namespace strata::io

@@ -6,30 +6,11 @@
 #include <numeric>
 
 #include "strata/io/large_pages.h"
+#include "strata/io/tally.h"
 #include "strata/io/triangulate.h"
 
 namespace strata::io {
 namespace {
-
-/// How many faces, and which came first.
-struct Tally {
-  std::uint64_t count = 0;
-  std::uint64_t first = 0;
-
-  void add(std::uint64_t face) {
-    if (count++ == 0) first = face;
-  }
-  /// Adds the faces of a later list.
-  void add(const Tally& later) {
-    if (count == 0) first = later.first;
-    count += later.count;
-  }
-  void note(MeshFile& file, const char* one, const char* many, const char* what) const {
-    if (count == 0) return;
-    file.notes.push_back((count == 1 ? std::string("1 ") + one : std::to_string(count) + " " + many) + " " + what +
-                         "; the first is face " + std::to_string(first) + " (counted from 0)");
-  }
-};
 
 /// The faces that are worth a note.
 struct Findings {
@@ -41,7 +22,7 @@ struct Findings {
     crossing.add(later.crossing);
   }
   void note(MeshFile& file) const {
-    dropped.note(file, "face", "faces", "with fewer than three different vertices left out");
+    dropped.note_dropped(file);
     bent.note(file, "polygon", "polygons", "not planar in doubles, triangulated as seen along an axis");
     crossing.note(file, "polygon", "polygons",
                   "not simple (sides that cross or double back), triangulated all the same");

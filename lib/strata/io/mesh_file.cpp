@@ -13,10 +13,11 @@ namespace strata {
 namespace {
 
 using Name = std::pair<std::string_view, Format>;
-constexpr std::array<Name, 7> names{Name{"stl", Format::stl},
+constexpr std::array<Name, 8> names{Name{"stl", Format::stl},
                                     Name{"stl-ascii", Format::stl_ascii},
                                     Name{"obj", Format::obj},
                                     Name{"off", Format::off},
+                                    Name{"xoff", Format::xoff},
                                     Name{"ply", Format::ply},
                                     Name{"ply-ascii", Format::ply_ascii},
                                     Name{"ply-big-endian", Format::ply_big_endian}};
@@ -31,11 +32,19 @@ std::string lower(std::string text) {
   throw IoError(name, {},
                 (extension.empty() ? std::string("unknown format: the name has no extension")
                                    : "unknown format '" + extension + "'") +
-                    "; known are stl, obj, off, ply" +
+                    "; known are stl, obj, off, xoff, ply" +
                     (io::can_read_other(".glb") ? ", and glb, gltf, 3mf, fbx, dae and others for reading" : ""));
 }
 
-std::vector<std::string> write(MeshView mesh, Format format, io::Sink& sink, const std::string& name) {
+using ExactPlaces = std::span<const ExactVertex>;
+
+void check(MeshView mesh, ExactPlaces exact, Format format, const std::string& name) {
+  io::check_writable(mesh, name);
+  if (format == Format::xoff) io::check_writable(exact, mesh.vertices.size(), name);
+}
+
+std::vector<std::string> write(MeshView mesh, ExactPlaces exact, Format format, io::Sink& sink,
+                               const std::string& name) {
   switch (format) {
     case Format::stl:
       return io::write_stl(mesh, sink, name);
@@ -48,6 +57,9 @@ std::vector<std::string> write(MeshView mesh, Format format, io::Sink& sink, con
     case Format::off:
       io::write_off(mesh, sink);
       break;
+    case Format::xoff:
+      io::write_xoff(mesh, exact, sink);
+      break;
     case Format::ply:
       io::write_ply_binary(mesh, sink, false);
       break;
@@ -58,7 +70,7 @@ std::vector<std::string> write(MeshView mesh, Format format, io::Sink& sink, con
       io::write_ply_binary(mesh, sink, true);
       break;
     case Format::other:
-      throw IoError(name, {}, "cannot write this format; stl, obj, off and ply can be written");
+      throw IoError(name, {}, "cannot write this format; stl, obj, off, xoff and ply can be written");
   }
   return {};
 }
@@ -104,29 +116,56 @@ MeshFile read_mesh(std::span<const std::byte> data, Format format, std::string n
   return read_mesh(std::string_view(reinterpret_cast<const char*>(data.data()), data.size()), format, std::move(name));
 }
 
-std::vector<std::string> write_mesh(const std::filesystem::path& path, MeshView mesh, std::optional<Format> format) {
+namespace {
+
+std::vector<std::string> write_to_file(const std::filesystem::path& path, MeshView mesh, ExactPlaces exact,
+                                       std::optional<Format> format) {
   const Format chosen = format.value_or(format_of(path));
   if (chosen == Format::other) fail_unknown(path.string(), path.extension().string());
-  io::check_writable(mesh, path.string());
+  check(mesh, exact, chosen, path.string());
   io::FileSink sink(path);
-  auto notes = write(mesh, chosen, sink, path.string());
+  auto notes = write(mesh, exact, chosen, sink, path.string());
   sink.finish();
   return notes;
+}
+
+std::vector<std::string> write_to_stream(std::ostream& stream, MeshView mesh, ExactPlaces exact, Format format,
+                                         const std::string& name) {
+  check(mesh, exact, format, name);
+  io::StreamSink sink(stream, name);
+  auto notes = write(mesh, exact, format, sink, name);
+  sink.finish();
+  return notes;
+}
+
+std::string write_to_string(MeshView mesh, ExactPlaces exact, Format format) {
+  check(mesh, exact, format, "memory");
+  io::StringSink sink;
+  (void)write(mesh, exact, format, sink, "memory");
+  return sink.take();
+}
+
+}  // namespace
+
+std::vector<std::string> write_mesh(const std::filesystem::path& path, MeshView mesh, std::optional<Format> format) {
+  return write_to_file(path, mesh, {}, format);
+}
+
+std::vector<std::string> write_mesh(const std::filesystem::path& path, const ExactMesh& mesh,
+                                    std::optional<Format> format) {
+  return write_to_file(path, mesh.mesh, mesh.exact, format);
 }
 
 std::vector<std::string> write_mesh(std::ostream& stream, MeshView mesh, Format format, std::string name) {
-  io::check_writable(mesh, name);
-  io::StreamSink sink(stream, name);
-  auto notes = write(mesh, format, sink, name);
-  sink.finish();
-  return notes;
+  return write_to_stream(stream, mesh, {}, format, name);
 }
 
-std::string to_string(MeshView mesh, Format format) {
-  io::check_writable(mesh, "memory");
-  io::StringSink sink;
-  (void)write(mesh, format, sink, "memory");
-  return sink.take();
+std::vector<std::string> write_mesh(std::ostream& stream, const ExactMesh& mesh, Format format, std::string name) {
+  return write_to_stream(stream, mesh.mesh, mesh.exact, format, name);
 }
+
+std::string to_string(MeshView mesh, Format format) { return write_to_string(mesh, {}, format); }
+
+std::string to_string(const ExactMesh& mesh, Format format) { return write_to_string(mesh.mesh, mesh.exact, format); }
 
 }  // namespace strata

@@ -28,6 +28,8 @@ MeshFile read_bytes(const Input& input, Format format) {
       return read_obj(input);
     case Format::off:
       return read_off(input);
+    case Format::xoff:
+      return read_xoff(input);
     case Format::ply:
     case Format::ply_ascii:
     case Format::ply_big_endian:

@@ -10,6 +10,7 @@
 #include "strata/io/line_records.h"
 #include "strata/io/readers.h"
 #include "strata/io/text_cursor.h"
+#include "strata/io/vertex_index.h"
 
 namespace strata::io {
 namespace {
@@ -29,12 +30,7 @@ void read_keyword(TextCursor& text) {
 
 std::uint32_t read_corner(TextCursor& text, std::uint64_t vertex_count) {
   if (!text.next_word_anywhere()) text.fail_expected("a vertex index");
-  const std::size_t place = text.offset();
-  const std::int64_t index = text.integer("a vertex index");
-  if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count)
-    fail_at_line(place, "vertex index " + std::to_string(index) + " is out of range: the file has " +
-                            std::to_string(vertex_count) + " vertices, counted from 0");
-  return static_cast<std::uint32_t>(index);
+  return read_vertex_index(text, vertex_count);
 }
 
 /// Every vertex and every face starts on a line of its own; normals and colours may follow.

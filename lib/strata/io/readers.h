@@ -18,6 +18,7 @@ namespace strata::io {
 [[nodiscard]] MeshFile read_stl(const Input& input);
 [[nodiscard]] MeshFile read_obj(const Input& input);
 [[nodiscard]] MeshFile read_off(const Input& input);
+[[nodiscard]] MeshFile read_xoff(const Input& input);
 [[nodiscard]] MeshFile read_ply(const Input& input);
 
 /// Read large binary files piece by piece without having them in memory. Nothing where that does not do, for whatever

@@ -3,6 +3,7 @@
 
 #include "strata/mesh/defect_list.h"
 #include "strata/mesh/edge_table.h"
+#include "strata/mesh/equal_vertices.h"
 #include "strata/mesh/prepare.h"
 #include "strata/mesh/prepare_steps.h"
 #include "strata/mesh/zero_area.h"
@@ -23,15 +24,19 @@ Vertex centre(MeshView mesh, const Triangle& t) {
 /// The sound faces as a mesh of their own, with the numbers they have in the input.
 struct SoundMesh {
   std::span<const Vertex> vertices;
+  std::span<const ExactVertex> exact;
   SourcedTriangles faces;
 
   [[nodiscard]] MeshView view() const { return {vertices, faces.triangles}; }
+  [[nodiscard]] ExactMeshView exact_view() const { return {view(), exact}; }
 };
 
 void find_zero_areas(const SoundMesh& mesh, std::vector<Defect>& defects) {
-  DefectList list(DefectKind::degenerate_triangle, Severity::note,
-                  "nothing to do: zero-area triangles are removed exactly, their neighbours divided");
-  const ZeroAreaTest is_zero(mesh.view());
+  const bool rational = !mesh.exact.empty();
+  DefectList list(DefectKind::degenerate_triangle, rational ? Severity::error : Severity::note,
+                  rational ? "remove the face and divide its neighbours: among rationals that is not done for you"
+                           : "nothing to do: zero-area triangles are removed exactly, their neighbours divided");
+  const ZeroAreaTest is_zero(mesh.exact_view());
   for (std::size_t i = 0; i < mesh.faces.triangles.size(); ++i) {
     if (!is_zero(i)) continue;
     const std::uint32_t face = mesh.faces.sources[i];
@@ -70,15 +75,33 @@ void find_duplicates(const SoundMesh& mesh, std::vector<Defect>& defects) {
 }
 
 void find_inside_out(const SoundMesh& mesh, std::vector<Defect>& defects) {
-  if (screen(mesh.view()).orientation >= 0) return;
+  const Screening facts = screen(mesh.view());
+  if (mesh.exact.empty() ? facts.orientation >= 0 : !facts.chain_closed || orientation(mesh.exact_view()) != Sign::negative)
+    return;
   DefectList list(DefectKind::inside_out, Severity::error, "reverse all faces (input class repair does)");
   list.add({}, {}, [] { return std::string("the volume is negative: faces are clockwise seen from outside"); });
   list.append_to(defects);
 }
 
+/// Lets the first of equal vertices stand for all.
+void weld(SoundMesh& mesh) {
+  const std::vector<std::uint32_t> first = equal_vertices(mesh.exact_view());
+  for (Triangle& t : mesh.faces.triangles) t = {first[t[0]], first[t[1]], first[t[2]]};
+}
+
+/// Remedies without the mention of repair, which takes doubles only.
+void leave_out_repair(std::vector<Defect>& defects) {
+  constexpr std::string_view mention = " (input class repair does)";
+  for (Defect& d : defects)
+    if (d.remedy.ends_with(mention)) d.remedy.resize(d.remedy.size() - mention.size());
+}
+
 }  // namespace
 
-std::vector<Defect> diagnose(MeshView mesh) {
+std::vector<Defect> diagnose(MeshView mesh) { return diagnose(ExactMeshView(mesh, {})); }
+
+std::vector<Defect> diagnose(ExactMeshView given) {
+  const MeshView mesh = given.mesh;
   std::vector<Defect> defects;
   if (mesh.triangles.empty()) {
     DefectList list(DefectKind::empty_mesh, Severity::note, "nothing to do if the empty solid is meant");
@@ -86,14 +109,15 @@ std::vector<Defect> diagnose(MeshView mesh) {
     list.append_to(defects);
     return defects;
   }
-  SoundMesh sound{mesh.vertices, sound_faces(mesh, Severity::error, defects)};
+  SoundMesh sound{mesh.vertices, given.exact, sound_faces(mesh, Severity::error, defects)};
   find_zero_areas(sound, defects);
   if (!screen(sound.view()).chain_closed) {  // equal vertices that are listed several times make no opening
-    weld(mesh.vertices, sound.faces.triangles);
+    weld(sound);
   }
   find_duplicates(sound, defects);
   find_open_edges(sound.vertices, sound.faces, defects);
   find_inside_out(sound, defects);
+  if (!given.exact.empty()) leave_out_repair(defects);
   return defects;
 }
 

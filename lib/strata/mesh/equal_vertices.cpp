@@ -49,7 +49,7 @@ std::vector<std::uint32_t> equal_vertices(std::span<const Vertex> vertices) {
   return first_equal(vertices, [](std::uint32_t, std::uint32_t) { return true; });
 }
 
-std::vector<std::uint32_t> equal_vertices(const ExactMesh& mesh) {
+std::vector<std::uint32_t> equal_vertices(ExactMeshView mesh) {
   if (mesh.exact.empty()) return equal_vertices(mesh.mesh.vertices);
   std::vector<const RationalPoint*> exact(mesh.mesh.vertices.size(), nullptr);
   for (const ExactVertex& e : mesh.exact) exact[e.vertex] = &e.position;

@@ -13,6 +13,6 @@ namespace strata {
 [[nodiscard]] std::vector<std::uint32_t> equal_vertices(std::span<const Vertex> vertices);
 
 /// The same for exact coordinates.
-[[nodiscard]] std::vector<std::uint32_t> equal_vertices(const ExactMesh& mesh);
+[[nodiscard]] std::vector<std::uint32_t> equal_vertices(ExactMeshView mesh);
 
 }  // namespace strata

@@ -4,7 +4,9 @@
 
 namespace strata {
 
-RationalPoint ExactMesh::position(std::uint32_t vertex) const {
+RationalPoint ExactMesh::position(std::uint32_t vertex) const { return ExactMeshView(*this).position(vertex); }
+
+RationalPoint ExactMeshView::position(std::uint32_t vertex) const {
   const auto found = std::lower_bound(exact.begin(), exact.end(), vertex,
                                       [](const ExactVertex& e, std::uint32_t v) { return e.vertex < v; });
   if (found != exact.end() && found->vertex == vertex) return found->position;

@@ -40,7 +40,7 @@ class PairwiseSum {
 };
 
 /// Which vertices have a place of their own in `exact`; empty when none has.
-std::vector<bool> exact_flags(const ExactMesh& mesh) {
+std::vector<bool> exact_flags(ExactMeshView mesh) {
   std::vector<bool> flags(mesh.exact.empty() ? 0 : mesh.mesh.vertices.size(), false);
   for (const ExactVertex& e : mesh.exact) flags[e.vertex] = true;
   return flags;
@@ -82,7 +82,7 @@ long double fast_double_area(const Vertex& a, const Vertex& b, const Vertex& c) 
 
 }  // namespace
 
-Rational volume(const ExactMesh& mesh) {
+Rational volume(ExactMeshView mesh) {
   const std::vector<bool> flags = exact_flags(mesh);
   ProductSum doubles;
   PairwiseSum rationals;

@@ -18,7 +18,7 @@ struct Topology {
 
 /// Signed volume: sum of det(a, b, c) / 6 over the triangles. Exact; positive when normals point outwards.
 /// O(n) on fixed-width integers where coordinates allow it.
-[[nodiscard]] Rational volume(const ExactMesh& mesh);
+[[nodiscard]] Rational volume(ExactMeshView mesh);
 
 /// Surface area, correct to a few units in the last place of a double.
 [[nodiscard]] double area(const ExactMesh& mesh);

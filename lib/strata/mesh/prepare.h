@@ -3,8 +3,10 @@
 #include <optional>
 #include <vector>
 
+#include "strata/exact/sign.h"
 #include "strata/kernel/box.h"
 #include "strata/mesh/defect.h"
+#include "strata/mesh/exact_mesh.h"
 #include "strata/mesh/mesh.h"
 
 namespace strata {
@@ -43,6 +45,15 @@ struct Prepared {
 /// Throws InputError with the full diagnosis otherwise. An empty mesh is the empty solid.
 [[nodiscard]] Prepared prepare_closed(MeshView mesh, bool allow_inside_out, std::size_t operand = 0);
 
+/// Accepts a closed oriented mesh whose vertices may be rationals, by exact tests on these: a mesh that is closed but
+/// for vertices listed twice is welded, as above; nothing else is resolved, so triangles of zero area are refused.
+/// Throws InputError with the full diagnosis, std::invalid_argument when `exact` is not by increasing index or the mesh
+/// does not hold the nearest doubles. O(n) and rational arithmetic where doubles do not decide.
+[[nodiscard]] Prepared prepare_exact(ExactMeshView mesh, std::size_t operand = 0);
+
+/// Sign of the signed volume of a closed mesh, exact. O(n), rational where doubles do not decide.
+[[nodiscard]] Sign orientation(ExactMeshView mesh);
+
 /// Makes a closed oriented mesh of a soup: drops faces with indices out of range or coordinates that are not finite,
 /// welds equal vertices, drops degenerate and duplicate faces (opposite pairs cancel), orients components
 /// consistently and outwards; every step is a note. Throws InputError when edges stay open.
@@ -51,5 +62,7 @@ struct Prepared {
 /// Diagnosis of everything that can be told without intersecting faces: all defects but self-intersection and
 /// inside-out shells. Lists the first few of each kind with coordinates and face numbers, and counts the rest.
 [[nodiscard]] std::vector<Defect> diagnose(MeshView mesh);
+/// The same for exact places, of which none is repaired: among rationals triangles of zero area are errors.
+[[nodiscard]] std::vector<Defect> diagnose(ExactMeshView mesh);
 
 }  // namespace strata

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "strata/kernel/predicates.h"
+#include "strata/mesh/exact_mesh.h"
 #include "strata/mesh/mesh.h"
 
 namespace strata {
@@ -38,18 +39,23 @@ inline FilteredNormal filtered_normal(const Vertex& a, const Vertex& b, const Ve
 /// the faces asked about.
 class ZeroAreaTest {
  public:
-  explicit ZeroAreaTest(MeshView mesh) : mesh_(mesh) { carriers_.add(mesh.vertices, mesh.triangles); }
+  explicit ZeroAreaTest(ExactMeshView mesh) : mesh_(mesh.mesh), rational_(!mesh.exact.empty()) {
+    carriers_.add(mesh_.vertices, mesh_.triangles, mesh.exact);
+  }
+  explicit ZeroAreaTest(MeshView mesh) : ZeroAreaTest(ExactMeshView(mesh, {})) {}
 
   [[nodiscard]] bool exactly(std::size_t face) const {
     return is_degenerate(carriers_, static_cast<std::uint32_t>(face));
   }
   [[nodiscard]] bool operator()(std::size_t face) const {
+    if (rational_) return exactly(face);
     const auto& [a, b, c] = mesh_.triangles[face];
     return !filtered_normal(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]).certain && exactly(face);
   }
 
  private:
   MeshView mesh_;
+  bool rational_;
   Carriers carriers_;
 };
 
