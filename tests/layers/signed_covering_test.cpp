@@ -5,6 +5,7 @@
 
 #include "layers/rational_rays.h"
 #include "layers/scenes.h"
+#include "strata/layers/locator.h"
 
 using namespace strata;
 
@@ -16,6 +17,7 @@ TEST_CASE("location agrees with rational rays from any origin", "[layers][proper
   const Origin origin = test::awkward_origin(meshes, random);
   CAPTURE(origin.is_point(), origin.at[0], origin.at[1], origin.at[2]);
   const SignedCovering covering(test::scene_of(meshes), origin);
+  const Locator locator(covering.scene());
   for (int n = 0; n < 16; ++n) {
     const Vertex q = test::awkward_point(meshes, origin.at, random);
     CAPTURE(q[0], q[1], q[2]);
@@ -39,6 +41,10 @@ TEST_CASE("location agrees with rational rays from any origin", "[layers][proper
       if (w != 0 && where == Where::out) where = Where::in;
     }
     REQUIRE(covering.membership(q) == where);
+    REQUIRE(locator.membership(q) == where);
+    const Location local = locator.locate(q);
+    REQUIRE(local.windings == location.windings);
+    REQUIRE(local.contacts == location.contacts);
   }
 }
 

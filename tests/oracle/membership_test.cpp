@@ -7,6 +7,7 @@
 #include "layers/scenes.h"
 #include "oracle/side_of_mesh.h"
 #include "strata/io/mesh_file.h"
+#include "strata/layers/locator.h"
 #include "strata/layers/signed_covering.h"
 
 namespace strata::oracle {
@@ -58,15 +59,19 @@ std::vector<Vertex> random_points(const Bounds& b, std::size_t count, test::Rand
 }
 
 void compare(const NamedMesh& solid, const Origin& origin, std::span<const Vertex> points) {
-  const SignedCovering covering(test::scene_of({solid.mesh}), origin);
-  std::vector<Where> answers(points.size());
-  covering.membership(points, answers);
   const std::vector<int> sides = sides_of_mesh(solid.mesh, points);
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    different += static_cast<int>(answers[i]) - 1 != sides[i];  // out, on, in
-  CAPTURE(solid.name, points.size());
-  REQUIRE(different == 0);
+  const auto check = [&](const auto& structure) {
+    std::vector<Where> answers(points.size());
+    structure.membership(points, answers);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      different += static_cast<int>(answers[i]) - 1 != sides[i];  // out, on, in
+    CAPTURE(solid.name, points.size());
+    REQUIRE(different == 0);
+  };
+  const Scene scene = test::scene_of({solid.mesh});
+  check(SignedCovering(scene, origin));
+  check(Locator(scene));
 }
 
 }  // namespace
@@ -101,19 +106,23 @@ TEST_CASE("location in a scene of 50 solids is CGAL's for each of them", "[oracl
   }
   std::vector<Vertex> points = random_points({{-1, -1, -1}, {10, 10, 10}}, 20'000, random);
   for (int n = 0; n < 10'000; ++n) points.push_back(test::awkward_point(meshes, {4, 4, 4}, random));
-  const SignedCovering covering(test::scene_of(meshes), Origin::point({4, 4, 4}));
-  const std::vector<Location> locations = covering.locate(points);
-  for (std::uint32_t s = 0; s < meshes.size(); ++s) {
-    const std::vector<int> sides = sides_of_mesh(meshes[s], points);
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto& contacts = locations[i].contacts;
-      const bool on = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) { return c.solid == s; });
-      different += (on ? 0 : locations[i].windings[s] == 1 ? 1 : -1) != sides[i];
+  const Scene scene = test::scene_of(meshes);
+  const auto check = [&](const auto& structure) {
+    const std::vector<Location> locations = structure.locate(points);
+    for (std::uint32_t s = 0; s < meshes.size(); ++s) {
+      const std::vector<int> sides = sides_of_mesh(meshes[s], points);
+      std::size_t different = 0;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto& contacts = locations[i].contacts;
+        const bool on = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) { return c.solid == s; });
+        different += (on ? 0 : locations[i].windings[s] == 1 ? 1 : -1) != sides[i];
+      }
+      CAPTURE(s);
+      REQUIRE(different == 0);
     }
-    CAPTURE(s);
-    REQUIRE(different == 0);
-  }
+  };
+  check(SignedCovering(scene, Origin::point({4, 4, 4})));
+  check(Locator(scene));
 }
 
 }  // namespace strata::oracle

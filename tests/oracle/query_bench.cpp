@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "strata/io/mesh_file.h"
+#include "strata/layers/locator.h"
 #include "strata/layers/ray_caster.h"
 #include "strata/layers/signed_covering.h"
 #include "support/random.h"
@@ -74,7 +75,7 @@ Questions questions(const strata::Box& box, std::size_t rays, std::size_t points
 }
 
 void print(const char* what, std::size_t count, double strata, double cgal, std::size_t different) {
-  std::printf("%-22s strata %10.0f /s   cgal %10.0f /s   ratio %5.2f   different %zu\n", what,
+  std::printf("%-24s strata %10.0f /s   cgal %10.0f /s   ratio %5.2f   different %zu\n", what,
               static_cast<double>(count) / strata, static_cast<double>(count) / cgal, cgal / strata, different);
 }
 
@@ -99,19 +100,25 @@ void compare_rays(const strata::RayCaster& caster, Tree& tree, const std::vector
   print("first hit", rays.size(), strata, cgal, different);
 }
 
-void compare_points(const strata::SignedCovering& covering, const Tree& tree, const std::vector<Vertex>& points) {
-  std::vector<strata::Where> ours(points.size());
+void compare_points(const strata::SignedCovering& covering, const strata::Locator& locator, const Tree& tree,
+                    const std::vector<Vertex>& points) {
+  std::vector<strata::Where> ours(points.size()), local(points.size());
   std::vector<CGAL::Bounded_side> theirs(points.size());
-  const double strata = seconds_of([&] { covering.membership(points, ours); });
+  const double about_one = seconds_of([&] { covering.membership(points, ours); });
+  const double about_many = seconds_of([&] { locator.membership(points, local); });
   const CGAL::Side_of_triangle_mesh<Surface, Kernel, CGAL::Default, Tree> side(tree);
   const double cgal = seconds_of([&] {
     for (std::size_t i = 0; i < points.size(); ++i)
       theirs[i] = side(Kernel::Point_3(points[i][0], points[i][1], points[i][2]));
   });
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    different += (ours[i] == strata::Where::in) != (theirs[i] == CGAL::ON_BOUNDED_SIDE);
-  print("membership", points.size(), strata, cgal, different);
+  const auto different = [&](const std::vector<strata::Where>& answers) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      count += (answers[i] == strata::Where::in) != (theirs[i] == CGAL::ON_BOUNDED_SIDE);
+    return count;
+  };
+  print("membership, one origin", points.size(), about_one, cgal, different(ours));
+  print("membership, locator", points.size(), about_many, cgal, different(local));
 }
 
 void run(const std::string& path, std::size_t rays, std::size_t points) {
@@ -127,15 +134,22 @@ void run(const std::string& path, std::size_t rays, std::size_t points) {
   for (std::size_t i = 0; i < 3; ++i) middle[i] = (box.lower[i] + box.upper[i]) / 2;
   const double covering_time =
       seconds_of([&] { covering = std::make_unique<strata::SignedCovering>(scene, strata::Origin::point(middle)); });
+  std::unique_ptr<strata::Locator> locator;
+  const double locator_time = seconds_of([&] { locator = std::make_unique<strata::Locator>(scene); });
   const Surface surface = to_surface(mesh);
   Tree tree(faces(surface).begin(), faces(surface).end(), surface);
   const double cgal_time = seconds_of([&] { tree.build(); });
-  std::printf("built in s: box tree %.3f (%.1f bytes per face), covering %.3f, CGAL's tree %.3f\n", tree_time,
-              static_cast<double>(caster->tree().bytes()) / static_cast<double>(mesh.triangles.size()), covering_time,
-              cgal_time);
+  const auto per_face = [&](std::size_t bytes) {
+    return static_cast<double>(bytes) / static_cast<double>(mesh.triangles.size());
+  };
+  std::printf(
+      "built in s (bytes per face): box tree %.3f (%.1f), covering %.3f (%.1f), locator %.3f (%.1f), CGAL's tree "
+      "%.3f\n",
+      tree_time, per_face(caster->tree().bytes()), covering_time, per_face(covering->bytes()), locator_time,
+      per_face(locator->bytes()), cgal_time);
   const Questions q = questions(box, rays, points);
   compare_rays(*caster, tree, q.rays);
-  compare_points(*covering, tree, q.points);
+  compare_points(*covering, *locator, tree, q.points);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ void CellTree::make_cells(const Carriers& carriers, const CellOptions& options) 
   const Raster& raster = *raster_;
   codes_ = std::make_unique<const BrickCodes>(carriers, space_.grid, bricks_, monitor);
   const Occupancy occupancy(carriers, bricks_, raster, *codes_, options.self, monitor);
-  regions_ = std::make_unique<const Regions>(bricks_, occupancy);
+  regions_ = std::make_unique<const Regions>(bricks_, occupancy, options.everywhere);
   Lines lines(bricks_);
   std::vector<Target> targets;
   for (const auto* places : {&regions_->regions(), &regions_->mixed()})
@@ -143,6 +143,14 @@ std::uint32_t CellTree::descend(std::uint32_t node, const std::array<std::int32_
     node =
         g[static_cast<std::size_t>(nodes_[node].axis)] < nodes_[node].split ? nodes_[node].below : nodes_[node].above;
   return nodes_[node].below;
+}
+
+std::size_t CellTree::bytes() const {
+  if (space_.empty) return 0;
+  std::size_t sum = carriers_.vertex_count() * sizeof(BrickCode) + bricks_.brick_count() * sizeof(std::uint32_t) +
+                    cells_.size() * sizeof(Cell) + roots_.size() * sizeof(std::uint32_t) + nodes_.size() * sizeof(Node);
+  for (const Cell& c : cells_) sum += c.faces.size() * sizeof(CellFace);
+  return sum;
 }
 
 }  // namespace strata

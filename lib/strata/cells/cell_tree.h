@@ -24,8 +24,9 @@ class CellTree {
 
   [[nodiscard]] const Grid& grid() const { return space_.grid; }
   [[nodiscard]] std::span<const Cell> cells() const { return cells_; }
-  /// The cell that holds a point of a face, by grid coordinates. The first cell is all space in which no operand is met
-  /// by another: there the winding numbers about all operands but a point's own are 0.
+  /// The cell that holds a point of a face, by grid coordinates; any point, if there are cells everywhere. The first
+  /// cell is all space in which no operand is met by another: there the winding numbers about all operands but a
+  /// point's own are 0.
   [[nodiscard]] std::uint32_t cell_at(const std::array<std::int32_t, 3>& g) const;
   /// Of all cells that list two faces whose boxes overlap, one owns the pair, and it is a cell in which both are.
   [[nodiscard]] bool owns(const Cell& cell, const CellFace& a, const CellFace& b) const {
@@ -37,6 +38,8 @@ class CellTree {
   [[nodiscard]] bool is_near_others(std::uint32_t vertex) const {
     return !space_.empty && (regions_->place(bricks_.index(codes_->of(vertex))) & Regions::mixed_flag) != 0;
   }
+  /// Memory held.
+  [[nodiscard]] std::size_t bytes() const;
   /// The cell that holds a vertex of a face.
   [[nodiscard]] std::uint32_t cell_of_vertex(std::uint32_t vertex) const {
     if (space_.empty) return outside_cell;

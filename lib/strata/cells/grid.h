@@ -12,6 +12,11 @@ struct GridBox {
   std::array<std::int32_t, 3> lower{};
   std::array<std::int32_t, 3> upper{};
 
+  /// The closed box between two points.
+  static GridBox between(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t, 3>& b) {
+    return {{std::min(a[0], b[0]), std::min(a[1], b[1]), std::min(a[2], b[2])},
+            {std::max(a[0], b[0]), std::max(a[1], b[1]), std::max(a[2], b[2])}};
+  }
   /// Of a half-open box.
   [[nodiscard]] bool holds(const std::array<std::int32_t, 3>& g) const {
     return lower[0] <= g[0] && g[0] < upper[0] && lower[1] <= g[1] && g[1] < upper[1] && lower[2] <= g[2] &&

@@ -189,10 +189,7 @@ Windings Refinement::share(const Branch& branch, const Cut& cut, const Carriers:
                            Branch& high) const {
   const std::size_t a = at(cut.axis);
   const GridBox low_box = closed(low.box), high_box = closed(high.box);
-  const auto from_grid = grid_.at(branch.origin), to_grid = grid_.at(to);
-  const GridBox way = {
-      {std::min(from_grid[0], to_grid[0]), std::min(from_grid[1], to_grid[1]), std::min(from_grid[2], to_grid[2])},
-      {std::max(from_grid[0], to_grid[0]), std::max(from_grid[1], to_grid[1]), std::max(from_grid[2], to_grid[2])}};
+  const GridBox way = GridBox::between(grid_.at(branch.origin), grid_.at(to));
   const std::uint32_t first_low = end_of_operand(branch.faces.begin()->face);
   Windings windings = *branch.windings;
   for (const CellFace& f : branch.faces) {

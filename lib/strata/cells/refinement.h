@@ -14,6 +14,7 @@ namespace strata {
 
 struct CellOptions {
   bool self = false;            ///< faces of one operand may meet each other
+  bool everywhere = false;      ///< origins for space without faces, too
   std::size_t leaf_faces = 64;  ///< refine cells with more faces
   Monitor monitor = {};         ///< asked at every cut
 };

@@ -7,14 +7,14 @@
 
 namespace strata {
 
-Regions::Regions(const BrickGrid& bricks, const Occupancy& occupancy) {
+Regions::Regions(const BrickGrid& bricks, const Occupancy& occupancy, bool everywhere) {
   resize_fresh(places_, bricks.brick_count());
   const std::uint32_t nx = bricks.size(0), ny = bricks.size(1), nz = bricks.size(2);
   for (std::uint32_t z = 0; z < nz; ++z)
     for (std::uint32_t y = 0; y < ny; ++y) {
       const std::size_t row = first_run_.size();
       first_run_.push_back(static_cast<std::uint32_t>(runs_.size()));
-      find_runs(occupancy, nx * static_cast<std::uint32_t>(row), nx * static_cast<std::uint32_t>(row + 1));
+      find_runs(occupancy, everywhere, nx * static_cast<std::uint32_t>(row), nx * static_cast<std::uint32_t>(row + 1));
       if (y > 0) join_rows(row, row - 1, nx);
       if (z > 0) join_rows(row, row - ny, nx * ny);
     }
@@ -31,10 +31,10 @@ Regions::Regions(const BrickGrid& bricks, const Occupancy& occupancy) {
 }
 
 /// Lists what is in a row.
-void Regions::find_runs(const Occupancy& occupancy, std::uint32_t first, std::uint32_t last) {
+void Regions::find_runs(const Occupancy& occupancy, bool everywhere, std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t b = first; b < last;) {
     const Occupancy::Owner owner = occupancy.owner(b);
-    if (owner == Occupancy::nobody || owner == Occupancy::outside) {
+    if ((owner == Occupancy::nobody && !everywhere) || owner == Occupancy::outside) {
       ++b;
     } else if (owner == Occupancy::mixed) {
       places_[b] = mixed_flag | static_cast<std::uint32_t>(mixed_.size());

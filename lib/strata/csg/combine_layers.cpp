@@ -25,7 +25,7 @@ Boundary evaluate_about_origin(Carriers& carriers, const Surroundings& surroundi
   const Meetings meetings = find_meetings(carriers, cells, false, points, monitor);
   Pools pools;
   std::vector<SplitFace> split = split_faces(carriers, surroundings, rule, meetings, false, points, pools, monitor);
-  const auto whole = judge_whole_faces(carriers, surroundings, rule, split, monitor);
+  const auto whole = judge_whole_faces(carriers, surroundings, nullptr, rule, split, false, monitor);
   merge_pieces(carriers, points, split, pools, monitor);
   return gather_boundary(carriers, whole, split, points);
 }

@@ -30,7 +30,7 @@ Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& p
   std::vector<SplitFace> split = split_faces(carriers, layers, rule, meetings, self, points, pools, monitor);
   watch.lap("arrange");
   monitor.report(0.8);
-  const auto whole = judge_whole_faces(carriers, cells, rule, split, self, monitor);
+  const auto whole = judge_whole_faces(carriers, layers, &cells, rule, split, self, monitor);
   watch.lap("layers");
   monitor.report(0.85);
   merge_pieces(carriers, points, split, pools, monitor);

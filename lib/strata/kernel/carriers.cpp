@@ -1,6 +1,5 @@
 #include "strata/kernel/carriers.h"
 
-#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -10,12 +9,14 @@ namespace strata {
 
 namespace {
 
-/// Marks the vertices that are rationals, if there are any.
-std::shared_ptr<const std::vector<bool>> rationals(std::size_t vertices, std::span<const ExactVertex> exact) {
+constexpr std::uint32_t not_rational = 0xffffffffu;
+
+/// Where each vertex is listed among the rationals, if there are any.
+std::shared_ptr<const std::vector<std::uint32_t>> places(std::size_t vertices, std::span<const ExactVertex> exact) {
   if (exact.empty()) return nullptr;
-  const auto marks = std::make_shared<std::vector<bool>>(vertices, false);
-  for (const ExactVertex& e : exact) (*marks)[e.vertex] = true;
-  return marks;
+  const auto list = std::make_shared<std::vector<std::uint32_t>>(vertices, not_rational);
+  for (std::uint32_t i = 0; i < exact.size(); ++i) (*list)[exact[i].vertex] = i;
+  return list;
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ void Carriers::add(std::span<const Coordinates> points, std::span<const Indices>
   constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() - 1;
   if (points.size() > most - vertex_end_ || faces.size() > most - face_end_)
     throw std::length_error("more than 2^32 - 2 vertices or faces in one evaluation");
-  blocks_.push_back({points, faces, exact, rationals(points.size(), exact), vertex_end_, face_end_, bounds});
+  blocks_.push_back({points, faces, exact, places(points.size(), exact), vertex_end_, face_end_, bounds});
   vertex_end_ += static_cast<std::uint32_t>(points.size());
   face_end_ += static_cast<std::uint32_t>(faces.size());
   constexpr std::uint32_t many = 64;
@@ -60,11 +61,9 @@ void Carriers::identify(std::span<const std::pair<std::uint32_t, std::uint32_t>>
 
 const RationalPoint* Carriers::find_exact(std::uint32_t vertex) const {
   const Block& b = blocks_[find<true>(vertex)];
-  const std::uint32_t local = vertex - b.first_vertex;
-  if (b.is_rational == nullptr || !(*b.is_rational)[local]) return nullptr;
-  const auto at = std::lower_bound(b.exact.begin(), b.exact.end(), local,
-                                   [](const ExactVertex& e, std::uint32_t v) { return e.vertex < v; });
-  return &at->position;
+  if (b.place == nullptr) return nullptr;
+  const std::uint32_t place = (*b.place)[vertex - b.first_vertex];
+  return place == not_rational ? nullptr : &b.exact[place].position;
 }
 
 }  // namespace strata

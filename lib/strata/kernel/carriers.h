@@ -66,7 +66,7 @@ class Carriers {
     const Indices v{t[0] + b.first_vertex, t[1] + b.first_vertex, t[2] + b.first_vertex};
     return same_.empty() ? v : Indices{same_[v[0]], same_[v[1]], same_[v[2]]};
   }
-  /// The rational place of a vertex, or null when its doubles are exact. O(1), and O(log) for rationals.
+  /// The rational place of a vertex, or null when its doubles are exact.
   [[nodiscard]] const RationalPoint* exact(std::uint32_t vertex) const {
     return has_rationals_ ? find_exact(vertex) : nullptr;
   }
@@ -77,7 +77,7 @@ class Carriers {
     std::span<const Coordinates> points;
     std::span<const Indices> faces;
     std::span<const ExactVertex> exact;
-    std::shared_ptr<const std::vector<bool>> is_rational;  ///< per vertex, if any is
+    std::shared_ptr<const std::vector<std::uint32_t>> place;  ///< in `exact` or none, per vertex; if any is rational
     std::uint32_t first_vertex = 0;
     std::uint32_t first_face = 0;
     std::optional<Box> bounds;

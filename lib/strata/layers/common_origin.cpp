@@ -18,8 +18,8 @@ Windings CommonOrigin::above(std::uint32_t face, const Point& q, std::span<const
   for (std::uint32_t o = 0; o < coverings_.size(); ++o) walk(o, q, covering, windings);
   // The walk ends at the face. From below it goes through the covering faces to reach the upper side.
   const Origin& origin = coverings_.front()->origin();
-  const Sign start = origin.is_point() ? side_of_origin(carriers_, face, origin.at)
-                                       : side_of_infinity(carriers_, face, origin.at);
+  const Sign start =
+      origin.is_point() ? side_of_origin(carriers_, face, origin.at) : side_of_infinity(carriers_, face, origin.at);
   if (start == Sign::positive) return windings;
   for (const std::uint32_t g : covering)
     windings.add(carriers_.operand_of_face(g), -to_int(same_orientation(carriers_, face, g)));

@@ -8,8 +8,8 @@
 
 namespace strata {
 
-/// Winding numbers among several operands, each of one solid with a covering about the same origin: along the way from the
-/// origin, a point meets the faces that the coverings list in its direction.
+/// Winding numbers among several operands, each of one solid with a covering about the same origin: along the way from
+/// the origin, a point meets the faces that the coverings list in its direction.
 class CommonOrigin final : public Surroundings {
  public:
   /// `carriers` have the coverings' solids as operands, in this order. Holds references.

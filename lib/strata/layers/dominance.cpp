@@ -31,11 +31,11 @@ class PairTester {
     for (std::size_t i = 0; i < leaf.footprints.size(); ++i) {
       const Footprint& a = footprints[leaf.footprints[i]];
       if (turns_[a.face] == Sign::zero) continue;
-      const SeenTriangle s{sight_.carriers().face(a.face), turns_[a.face]};
+      const Subordination s(sight_, {sight_.carriers().face(a.face), turns_[a.face]});
       for (std::size_t j = i + 1; j < leaf.footprints.size(); ++j) {
         const Footprint& b = footprints[leaf.footprints[j]];
         if (turns_[b.face] == Sign::zero || !rectangles_overlap(a, b) || !is_tested_here(a, b, leaf.square)) continue;
-        add(a.face, b.face, overlap_of(sight_, s, {sight_.carriers().face(b.face), turns_[b.face]}));
+        add(a.face, b.face, s.to({sight_.carriers().face(b.face), turns_[b.face]}));
       }
     }
   }

@@ -32,12 +32,7 @@ Windings LocalLayers::walk(const Point& q, std::uint32_t own, std::span<const st
   const Cell& cell = cells_.cells()[cells_.cell_at(target)];
   Windings w = *cell.windings;
   if (own != nobody) w.set(own, 0);
-  const auto start = cells_.grid().at(cell.origin);
-  GridBox way;
-  for (std::size_t i = 0; i < 3; ++i) {
-    way.lower[i] = std::min(start[i], target[i]);
-    way.upper[i] = std::max(start[i], target[i]);
-  }
+  const GridBox way = GridBox::between(cells_.grid().at(cell.origin), target);
   std::uint32_t operand = nobody, end = 0;
   for (const CellFace& f : cell.faces) {
     if (f.face >= end) {

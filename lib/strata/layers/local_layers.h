@@ -18,7 +18,8 @@ class LocalLayers final : public Surroundings {
 
   [[nodiscard]] Windings around(const Point& q, std::uint32_t own) const override;
 
-  [[nodiscard]] Windings above(std::uint32_t face, const Point& q, std::span<const std::uint32_t> covering) const override;
+  [[nodiscard]] Windings above(std::uint32_t face, const Point& q,
+                               std::span<const std::uint32_t> covering) const override;
 
   /// Grid coordinates of a point, by its nearest doubles.
   [[nodiscard]] std::array<std::int32_t, 3> grid_of(const Point& q) const;

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "strata/cells/walk.h"
-#include "strata/layers/closed_face.h"
 #include "strata/layers/sight.h"
 
 namespace strata {
@@ -93,21 +92,8 @@ void SignedCovering::find_windings_of_origin() {
   for_each_face_of_walk(far, [&](std::uint32_t f) { at_origin_.add(scene_.solid_of(f), -crossing(f, q)); });
 }
 
-/// What a face means to the walk to q: its change, or that q lies on it.
-SignedCovering::Step SignedCovering::step(std::uint32_t face, const Vertex& vertex, const Point& q) const {
-  const Carriers& carriers = scene_.carriers();
-  if (!carriers.has_rationals()) {
-    const auto v = carriers.face(face);
-    const int side = FilteredPlane(carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2])).side(vertex);
-    if (side == to_int(starts_[face])) return {};
-    if (side != 0) return {crossing(face, q), false};
-  }
-  if (side_of_face(carriers, face, q) == Sign::zero) return {0, holds_point_of_plane(carriers, face, q)};
-  return {crossing(face, q), false};
-}
-
-SignedCovering::Step SignedCovering::step(std::uint32_t face, const Vertex& vertex, const Point& q,
-                                          const ConeRay& ray) const {
+/// A look in floats first.
+WalkStep SignedCovering::step(std::uint32_t face, const Vertex& vertex, const Point& q, const ConeRay& ray) const {
   if (!cones_.empty()) switch (cones_[face].ask(ray)) {
       case ConeFilter::Answer::passes:
         return {};
@@ -116,7 +102,9 @@ SignedCovering::Step SignedCovering::step(std::uint32_t face, const Vertex& vert
       case ConeFilter::Answer::unknown:
         break;
     }
-  return step(face, vertex, q);
+  return walk_step(
+      scene_.carriers(), face, vertex, q, [&](const FilteredPlane&) { return to_int(starts_[face]); },
+      [&] { return crossing(face, q); });
 }
 
 Where SignedCovering::membership(const Vertex& q) const {
@@ -126,7 +114,7 @@ Where SignedCovering::membership(const Vertex& q) const {
   if (scene_.solid_count() == 1) {
     int w = at_origin_[0];
     for_each_face_of_walk(q, [&](std::uint32_t f) {
-      const Step s = step(f, q, point, ray);
+      const WalkStep s = step(f, q, point, ray);
       on = on || s.on;
       w += s.change;
     });
@@ -134,7 +122,7 @@ Where SignedCovering::membership(const Vertex& q) const {
   }
   Windings w = at_origin_;
   for_each_face_of_walk(q, [&](std::uint32_t f) {
-    const Step s = step(f, q, point, ray);
+    const WalkStep s = step(f, q, point, ray);
     on = on || s.on;
     w.add(scene_.solid_of(f), s.change);
   });
@@ -145,19 +133,14 @@ Where SignedCovering::membership(const Vertex& q) const {
 Location SignedCovering::locate(const Vertex& q) const {
   const Point point = Point::free(q);
   const ConeRay ray = cone_ray(origin_.at, q, scale_);
-  Location location{at_origin_, {}};
+  Windings windings = at_origin_;
+  std::vector<Contact> faces;
   for_each_face_of_walk(q, [&](std::uint32_t f) {
-    const Step s = step(f, q, point, ray);
-    location.windings.add(scene_.solid_of(f), s.change);
-    if (s.on) location.contacts.push_back({scene_.solid_of(f), f});
+    const WalkStep s = step(f, q, point, ray);
+    windings.add(scene_.solid_of(f), s.change);
+    if (s.on) faces.push_back({scene_.solid_of(f), f});
   });
-  std::sort(location.contacts.begin(), location.contacts.end(),
-            [](const Contact& a, const Contact& b) { return a.face < b.face; });
-  const auto same = [](const Contact& a, const Contact& b) { return a.solid == b.solid; };
-  location.contacts.erase(std::unique(location.contacts.begin(), location.contacts.end(), same),
-                          location.contacts.end());
-  for (const Contact& c : location.contacts) location.windings.set(c.solid, 0);
-  return location;
+  return Location::of(std::move(windings), std::move(faces));
 }
 
 void SignedCovering::membership(std::span<const Vertex> q, std::span<Where> answers) const {

@@ -7,24 +7,11 @@
 #include "strata/kernel/point.h"
 #include "strata/layers/cone_filter.h"
 #include "strata/layers/direction_index.h"
+#include "strata/layers/location.h"
 #include "strata/layers/scene.h"
+#include "strata/layers/walk_step.h"
 
 namespace strata {
-
-/// Where a point lies.
-enum class Where : std::uint8_t { out, on, in };
-
-/// A solid that a point lies on, and the lowest of its faces that it is on.
-struct Contact {
-  std::uint32_t solid = 0;
-  std::uint32_t face = 0;  ///< of the scene
-};
-
-/// Where a point lies in a scene.
-struct Location {
-  Windings windings;              ///< of the solids that the point is not on
-  std::vector<Contact> contacts;  ///< the solids that it is on, in order
-};
 
 /// The covering of a scene by the tetrahedra of its faces and an origin, signed by whether their outward normals point
 /// away from the origin. For a point on no face, the winding number of a solid is the sum of the signs of its
@@ -68,13 +55,7 @@ class SignedCovering {
   [[nodiscard]] int crossing(std::uint32_t face, const Point& q) const;
 
  private:
-  struct Step {
-    int change = 0;
-    bool on = false;
-  };
-  [[nodiscard]] Step step(std::uint32_t face, const Vertex& vertex, const Point& q) const;
-  /// A look in floats first.
-  [[nodiscard]] Step step(std::uint32_t face, const Vertex& vertex, const Point& q, const ConeRay& ray) const;
+  [[nodiscard]] WalkStep step(std::uint32_t face, const Vertex& vertex, const Point& q, const ConeRay& ray) const;
   template <class Visit>
   void for_each_face_of_walk(const Vertex& q, const Visit& visit) const;
   void find_windings_of_origin();

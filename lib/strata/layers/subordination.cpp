@@ -10,19 +10,23 @@ using Turns = std::array<std::array<Sign, 3>, 3>;
 
 enum class Gap { none, closed, open };
 
-/// Does an edge of `s` keep `t` out? `open`: with no common ray at all, rims included.
-Gap find_turns(const Sight& sight, const SeenTriangle& s, const SeenTriangle& t, Turns& turns) {
+/// What the caller wants to know of tetrahedra without common inner rays.
+enum class Detail { all, whether_ordered };
+
+/// Does an edge of `s` keep `t` out? `open`: with no common ray at all, rims included. Turns are complete if there is
+/// no gap.
+Gap find_turns(const SeenTriangle& s, const SightLines& lines, const SeenTriangle& t, Detail detail, Turns& turns) {
   Gap gap = Gap::none;
   for (std::size_t e = 0; e < 3; ++e) {
-    const SightLine line(sight, s.corners[e], s.corners[(e + 1) % 3]);
     bool in = false, on = false;
     for (std::size_t c = 0; c < 3; ++c) {
-      turns[e][c] = line.turn(t.corners[c]);
+      turns[e][c] = lines[e].turn(t.corners[c]);
       in = in || turns[e][c] == s.turn;
       on = on || turns[e][c] == Sign::zero;
     }
     if (!in && !on) return Gap::open;
     if (!in) gap = Gap::closed;
+    if (!in && detail == Detail::whether_ordered) return gap;
   }
   return gap;
 }
@@ -98,13 +102,17 @@ bool is_parted_by_corners(const Sight& sight, const SeenTriangle& s, const SeenT
   return false;
 }
 
-}  // namespace
+SightLines lines_of(const Sight& sight, const Corners& c) {
+  return {SightLine(sight, c[0], c[1]), SightLine(sight, c[1], c[2]), SightLine(sight, c[2], c[0])};
+}
 
-TetrahedraOverlap overlap_of(const Sight& sight, const SeenTriangle& s, const SeenTriangle& t) {
+TetrahedraOverlap find_overlap(const Sight& sight, const SeenTriangle& s, const SightLines& lines_of_s,
+                               const SeenTriangle& t, Detail detail) {
   Turns of_s, of_t;
-  const Gap gap_of_s = find_turns(sight, s, t, of_s);
+  const Gap gap_of_s = find_turns(s, lines_of_s, t, detail, of_s);
   if (gap_of_s == Gap::open) return TetrahedraOverlap::apart;
-  const Gap gap_of_t = find_turns(sight, t, s, of_t);
+  if (gap_of_s == Gap::closed && detail == Detail::whether_ordered) return TetrahedraOverlap::touching;
+  const Gap gap_of_t = find_turns(t, lines_of(sight, t.corners), s, detail, of_t);
   if (gap_of_t == Gap::open) return TetrahedraOverlap::apart;
   if (gap_of_s == Gap::closed || gap_of_t == Gap::closed) return TetrahedraOverlap::touching;
   Depths depths;
@@ -115,6 +123,19 @@ TetrahedraOverlap overlap_of(const Sight& sight, const SeenTriangle& s, const Se
   if (depths.before && depths.behind) return TetrahedraOverlap::crossing;
   if (depths.before) return TetrahedraOverlap::before;
   return depths.behind ? TetrahedraOverlap::behind : TetrahedraOverlap::coplanar;
+}
+
+}  // namespace
+
+TetrahedraOverlap overlap_of(const Sight& sight, const SeenTriangle& s, const SeenTriangle& t) {
+  return find_overlap(sight, s, lines_of(sight, s.corners), t, Detail::all);
+}
+
+Subordination::Subordination(const Sight& sight, const SeenTriangle& s)
+    : sight_(sight), s_(s), lines_(lines_of(sight, s.corners)) {}
+
+TetrahedraOverlap Subordination::to(const SeenTriangle& t) const {
+  return find_overlap(sight_, s_, lines_, t, Detail::whether_ordered);
 }
 
 }  // namespace strata

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 
 #include "strata/layers/sight.h"
@@ -26,5 +27,22 @@ struct SeenTriangle {
 /// Law: exchanging the triangles exchanges before and behind. Exact; at most some fifty signs, few where the triangles
 /// are apart.
 [[nodiscard]] TetrahedraOverlap overlap_of(const Sight& sight, const SeenTriangle& s, const SeenTriangle& t);
+
+/// The edges of a triangle, the first from corner 0 to corner 1.
+using SightLines = std::array<SightLine, 3>;
+
+/// Asks how one tetrahedron overlaps many.
+class Subordination {
+ public:
+  Subordination(const Sight& sight, const SeenTriangle& s);
+
+  /// As `overlap_of`, but tells apart and touching apart only where that costs nothing.
+  [[nodiscard]] TetrahedraOverlap to(const SeenTriangle& t) const;
+
+ private:
+  const Sight& sight_;
+  SeenTriangle s_;
+  SightLines lines_;
+};
 
 }  // namespace strata

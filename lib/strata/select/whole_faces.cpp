@@ -14,9 +14,10 @@ namespace {
 /// Judges faces of one operand one after the other; neighbours in number are often neighbours in space.
 class FaceJudge {
  public:
-  FaceJudge(const Carriers& carriers, const CellTree& cells, const Rule& rule, std::uint32_t operand, bool self)
+  FaceJudge(const Carriers& carriers, const Surroundings& surroundings, const CellTree* cells, const Rule& rule,
+            std::uint32_t operand, bool self)
       : carriers_(carriers),
-        layers_(carriers, cells),
+        surroundings_(surroundings),
         cells_(cells),
         rule_(rule),
         operand_(operand),
@@ -28,13 +29,16 @@ class FaceJudge {
   /// Local face number `i`. A face that meets no other has one verdict with all its corners, so neighbours tell.
   [[nodiscard]] Verdict judge(std::uint32_t i) {
     const auto& corners = faces_[i];
-    const std::uint32_t vertex = first_vertex_ + corners[0], cell = cells_.cell_of_vertex(vertex);
+    const std::uint32_t vertex = first_vertex_ + corners[0];
     if (self_) return judge_inside(i);
-    if (!cells_.cells()[cell].mixed) return judge_in_region(cell);
+    if (cells_ != nullptr)
+      if (const std::uint32_t cell = cells_->cell_of_vertex(vertex); !cells_->cells()[cell].mixed)
+        return judge_in_region(cell);
     for (const std::uint32_t v : corners)
       if (const Verdict* known = known_.find(v)) return remember(corners, *known);
     if (carriers_.is_shared(vertex)) return judge_inside(i);
-    return remember(corners, verdict_of(layers_.around(make_point(carriers_, PointName::input(vertex)), operand_)));
+    return remember(corners,
+                    verdict_of(surroundings_.around(make_point(carriers_, PointName::input(vertex)), operand_)));
   }
 
  private:
@@ -49,7 +53,7 @@ class FaceJudge {
 
   [[nodiscard]] Verdict judge_in_region(std::uint32_t cell) {
     if (cell == known_cell_) return of_known_cell_;
-    Windings w = *cells_.cells()[cell].windings;
+    Windings w = *cells_->cells()[cell].windings;
     w.set(operand_, 0);
     known_cell_ = cell;
     return of_known_cell_ = verdict_of(std::move(w));
@@ -58,7 +62,7 @@ class FaceJudge {
   /// By a point inside.
   [[nodiscard]] Verdict judge_inside(std::uint32_t i) const {
     const std::uint32_t face = carriers_.first_face(operand_) + i;
-    Windings w = layers_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1});
+    Windings w = surroundings_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1});
     if (!self_) w.set(operand_, 0);
     return verdict_of(std::move(w));
   }
@@ -71,8 +75,8 @@ class FaceJudge {
   }
 
   const Carriers& carriers_;
-  const LocalLayers layers_;
-  const CellTree& cells_;
+  const Surroundings& surroundings_;
+  const CellTree* cells_;
   const Rule& rule_;
   const std::uint32_t operand_;
   const bool self_;
@@ -85,15 +89,16 @@ class FaceJudge {
 
 }  // namespace
 
-std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
-                                       const std::vector<SplitFace>& split, bool self, const Monitor& monitor) {
+std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const Surroundings& surroundings,
+                                       const CellTree* cells, const Rule& rule, const std::vector<SplitFace>& split,
+                                       bool self, const Monitor& monitor) {
   std::vector<Verdict> verdicts(carriers.face_count(), Verdict::drop);
   const std::vector<FaceBlock> blocks = face_blocks(carriers);
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t n) {
     monitor.check();
     const FaceBlock& block = blocks[n];
     const std::uint32_t first = carriers.first_face(block.operand);
-    FaceJudge judge(carriers, cells, rule, block.operand, self);
+    FaceJudge judge(carriers, surroundings, cells, rule, block.operand, self);
     auto next = std::lower_bound(split.begin(), split.end(), first + block.first,
                                  [](const SplitFace& s, std::uint32_t f) { return s.face < f; });
     for (std::uint32_t i = block.first; i < block.last; ++i) {
@@ -103,24 +108,6 @@ std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const CellTree&
         verdicts[first + i] = judge.judge(i);
       }
     }
-  });
-  return verdicts;
-}
-
-std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const Surroundings& surroundings, const Rule& rule,
-                                       const std::vector<SplitFace>& split, const Monitor& monitor) {
-  std::vector<std::uint8_t> is_split(carriers.face_count());
-  for (const SplitFace& s : split) is_split[s.face] = 1;
-  std::vector<Verdict> verdicts(carriers.face_count(), Verdict::drop);
-  tbb::parallel_for(std::uint32_t{0}, carriers.face_count(), [&](std::uint32_t f) {
-    if (is_split[f] != 0) return;
-    monitor.check();
-    const std::uint32_t operand = carriers.operand_of_face(f);
-    Windings w = surroundings.above(f, make_point(carriers, PointName::weighted(f, 1)), {&f, 1});
-    w.set(operand, 0);
-    const bool above = rule.inside(w);
-    w.add(operand, 1);
-    verdicts[f] = verdict(above, rule.inside(w));
   });
   return verdicts;
 }

@@ -2,7 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "strata/layers/local_layers.h"
+#include "strata/cells/cell_tree.h"
+#include "strata/layers/surroundings.h"
 #include "strata/mesh/monitor.h"
 #include "strata/select/rule.h"
 #include "strata/select/split_faces.h"
@@ -10,14 +11,11 @@
 namespace strata {
 
 /// Verdicts on the faces that meet no other: such a face lies on one side of every other operand, and any point of it
-/// tells. `split` are the faces to leave out, by increasing number; theirs stays `drop`.
-[[nodiscard]] std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const CellTree& cells, const Rule& rule,
-                                                     const std::vector<SplitFace>& split, bool self,
-                                                     const Monitor& monitor);
-
-/// The same by a point inside of every face, asked of its surroundings.
+/// tells. `split` are the faces to leave out, by increasing number; theirs stays `drop`. `cells`, if there are any that
+/// know the windings at their origins, answer for the faces in regions.
 [[nodiscard]] std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const Surroundings& surroundings,
-                                                     const Rule& rule, const std::vector<SplitFace>& split,
+                                                     const CellTree* cells, const Rule& rule,
+                                                     const std::vector<SplitFace>& split, bool self,
                                                      const Monitor& monitor);
 
 }  // namespace strata
