@@ -244,3 +244,52 @@ TEST_CASE("empty operands and empty results", "[csg][degenerate]") {
   CHECK((a ^ nothing) == a);
   CHECK((nothing | nothing).is_empty());
 }
+
+// Catches: a tolerance anywhere. The rims of the two discs cross hundreds of times within a step of doubles.
+TEST_CASE("prisms of 100 sides, a step of doubles apart in size, share a plane", "[csg][degenerate]") {
+  const auto prism = [](double radius, double turn, double bottom) {
+    constexpr std::uint32_t n = 100;
+    Mesh mesh;
+    for (const double z : {bottom, bottom + 1})
+      for (std::uint32_t i = 0; i < n; ++i) {
+        const double t = turn + 2 * M_PI * i / n;
+        mesh.vertices.push_back({radius * std::cos(t), radius * std::sin(t), z});
+      }
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t j = (i + 1) % n;
+      mesh.triangles.insert(mesh.triangles.end(), {{i, j, n + j}, {i, n + j, n + i}});
+      if (i != 0 && j != 0) mesh.triangles.insert(mesh.triangles.end(), {{0, j, i}, {n, n + i, n + j}});
+    }
+    return Solid(mesh);
+  };
+  const Solid a = prism(1, 0, 0), b = prism(std::nextafter(1.0, 2.0), 1e-9, 1);
+  const Solid both = a | b;
+  CHECK(both.volume() == a.volume() + b.volume());
+  CHECK((a & b).is_empty());
+  CHECK((both - b) == a);
+  CHECK(both.canonical().facet_count() > 202);  // and slivers of the plane they share
+}
+
+TEST_CASE("a cube of size 1e-200 stands on one of size 1e200", "[csg][degenerate]") {
+  const double huge = 1e200, tiny = 1e-200;
+  const Solid a(box({-huge, -huge, 0}, {huge, huge, huge})), b(box({-tiny, -tiny, -tiny}, {tiny, tiny, 0}));
+  const Solid both = a | b;
+  CHECK(both.volume() == a.volume() + b.volume());
+  CHECK(both.canonical().facet_count() == 11);
+  CHECK((both - a) == b);
+}
+
+TEST_CASE("150 teeth on a plate make a comb", "[csg][degenerate]") {
+  const Solid plate(box({0, 0, 0}, {300, 1, 1}));
+  Mesh teeth;
+  for (int i = 0; i < 150; ++i) {
+    const Mesh tooth = box({2.0 * i, 0, 1}, {2.0 * i + 1, 1, 2});
+    const auto first = static_cast<std::uint32_t>(teeth.vertices.size());
+    teeth.vertices.insert(teeth.vertices.end(), tooth.vertices.begin(), tooth.vertices.end());
+    for (const Triangle& t : tooth.triangles) teeth.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  const Solid comb = plate | Solid(teeth);
+  // Front and back; bottom, and top with gaps; left and right sides of teeth, and of the plate.
+  check(comb, {450, 2 * 450 + 300 + 300 + 2 * 151, 1, 2, 0, 0});
+  CHECK(comb.canonical().facet_count() == 604);
+}

@@ -16,9 +16,9 @@ namespace strata {
 namespace {
 
 /// The mesh with every triangle on the first of its equal vertices: sheets that touch in a vertex share it.
-std::vector<Triangle> on_first_vertices(MeshView mesh) {
-  const auto first = equal_vertices(mesh.vertices);
-  std::vector<Triangle> triangles(mesh.triangles.begin(), mesh.triangles.end());
+std::vector<Triangle> on_first_vertices(ExactMeshView mesh) {
+  const auto first = equal_vertices(mesh);
+  std::vector<Triangle> triangles(mesh.mesh.triangles.begin(), mesh.mesh.triangles.end());
   for (Triangle& t : triangles)
     for (std::uint32_t& v : t) v = first[v];
   return triangles;
@@ -29,9 +29,9 @@ std::vector<Triangle> on_first_vertices(MeshView mesh) {
 /// same.
 class Inspection {
  public:
-  Inspection(MeshView mesh, const std::vector<std::uint32_t>& source, const Monitor& monitor)
+  Inspection(ExactMeshView mesh, const std::vector<std::uint32_t>& source, const Monitor& monitor)
       : triangles_(on_first_vertices(mesh)), source_(source), monitor_(monitor) {
-    carriers_.add(mesh.vertices, triangles_);
+    carriers_.add(mesh.mesh.vertices, triangles_, mesh.exact);
   }
 
   [[nodiscard]] std::vector<Defect> find() {
@@ -104,19 +104,24 @@ bool is_error(const Defect& d) { return d.severity == Severity::error; }
 
 }  // namespace
 
-std::vector<Defect> check(MeshView mesh, const Options& options) {
+std::vector<Defect> check(MeshView mesh, const Options& options) { return check(ExactMeshView(mesh, {}), options); }
+
+std::vector<Defect> check(ExactMeshView mesh, const Options& options) {
   return in_arena(options, [&] {
     std::vector<Defect> defects = diagnose(mesh);
-    if (std::any_of(defects.begin(), defects.end(), is_error) || mesh.triangles.empty()) return defects;
+    if (std::any_of(defects.begin(), defects.end(), is_error) || mesh.mesh.triangles.empty()) return defects;
     const Monitor monitor(options.cancel);
-    const Prepared prepared = prepare_closed(mesh, true);
-    const auto more = Inspection(prepared.mesh ? MeshView(*prepared.mesh) : mesh, prepared.source_face, monitor).find();
+    const Prepared prepared = mesh.exact.empty() ? prepare_closed(mesh.mesh, true) : prepare_exact(mesh);
+    const ExactMeshView ready(prepared.mesh ? MeshView(*prepared.mesh) : mesh.mesh, mesh.exact);
+    const auto more = Inspection(ready, prepared.source_face, monitor).find();
     defects.insert(defects.end(), more.begin(), more.end());
     return defects;
   });
 }
 
-bool is_embedded(MeshView mesh, const Options& options) {
+bool is_embedded(MeshView mesh, const Options& options) { return is_embedded(ExactMeshView(mesh, {}), options); }
+
+bool is_embedded(ExactMeshView mesh, const Options& options) {
   return in_arena(options, [&] {
     for (const Defect& d : diagnose(mesh))
       if (d.kind == DefectKind::degenerate_triangle || d.kind == DefectKind::duplicate_face ||
@@ -125,7 +130,7 @@ bool is_embedded(MeshView mesh, const Options& options) {
     const Monitor monitor(options.cancel);
     Carriers carriers;
     const std::vector<Triangle> triangles = on_first_vertices(mesh);
-    carriers.add(mesh.vertices, triangles);
+    carriers.add(mesh.mesh.vertices, triangles, mesh.exact);
     const CellTree cells(carriers, {.self = true, .monitor = monitor});
     PointTable points(carriers);
     return find_meetings(carriers, cells, true, points, monitor).pairs_meeting == 0;

@@ -3,6 +3,7 @@
 
 #include "strata/csg/options.h"
 #include "strata/mesh/defect.h"
+#include "strata/mesh/exact_mesh.h"
 #include "strata/mesh/mesh.h"
 
 namespace strata {
@@ -11,8 +12,11 @@ namespace strata {
 /// vertices, winding numbers 0 and 1. Empty exactly when the mesh bounds a solid (notes aside).
 /// Exact. O((n + k) log n) for k meeting pairs.
 [[nodiscard]] std::vector<Defect> check(MeshView mesh, const Options& options = {});
+/// The same for rational vertices. Throws std::invalid_argument as `prepare_exact` does.
+[[nodiscard]] std::vector<Defect> check(ExactMeshView mesh, const Options& options = {});
 
 /// True when no two faces meet but along shared edges and vertices, by exact predicates on the doubles given.
 [[nodiscard]] bool is_embedded(MeshView mesh, const Options& options = {});
+[[nodiscard]] bool is_embedded(ExactMeshView mesh, const Options& options = {});
 
 }  // namespace strata

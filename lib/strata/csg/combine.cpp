@@ -4,6 +4,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "strata/csg/arena.h"
@@ -45,7 +47,8 @@ class Operands {
 
  private:
   static Prepared prepare(const Operand& operand, InputClass input, std::size_t index) {
-    if (!operand.exact.empty()) return {};  // a result of ours
+    if (!operand.exact.empty())
+      return operand.is_checked ? Prepared{} : prepare_exact({operand.mesh, operand.exact}, index);
     switch (input) {
       case InputClass::solid:
       case InputClass::overlapping:
@@ -65,15 +68,14 @@ void ensure_closed(const Mesh& result, std::span<const Operand> given, const Opt
   if (chain_is_closed(result)) return;
   if (options.input == InputClass::solid)
     for (std::size_t i = 0; i < given.size(); ++i) {
-      if (!given[i].exact.empty()) continue;
-      std::vector<Defect> defects = check(given[i].mesh, options);
+      std::vector<Defect> defects = check(ExactMeshView(given[i].mesh, given[i].exact), options);
       std::erase_if(defects, [](const Defect& d) { return d.severity != Severity::error; });
       if (!defects.empty()) throw InputError(std::move(defects), i);
     }
   throw LogicError("the boundary of a result is not closed");
 }
 
-BooleanResult combine_here(Operation operation, std::span<const Operand> given, const Options& options) {
+BooleanResult combine_here(const Rule& rule, std::span<const Operand> given, const Options& options) {
   BooleanResult result;
   Stopwatch watch(result.profile);
   const Monitor monitor(options.cancel, &options.progress);
@@ -83,7 +85,6 @@ BooleanResult combine_here(Operation operation, std::span<const Operand> given, 
   monitor.report(0.05);
   Carriers carriers = operands.carriers();
   PointTable points(carriers);
-  const Rule rule(operation, carriers.operand_count());
   const bool self = options.input != InputClass::solid;
   Boundary boundary = evaluate(carriers, rule, self, points, monitor, result.profile);
   Stopwatch output(result.profile);
@@ -102,20 +103,32 @@ BooleanResult combine_here(Operation operation, std::span<const Operand> given, 
   return result;
 }
 
-}  // namespace
-
-BooleanResult combine(Operation operation, std::span<const Operand> operands, const Options& options) {
+BooleanResult combine(const Rule& rule, std::span<const Operand> operands, const Options& options) {
   std::size_t faces = 0;
   for (const Operand& o : operands) faces += o.mesh.triangles.size();
   tbb::task_arena arena = arena_for(options, faces);
   BooleanResult result;
-  arena.execute([&] { result = combine_here(operation, operands, options); });
+  arena.execute([&] { result = combine_here(rule, operands, options); });
   return result;
+}
+
+}  // namespace
+
+BooleanResult combine(Operation operation, std::span<const Operand> operands, const Options& options) {
+  return combine(Rule(operation, static_cast<std::uint32_t>(operands.size())), operands, options);
+}
+
+BooleanResult combine(const Formula& formula, std::span<const Operand> operands, const Options& options) {
+  if (formula.operands() != operands.size())
+    throw std::invalid_argument("the formula is about " + std::to_string(formula.operands()) + " operands, not " +
+                                std::to_string(operands.size()));
+  if (formula.holds({})) throw std::invalid_argument("the result is not bounded");
+  return combine(Rule(formula), operands, options);
 }
 
 BooleanResult combine(Operation operation, std::span<const MeshView> operands, const Options& options) {
   std::vector<Operand> all;
-  for (const MeshView& m : operands) all.push_back({m, {}});
+  for (const MeshView& m : operands) all.push_back({m, {}, false});
   return combine(operation, std::span<const Operand>(all), options);
 }
 

@@ -10,6 +10,7 @@
 #include "strata/mesh/exact_mesh.h"
 #include "strata/mesh/mesh.h"
 #include "strata/mesh/source.h"
+#include "strata/select/formula.h"
 
 namespace strata {
 
@@ -20,10 +21,12 @@ struct Profile {
       counts;  ///< pairs, points, pieces, ...; decisions per tier if counted
 };
 
-/// An operand whose vertices may be rationals; `exact` is empty for ordinary meshes.
+/// An operand whose vertices may be rationals; `exact` is empty for ordinary meshes. Rationals are taken as they are, of
+/// whatever class: they may cross themselves where the class is overlapping or repair, but nothing is repaired.
 struct Operand {
   MeshView mesh;
   std::span<const ExactVertex> exact;
+  bool is_checked = false;  ///< of a Solid: if there are rationals, that they bound one is not asked again
 };
 
 /// The regularized boundary of the result.
@@ -40,11 +43,17 @@ struct BooleanResult {
 /// Faces that do not meet another operand come out untouched: same vertices, same triangle, same order.
 /// Edges and vertices shared by several sheets are written once (non-manifold).
 /// Laws: commutative in the operands (as point sets); same bytes for any number of threads.
-/// Throws InputError (an operand is not what was declared), Cancelled, std::length_error (more than 2^32 - 2
+/// Throws InputError (an operand is not what was declared), std::invalid_argument (exact places that are not in order or
+/// do not belong to the doubles), Cancelled, std::length_error (more than 2^32 - 2
 /// vertices or faces in all).
 [[nodiscard]] BooleanResult combine(Operation operation, std::span<const MeshView> operands,
                                     const Options& options = {});
 [[nodiscard]] BooleanResult combine(Operation operation, std::span<const Operand> operands,
+                                    const Options& options = {});
+
+/// The points for which a closed formula holds, in one arrangement of all operands, however often each occurs. Throws
+/// std::invalid_argument if these are not bounded or the number of operands is not the formula's; the rest as above.
+[[nodiscard]] BooleanResult combine(const Formula& formula, std::span<const Operand> operands,
                                     const Options& options = {});
 
 }  // namespace strata

@@ -48,22 +48,32 @@ Solid::Data accept(Mesh mesh, InputClass input) {
   return {};
 }
 
+Solid::Data accept(ExactMesh mesh, InputClass input) {
+  if (mesh.exact.empty()) return accept(std::move(mesh.mesh), input);
+  switch (input) {
+    case InputClass::solid: {
+      Prepared p = prepare_exact(mesh);
+      if (p.mesh) mesh.mesh = std::move(*p.mesh);
+      const std::size_t faces = mesh.mesh.triangles.size();
+      return {std::move(mesh), own_faces(faces), std::move(p.notes)};
+    }
+    case InputClass::overlapping:
+    case InputClass::repair: {
+      const Operand operand{mesh.mesh, mesh.exact};
+      return data_of(combine(Operation::unite, std::span<const Operand>(&operand, 1),
+                             {.input = input, .exact_vertices = true}));
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Solid::Solid() : data_(std::make_shared<const Data>()) {}
 
 Solid::Solid(Mesh mesh, InputClass input) : data_(std::make_shared<const Data>(accept(std::move(mesh), input))) {}
 
-Solid::Solid(ExactMesh mesh) {
-  if (mesh.exact.empty()) {
-    data_ = std::make_shared<const Data>(accept(std::move(mesh.mesh), InputClass::solid));
-    return;
-  }
-  for (const Defect& d : diagnose(mesh.mesh))
-    if (d.severity == Severity::error) throw InputError({d});
-  const std::size_t faces = mesh.mesh.triangles.size();
-  data_ = std::make_shared<const Data>(Data{std::move(mesh), own_faces(faces), {}});
-}
+Solid::Solid(ExactMesh mesh, InputClass input) : data_(std::make_shared<const Data>(accept(std::move(mesh), input))) {}
 
 const Mesh& Solid::mesh() const { return data_->boundary.mesh; }
 const ExactMesh& Solid::exact_mesh() const { return data_->boundary; }
@@ -89,15 +99,28 @@ BoundingBox Solid::bounding_box() const {
 
 bool operator==(const Solid& a, const Solid& b) { return a.data_ == b.data_ || a.canonical() == b.canonical(); }
 
+namespace {
+
+Options of_solids(Options options) {
+  options.input = InputClass::solid;
+  options.exact_vertices = true;
+  return options;
+}
+
+}  // namespace
+
 Solid combine_solids(Operation operation, std::span<const Solid> operands, const Options& options) {
   std::vector<Operand> views;
-  for (const Solid& s : operands) views.push_back({MeshView(s.mesh()), s.exact_mesh().exact});
-  Options exact = options;
-  exact.input = InputClass::solid;
-  exact.exact_vertices = true;
+  for (const Solid& s : operands) views.push_back({MeshView(s.mesh()), s.exact_mesh().exact, true});
   Solid result;
-  result.data_ =
-      std::make_shared<const Solid::Data>(data_of(combine(operation, std::span<const Operand>(views), exact)));
+  result.data_ = std::make_shared<const Solid::Data>(
+      data_of(combine(operation, std::span<const Operand>(views), of_solids(options))));
+  return result;
+}
+
+Solid combine_solids(const Formula& formula, std::span<const Operand> operands, const Options& options) {
+  Solid result;
+  result.data_ = std::make_shared<const Solid::Data>(data_of(combine(formula, operands, of_solids(options))));
   return result;
 }
 

@@ -24,7 +24,8 @@ class Solid {
  public:
   Solid();                                                          ///< the empty solid
   explicit Solid(Mesh mesh, InputClass input = InputClass::solid);  ///< throws InputError
-  explicit Solid(ExactMesh mesh);  ///< closed, oriented outwards, not crossing itself; throws InputError
+  /// The same for rational vertices, of which nothing is repaired.
+  explicit Solid(ExactMesh mesh, InputClass input = InputClass::solid);
 
   [[nodiscard]] const Mesh& mesh() const;  ///< coordinates rounded to nearest doubles
   [[nodiscard]] const ExactMesh& exact_mesh() const;
@@ -42,10 +43,15 @@ class Solid {
 
  private:
   friend Solid combine_solids(Operation, std::span<const Solid>, const Options&);
+  friend Solid combine_solids(const Formula&, std::span<const Operand>, const Options&);
   std::shared_ptr<const Data> data_;
 };
 
 [[nodiscard]] Solid combine_solids(Operation operation, std::span<const Solid> operands, const Options& options = {});
+
+/// The solid for which a formula about operands holds. Throws as `combine` does.
+[[nodiscard]] Solid combine_solids(const Formula& formula, std::span<const Operand> operands,
+                                   const Options& options = {});
 
 [[nodiscard]] Solid unite(std::span<const Solid> operands);
 [[nodiscard]] Solid intersect(std::span<const Solid> operands);

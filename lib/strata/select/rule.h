@@ -1,7 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 #include "strata/cells/windings.h"
+#include "strata/select/formula.h"
 #include "strata/select/operation.h"
 
 namespace strata {
@@ -11,11 +14,14 @@ namespace strata {
 class Rule {
  public:
   Rule(Operation operation, std::uint32_t operands) : operation_(operation), operands_(operands) {}
+  /// Requires that the formula is closed.
+  explicit Rule(Formula formula) : operands_(formula.operands()), formula_(std::move(formula)) {}
 
   [[nodiscard]] std::uint32_t operands() const { return operands_; }
 
   /// True when this winding number of one operand alone decides, whatever the others are.
   [[nodiscard]] bool settles(std::uint32_t operand, std::int32_t winding) const {
+    if (formula_) return formula_->settles(operand, winding > 0);
     switch (operation_) {
       case Operation::unite:
         return winding > 0;
@@ -30,6 +36,7 @@ class Rule {
   }
 
   [[nodiscard]] bool inside(const Windings& windings) const {
+    if (formula_) return formula_->holds(windings);
     std::uint32_t in = 0;
     bool in_first = false;
     for (const auto& [operand, w] : windings) {
@@ -51,8 +58,9 @@ class Rule {
   }
 
  private:
-  Operation operation_;
+  Operation operation_{};
   std::uint32_t operands_;
+  std::optional<Formula> formula_;  ///< in place of the operation
 };
 
 /// What becomes of a piece of surface.
