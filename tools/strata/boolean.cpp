@@ -1,43 +1,31 @@
 #include <fmt/format.h>
 
-#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "files.h"
 #include "progress.h"
 #include "report.h"
+#include "result_file.h"
 #include "stopwatch.h"
-#include "strata/csg/check.h"
 #include "strata/csg/combine.h"
 #include "verbs.h"
 #include "watch.h"
 
 namespace {
 
-strata::BooleanResult evaluate(strata::Operation operation, std::span<const LoadedMesh> operands,
+strata::BooleanResult evaluate(strata::Operation operation, std::span<const LoadedMesh> operands, strata::Format format,
                                const Settings& settings, const Watch& watch) {
   ProgressBar bar(settings.progress, settings.quiet);
   strata::Options options;
   options.input = settings.input;
   options.threads = settings.threads;
-  options.exact_vertices = !settings.report.empty();
+  options.exact_vertices = !settings.report.empty() || format == strata::Format::xoff;
   options.progress = [&bar](double fraction) { bar.show(fraction); };
   options.cancel = &watch.token();
-  std::vector<strata::MeshView> views;
-  for (const LoadedMesh& operand : operands) views.emplace_back(operand.mesh.mesh);
-  return strata::combine(operation, views, options);
-}
-
-// Checks what the file will hold: binary STL rounds once more, to floats.
-bool certify(const strata::Mesh& mesh, strata::Format format, const Settings& settings, const Watch& watch) {
-  strata::Options options;
-  options.threads = settings.threads;
-  options.cancel = &watch.token();
-  if (format != strata::Format::stl) return strata::is_embedded(mesh, options);
-  const std::string bytes = strata::to_string(mesh, format);
-  return strata::is_embedded(strata::read_mesh(std::string_view(bytes), format, settings.output).mesh, options);
+  std::vector<strata::Operand> views;
+  for (const LoadedMesh& operand : operands) views.push_back({operand.mesh.mesh, operand.mesh.exact});
+  return strata::combine(operation, std::span<const strata::Operand>(views), options);
 }
 
 // An operand was refused: the report says which defects it has.
@@ -76,7 +64,7 @@ ExitCode run_boolean(strata::Operation operation, const char* name, const Settin
   watch.on_stop(OnStop::ask);
   strata::BooleanResult result;
   try {
-    result = evaluate(operation, operands, settings, watch);
+    result = evaluate(operation, operands, format, settings, watch);
   } catch (const strata::InputError& error) {
     if (!settings.report.empty()) report_refusal(name, operands, error, settings);
     throw;
@@ -85,28 +73,11 @@ ExitCode run_boolean(strata::Operation operation, const char* name, const Settin
     throw;
   }
   report["seconds"]["evaluate"] = stopwatch.lap();
-  std::optional<bool> rounded_valid;
-  if (settings.certify) {
-    rounded_valid = certify(result.mesh, format, settings, watch);
-    report["seconds"]["certify"] = stopwatch.lap();
-  }
   print_notes(result.notes, settings);
   report["peak_bytes"] = peak_bytes();
 
   watch.on_stop(OnStop::leave);
-  const strata::ExactMesh exact{std::move(result.mesh), std::move(result.exact)};
-  if (!settings.report.empty()) {
-    report["operands"] = operand_reports(operands, settings.input);
-    report["result"] = result_report(exact, rounded_valid);
-  }
-
-  watch.on_stop(OnStop::finish);
-  stopwatch.lap();
-  write_output(settings, format, exact.mesh);
-  report["seconds"]["write"] = stopwatch.lap();
   add_profile(report, result.profile);
-  if (!settings.report.empty()) write_report(settings.report, std::move(report));
-  if (rounded_valid != false) return ExitCode::ok;
-  fmt::print(stderr, "strata: not certified: faces of the result cross after rounding; it was written all the same\n");
-  return ExitCode::not_certified;
+  if (!settings.report.empty()) report["operands"] = operand_reports(operands, settings.input);
+  return write_result({std::move(result.mesh), std::move(result.exact)}, format, std::move(report), settings, watch);
 }

@@ -13,7 +13,7 @@
 
 namespace {
 
-std::vector<strata::Defect> diagnose(const strata::Mesh& mesh, const Settings& settings, const Watch& watch) {
+std::vector<strata::Defect> diagnose(const strata::ExactMesh& mesh, const Settings& settings, const Watch& watch) {
   ProgressBar bar(settings.progress, settings.quiet);
   strata::Options options;
   options.threads = settings.threads;
@@ -41,7 +41,7 @@ ExitCode run_check(const Settings& settings) {
   watch.on_stop(OnStop::ask);
   std::vector<strata::Defect> defects;
   try {
-    defects = diagnose(operand.mesh.mesh, settings, watch);
+    defects = diagnose(operand.mesh, settings, watch);
   } catch (const strata::Cancelled&) {
     watch.on_stop(OnStop::leave);  // says why
     throw;

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using strata::Format;
 
-constexpr const char* writable = "stl, stl-ascii, obj, off, ply, ply-ascii, ply-big-endian";
+constexpr const char* writable = "stl, stl-ascii, obj, off, xoff, ply, ply-ascii, ply-big-endian";
 
 void print_notes(const std::string& path, const std::vector<std::string>& notes, const Settings& settings) {
   if (settings.quiet) return;
@@ -96,7 +96,7 @@ std::vector<LoadedMesh> read_operands(const Settings& settings) {
   for (const std::string& path : settings.operands) {
     strata::MeshFile file = on_threads(settings, [&] { return read_operand(path, settings); });
     print_notes(path, file.notes, settings);
-    operands.push_back({path, {std::move(file.mesh), {}}, std::move(file.polygon_of_triangle)});
+    operands.push_back({path, {std::move(file.mesh), std::move(file.exact)}, std::move(file.polygon_of_triangle)});
   }
   return operands;
 }
@@ -115,7 +115,7 @@ Format output_format(const Settings& settings) {
       fmt::format("cannot tell a format from {}; use --format with one of: {}", settings.output, writable));
 }
 
-void write_output(const Settings& settings, Format format, const strata::Mesh& mesh) {
+void write_output(const Settings& settings, Format format, const strata::ExactMesh& mesh) {
   if (settings.output == "-") {
     const auto write = [&] { return strata::write_mesh(std::cout, mesh, format, "standard output"); };
     print_notes("standard output", on_threads(settings, write), settings);

@@ -8,7 +8,7 @@
 #include "strata/io/mesh_file.h"
 #include "strata/mesh/exact_mesh.h"
 
-/// An operand as read. The exact part is empty: files hold doubles.
+/// An operand as read. Its exact part is what the file says beyond doubles (XOFF).
 struct LoadedMesh {
   std::string path;  ///< as given; "-" for standard input
   strata::ExactMesh mesh;
@@ -22,7 +22,7 @@ struct LoadedMesh {
 [[nodiscard]] strata::Format output_format(const Settings& settings);
 
 /// Writes a mesh whole or not at all. Throws strata::IoError.
-void write_output(const Settings& settings, strata::Format format, const strata::Mesh& mesh);
+void write_output(const Settings& settings, strata::Format format, const strata::ExactMesh& mesh);
 
 /// Writes text to a file, whole or not at all, or to stdout for "-". Throws strata::IoError.
 void write_text(const std::string& where, std::string_view text);

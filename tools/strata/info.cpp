@@ -7,6 +7,7 @@
 #include "files.h"
 #include "report.h"
 #include "stopwatch.h"
+#include "strata/mesh/measure.h"
 #include "strata/mesh/prepare.h"
 #include "verbs.h"
 #include "watch.h"
@@ -32,7 +33,7 @@ void print_facts(const Json& facts) {
   for (const auto& [key, value] : facts.items()) {
     if (key == "defects") continue;
     const std::string text = value.is_string() ? value.get<std::string>() : value.is_null() ? "-" : value.dump();
-    fmt::print("{:14} {}\n", key, text);
+    fmt::print("{:17} {}\n", key, text);
   }
 }
 
@@ -44,15 +45,17 @@ ExitCode run_info(const Settings& settings) {
   Json report = {{"operation", "info"}, {"operands", Json::array()}};
   const LoadedMesh operand = std::move(read_operands(settings).front());
   report["seconds"]["read"] = stopwatch.lap();
-  const std::vector<strata::Defect> defects = strata::diagnose(operand.mesh.mesh);
+  const std::vector<strata::Defect> defects = strata::diagnose(operand.mesh);
   Json facts = operand_report(operand, defects);
   facts["bounding_box"] = bounding_box(operand.mesh.mesh);
+  facts["rational_vertices"] = operand.mesh.exact.size();
+  facts["volume_exact"] = facts["volume"].is_null() ? Json(nullptr) : Json(strata::volume(operand.mesh).str());
   report["seconds"]["evaluate"] = stopwatch.lap();
   report["peak_bytes"] = peak_bytes();
 
   if (settings.report != "-") {
     print_facts(facts);
-    for (const strata::Defect& defect : defects) fmt::print("{:14} {}\n", "defect", strata::describe(defect));
+    for (const strata::Defect& defect : defects) fmt::print("{:17} {}\n", "defect", strata::describe(defect));
   }
   report["operands"] = Json::array({std::move(facts)});
   if (!settings.report.empty()) write_report(settings.report, std::move(report));

@@ -6,14 +6,12 @@
 
 #include "byte_source.h"
 #include "location_table.h"
-#include "origin_option.h"
 #include "point_source.h"
 #include "progress.h"
 #include "report.h"
 #include "row_file.h"
 #include "stopwatch.h"
 #include "strata/io/mesh_file.h"
-#include "strata/layers/choose_origin.h"
 #include "stream_blocks.h"
 #include "threads.h"
 #include "verbs.h"
@@ -72,17 +70,14 @@ Json counts_report(const WhereCounts& counts) {
 }
 
 /// Everything from the solids to the finished file.
-void locate(std::span<const LoadedMesh> operands, const std::optional<strata::Origin>& asked, Form form,
-            const Settings& settings, const Watch& watch, Json& report) {
+void locate(std::span<const LoadedMesh> operands, Form form, const Settings& settings, const Watch& watch,
+            Json& report) {
   Stopwatch stopwatch;
   const SceneInput input(operands, settings.input);
   report["seconds"]["prepare"] = stopwatch.lap();
-  const strata::Origin origin = asked ? *asked : strata::choose_origin(input.scene());
-  report["origin"] = to_json(origin);
-  report["seconds"]["origin"] = stopwatch.lap();
-  const strata::SignedCovering covering(input.scene(), origin);
+  const strata::Locator locator(input.scene(), strata::Monitor(&watch.token()));
   report["seconds"]["build"] = stopwatch.lap();
-  const WhereCounts counts = stream_points(LocationTable(covering, input, form), form, settings, watch);
+  const WhereCounts counts = stream_points(LocationTable(locator, input, form), form, settings, watch);
   report["points"] = counts_report(counts);
   report["seconds"]["locate"] = stopwatch.lap();
 }
@@ -98,14 +93,13 @@ ExitCode run_locate(const Settings& settings) {
   Watch watch(settings.timeout);
   Stopwatch stopwatch;
   const Form form = form_of(settings);
-  const auto asked = parse_origin(settings.origin);
-  Json report = {{"operation", "locate"}, {"operands", nullptr}, {"origin", nullptr}, {"points", nullptr}};
+  Json report = {{"operation", "locate"}, {"operands", nullptr}, {"points", nullptr}};
   const std::vector<LoadedMesh> operands = read_operands(settings);
   report["seconds"]["read"] = stopwatch.lap();
 
   watch.on_stop(OnStop::ask);
   try {
-    on_threads(settings, [&] { locate(operands, asked, form, settings, watch, report); });
+    on_threads(settings, [&] { locate(operands, form, settings, watch, report); });
   } catch (const strata::Cancelled&) {
     watch.on_stop(OnStop::leave);  // says why
     throw;

@@ -26,11 +26,6 @@ void append(std::string& text, std::uint32_t value) { text.append(std::to_string
 
 }  // namespace
 
-Where where(const Location& location) {
-  if (!location.contacts.empty()) return Where::on;
-  return location.windings.begin() == location.windings.end() ? Where::out : Where::in;
-}
-
 std::string LocationTable::header(std::uint64_t count) const {
   if (form_ != Form::ply) return "x,y,z,where,solid,face\n";
   return "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(count) +
@@ -41,8 +36,8 @@ std::string LocationTable::header(std::uint64_t count) const {
 void LocationTable::append_rows(std::span<const double> coordinates, std::string& rows, WhereCounts& counts) const {
   for (std::size_t i = 0; i < coordinates.size(); i += 3) {
     const Vertex q{coordinates[i], coordinates[i + 1], coordinates[i + 2]};
-    const Location location = covering_.locate(q);
-    ++counts[static_cast<std::size_t>(where(location))];
+    const Location location = locator_.locate(q);
+    ++counts[static_cast<std::size_t>(location.where())];
     if (form_ == Form::ply)
       append_ply(q, location, rows);
     else
@@ -57,7 +52,7 @@ void LocationTable::append_csv(const Vertex& q, const Location& location, std::s
     at = append_number(at, x);
     *at++ = ',';
   }
-  const Where w = where(location);
+  const Where w = location.where();
   at = append(at, words[static_cast<std::size_t>(w)]);
   *at++ = ',';
   if (form_ == Form::csv) {
@@ -94,7 +89,7 @@ void LocationTable::append_all(const Location& location, std::string& rows) cons
 
 void LocationTable::append_ply(const Vertex& q, const Location& location, std::string& rows) const {
   constexpr auto order = std::endian::little;
-  const Where w = where(location);
+  const Where w = location.where();
   std::int32_t solid = -1, face = -1;
   if (w == Where::in) solid = static_cast<std::int32_t>(location.windings.begin()->first);
   if (w == Where::on) {

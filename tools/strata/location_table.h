@@ -5,13 +5,10 @@
 #include <string>
 
 #include "scene_input.h"
-#include "strata/layers/signed_covering.h"
+#include "strata/layers/locator.h"
 
 /// How many points are out, on and in: by strata::Where.
 using WhereCounts = std::array<std::uint64_t, 3>;
-
-/// Where a point is with respect to all solids together: on a face of any, in any, or out.
-[[nodiscard]] strata::Where where(const strata::Location& location);
 
 /// Answers points and writes rows about them: x, y, z, where (in, on, out), solid and face.
 /// The solid is the lowest one that the point is on, else in; the face the lowest face of that solid that it is on.
@@ -24,8 +21,8 @@ class LocationTable {
   };
 
   /// Keeps references.
-  LocationTable(const strata::SignedCovering& covering, const SceneInput& input, Form form)
-      : covering_(covering), input_(input), form_(form) {}
+  LocationTable(const strata::Locator& locator, const SceneInput& input, Form form)
+      : locator_(locator), input_(input), form_(form) {}
 
   /// What stands before the rows; a PLY file says how many there are.
   [[nodiscard]] std::string header(std::uint64_t count) const;
@@ -37,7 +34,7 @@ class LocationTable {
   void append_all(const strata::Location& location, std::string& rows) const;
   void append_ply(const strata::Vertex& q, const strata::Location& location, std::string& rows) const;
 
-  const strata::SignedCovering& covering_;
+  const strata::Locator& locator_;
   const SceneInput& input_;
   Form form_;
 };

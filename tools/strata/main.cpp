@@ -28,6 +28,7 @@ constexpr const char* examples = R"(Examples:
   strata difference block.obj drill1.stl drill2.ply -o part.ply --certify --report part.json
   strata intersection a.glb b.3mf -o common.obj --input repair
   cat a.off | strata xor - b.off --input-format off -o - --format off > changed.off
+  strata difference block.stl drill.stl -o part.xoff && strata union part.xoff bolt.stl -o whole.xoff
   strata check scan.stl
   strata compare yesterday.stl today.obj
   strata layers house.obj tree.obj -o layers.ply
@@ -45,6 +46,32 @@ void add_boolean(CLI::App& app, Settings& settings, Action& action, strata::Oper
   verb->footer(fmt::format("Example:\n  strata {} A.stl B.stl -o OUT.stl\n\n{}", name, exit_codes));
   verb->callback(
       [&, operation, name] { action = [&, operation, name] { return run_boolean(operation, name, settings); }; });
+}
+
+void add_eval(CLI::App& app, Settings& settings, Action& action) {
+  CLI::App* verb = app.add_subcommand("eval", "An expression over meshes, or a .csg model, evaluated at once");
+  verb->add_option("EXPR", settings.expression, "The expression, or the path of a model that OpenSCAD wrote (.csg)")
+      ->required();
+  verb->add_option("NAME=FILE", settings.bindings, "The mesh that a name stands for; - is standard input")
+      ->expected(0, CLI::detail::expected_max_vector_size);
+  verb->add_flag_callback(
+      "--round-transforms", [&settings] { settings.placement = strata::Placement::rounded; },
+      "Round what a model transforms to doubles, once; else it is exact");
+  add_run_options(*verb, settings);
+  add_input_class(*verb, settings);
+  add_output_options(*verb, settings);
+  verb->footer(fmt::format(
+      R"text(Operators, the strongest first: ~a (all but a; ! is the same), a - b and a + b (union), a & b, a ^ b (in one of them),
+a | b; parentheses. Names are letters, digits, _ and dots.
+
+Examples:
+  strata eval "(block | boss) - holes" block=block.stl boss=boss.stl holes=holes.obj -o part.stl
+  strata eval bracket.csg -o bracket.stl --round-transforms
+  strata eval "a & ~(b ^ c)" a=a.off b=b.off c=c.off -o d.off --report -
+
+{})text",
+      exit_codes));
+  verb->callback([&] { action = [&] { return run_eval(settings); }; });
 }
 
 void add_verbs(CLI::App& app, Settings& settings, Action& action) {
@@ -105,7 +132,6 @@ void add_locate(CLI::App& app, Settings& settings, Action& action) {
       app.add_subcommand("locate", "Which points are in, on or out of solids, in which and on which faces?");
   add_common_options(*verb, settings, 1, 0);
   add_input_class(*verb, settings);
-  add_origin_option(*verb, settings);
   verb->add_option("--points", settings.points,
                    "The points: CSV with the columns x,y,z, or PLY; - is standard input (CSV)")
       ->required()
@@ -203,6 +229,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(std::string(examples) + exit_codes);
   add_verbs(app, settings, action);
+  add_eval(app, settings, action);
   add_draw(app, settings, draw_settings, action);
   add_layers(app, settings, action);
   add_locate(app, settings, action);

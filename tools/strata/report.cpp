@@ -70,6 +70,7 @@ Json result_report(const ExactMesh& mesh, std::optional<bool> rounded_valid) {
 
 std::vector<Defect> operand_defects(const LoadedMesh& operand, strata::InputClass input) {
   try {
+    if (!operand.mesh.exact.empty()) return strata::prepare_exact(operand.mesh).notes;
     switch (input) {
       case strata::InputClass::solid:
         return strata::prepare_closed(operand.mesh.mesh, false).notes;

@@ -4,7 +4,7 @@
 
 strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, strata::InputClass input) {
   try {
-    return strata::Solid(operands[k].mesh.mesh, input);
+    return strata::Solid(operands[k].mesh, input);
   } catch (const strata::InputError& error) {
     throw strata::InputError(error.defects(), k);
   }

@@ -7,6 +7,10 @@ void add_common_options(CLI::App& verb, Settings& settings, int least, int most)
   verb.add_option("MESH", settings.operands, "Mesh files; - is standard input")
       ->required()
       ->expected(least, most == 0 ? CLI::detail::expected_max_vector_size : most);
+  add_run_options(verb, settings);
+}
+
+void add_run_options(CLI::App& verb, Settings& settings) {
   verb.add_option("--input-format", settings.input_format, "Format of the operands, instead of their extension")
       ->type_name("FORMAT");
   verb.add_option("--report", settings.report, "Write a report in JSON; - is standard output")->type_name("FILE");

@@ -6,11 +6,15 @@
 #include <vector>
 
 #include "strata/csg/options.h"
+#include "strata/csg/transform.h"
 
 /// What the command line asked for. Each verb uses the part that it has options for.
 struct Settings {
-  std::vector<std::string> operands;  ///< paths; "-" is stdin
-  std::string input_format;           ///< of all operands; empty: by extension
+  std::vector<std::string> operands;                       ///< paths; "-" is stdin
+  std::string expression;                                  ///< or the path of a model
+  std::vector<std::string> bindings;                       ///< NAME=FILE, for names of the expression
+  strata::Placement placement = strata::Placement::exact;  ///< of what a model transforms
+  std::string input_format;                                ///< of all operands; empty: by extension
   strata::InputClass input = strata::InputClass::solid;
   std::string output;         ///< path; "-" is stdout
   std::string output_format;  ///< empty: by extension
@@ -34,7 +38,10 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Operands, formats and whatever all verbs have. `least` and `most` bound the number of operands; most 0: no bound.
+/// Whatever all verbs have.
+void add_run_options(CLI::App& verb, Settings& settings);
+
+/// The same and operands. `least` and `most` bound their number; most 0: no bound.
 void add_common_options(CLI::App& verb, Settings& settings, int least, int most);
 
 /// --input solid|overlapping|repair.

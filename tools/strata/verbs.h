@@ -6,6 +6,9 @@
 /// union, intersection, difference, xor. `name` is the verb, as it stands in the report.
 [[nodiscard]] ExitCode run_boolean(strata::Operation operation, const char* name, const Settings& settings);
 
+/// An expression over meshes, evaluated at once.
+[[nodiscard]] ExitCode run_eval(Settings& settings);
+
 /// Is the mesh the boundary of a solid? Lists all defects. Never writes a mesh.
 [[nodiscard]] ExitCode run_check(const Settings& settings);
 

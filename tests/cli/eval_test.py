@@ -1,0 +1,90 @@
+"""strata eval: expressions over files."""
+import unittest
+
+from tool import FILE, INVALID, USAGE, ToolTest, cube, open_cube
+
+
+class Eval(ToolTest):
+    def volume(self, expression, *bindings):
+        return self.report("eval", expression, *bindings, "-o", "out.off")["result"]["volume_exact"]
+
+    def setUp(self):
+        super().setUp()
+        self.a = f"a={self.file('a.off', cube())}"
+        self.b = f"b={self.file('b.off', cube(0.5))}"
+        self.c = f"c={self.file('c.off', cube(0, 0.5))}"
+
+    def test_operators_and_parentheses(self):
+        for expression, volume in (("a & b", "1/2"), ("a - b", "1/2"), ("a + b", "3/2"), ("a|b", "3/2"), ("a ^ b", "1"),
+                                   ("a & ~b", "1/2"), ("!(~a | b)", "1/2"), ("b - a ^ a", "3/2"), ("((a))&b", "1/2")):
+            with self.subTest(expression=expression):
+                self.assertEqual(self.volume(expression, self.a, self.b), volume)
+
+    def test_what_is_equal_as_steps_is_equal_at_once(self):
+        self.run_tool("eval", "(a | b) - c", self.a, self.b, self.c, "-o", "once.ply")
+        self.run_tool("union", "a.off", "b.off", "-o", "ab.ply")
+        self.run_tool("difference", "ab.ply", "c.off", "-o", "steps.ply")
+        self.run_tool("compare", "once.ply", "steps.ply")
+
+    def test_errors_point_at_the_place(self):
+        for expression, place, what in (("a - d", 4, "no solid is called 'd'"), ("(a - b", 0, "never closed"),
+                                        ("a b", 2, "operator"), ("a -", 3, "a name or '('"), ("", 0, "a name or '('")):
+            with self.subTest(expression=expression):
+                error = self.run_tool("eval", expression, self.a, self.b, "-o", "out.off",
+                                      expect=USAGE).stderr.decode().splitlines()
+                self.assertIn(what, error[0])
+                self.assertEqual(error[-1], "  " + " " * place + "^")
+        self.assertEqual(self.left_over(), ["a.off", "b.off", "c.off"])
+
+    def test_misuse(self):
+        for arguments in (("a", "-o", "o.off"), ("a", self.a, self.b, "-o", "o.off"), ("a", self.a, self.a, "-o", "o.off"),
+                          ("a", "a.off", "-o", "o.off"), ("a", "=a.off", "-o", "o.off"), ("a", "a=", "-o", "o.off"),
+                          ("~a", self.a, "-o", "o.off"), ("a", self.a), ("a", "a=-", "-o", "o.off"),
+                          ("a | b", "a=-", "b=-", "--input-format", "off", "-o", "o.off")):
+            with self.subTest(arguments=arguments):
+                self.run_tool("eval", *arguments, expect=USAGE)
+        self.assertIn("not bounded", self.run_tool("eval", "a | ~b", self.a, self.b, "-o", "o.off",
+                                                   expect=USAGE).stderr.decode())
+
+    def test_files_are_checked(self):
+        bad = f"bad={self.file('bad.off', open_cube())}"
+        done = self.run_tool("eval", "a - bad", self.a, bad, "-o", "out.off", expect=INVALID)
+        self.assertIn("bad.off: error: open edge", done.stderr.decode())
+        self.run_tool("eval", "a - m", self.a, "m=missing.off", "-o", "out.off", expect=FILE)
+
+    def test_the_report_tells_the_forms(self):
+        report = self.report("eval", "a - (b ^ c) | a & b", self.a, self.b, self.c, "-o", "out.off")
+        self.assertEqual(report["operation"], "eval")
+        expression = report["expression"]
+        self.assertEqual(expression["solids"], 5)
+        self.assertEqual(expression["positive_form"]["solids"], 7)
+        self.assertEqual(expression["disjunctive_form"]["text"], "a & b | a - b - c")
+        self.assertEqual([(p["name"], p["positive"], p["negative"], p["matters"]) for p in expression["primitives"]],
+                         [("a", True, False, True), ("b", True, True, True), ("c", True, True, True)])
+        self.assertEqual(len(report["operands"]), 3)
+        self.assertLessEqual({"read", "evaluate", "write"}, set(report["seconds"]))
+
+    def test_models_of_openscad(self):
+        model = self.file("part.csg", """difference() {
+  color([1, 0, 0]) { cube(size = [2, 2, 2], center = false); }
+  multmatrix([[0.1, 0, 0, 0.1], [0, 1, 0, 0], [0, 0, 1, -0.5], [0, 0, 0, 1]]) { cube(size = 1); }
+}
+""")
+        done = self.run_tool("eval", model, "-o", "part.xoff")
+        self.assertIn(b"note: ", done.stderr)
+        self.assertEqual(self.report("info", "part.xoff")["operands"][0]["volume"], 7.95)
+        self.assertEqual(self.report("eval", model, "-o", "part.off", "--round-transforms")["result"]["volume"], 7.95)
+        refused = self.file("bad.csg", "group() {\n  hull() { cube(1); }\n}\n")
+        error = self.run_tool("eval", refused, "-o", "bad.off", expect=FILE).stderr.decode()
+        self.assertIn("bad.csg:2", error)
+        self.assertIn("hull", error)
+        self.run_tool("eval", "missing.csg", "-o", "bad.off", expect=FILE)
+
+    def test_standard_streams(self):
+        done = self.run_tool("eval", "a - b", "a=-", self.b, "--input-format", "off", "-o", "-", "--format", "off",
+                             stdin=cube().encode())
+        self.assertTrue(done.stdout.startswith(b"OFF"))
+
+
+if __name__ == "__main__":
+    unittest.main()

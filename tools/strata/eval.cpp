@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "files.h"
+#include "progress.h"
+#include "report.h"
+#include "result_file.h"
+#include "scene_input.h"
+#include "stopwatch.h"
+#include "strata/csg/expression.h"
+#include "strata/io/io_error.h"
+#include "strata/openscad/csg_file.h"
+#include "verbs.h"
+#include "watch.h"
+
+namespace {
+
+/// The expression, as the command line or a model file has it, and what the report says about its parts.
+struct Input {
+  std::vector<LoadedMesh> operands;
+  std::optional<strata::Expression> expression;
+};
+
+/// NAME=FILE arguments.
+std::map<std::string, std::string> paths_by_name(const std::vector<std::string>& bindings) {
+  std::map<std::string, std::string> paths;
+  for (const std::string& b : bindings) {
+    const std::size_t equals = b.find('=');
+    if (equals == 0 || equals == std::string::npos || equals + 1 == b.size())
+      throw UsageError(fmt::format("expected NAME=FILE, found '{}'", b));
+    if (!paths.emplace(b.substr(0, equals), b.substr(equals + 1)).second)
+      throw UsageError(fmt::format("'{}' is given twice", b.substr(0, equals)));
+  }
+  return paths;
+}
+
+[[noreturn]] void fail_at(const std::string& text, const strata::ParseError& error) {
+  throw UsageError(fmt::format("{}\n  {}\n  {:>{}}", error.what(), text, '^', error.position() + 1));
+}
+
+/// Names that the text uses, each once, in order. Checks the text before any file is read.
+std::vector<std::string> names_in(const std::string& text, const std::map<std::string, std::string>& paths) {
+  std::vector<std::string> names;
+  try {
+    (void)strata::parse_expression(text, [&](const std::string& name) {
+      (void)paths.at(name);
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      return strata::Solid();
+    });
+  } catch (const strata::ParseError& error) {
+    fail_at(text, error);
+  }
+  for (const auto& [name, path] : paths)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw UsageError(fmt::format("the expression has no '{}'", name));
+  return names;
+}
+
+bool is_model(const Settings& settings) {
+  std::string extension = std::filesystem::path(settings.expression).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".csg" && settings.bindings.empty();
+}
+
+/// What OpenSCAD wrote.
+Input read_model(const Settings& settings) {
+  try {
+    strata::CsgModel model = strata::read_csg_file(settings.expression, settings.placement);
+    if (!settings.quiet)
+      for (const std::string& note : model.notes)
+        fmt::print(stderr, "strata: {}: note: {}\n", settings.expression, note);
+    return {{}, std::move(model.expression)};
+  } catch (const strata::CsgError& error) {
+    throw strata::IoError(error.file(), {error.line(), {}},
+                          fmt::format("column {}: {}", error.column(), error.reason()));
+  }
+}
+
+Input read_expression(Settings& settings) {
+  if (is_model(settings)) return read_model(settings);
+  const auto paths = paths_by_name(settings.bindings);
+  const std::vector<std::string> names = names_in(settings.expression, paths);
+  settings.operands.clear();
+  for (const std::string& name : names) settings.operands.push_back(paths.at(name));
+  check_streams(settings);
+  Input input{read_operands(settings), {}};
+  std::map<std::string, strata::Solid> solids;
+  for (std::size_t k = 0; k < names.size(); ++k) solids[names[k]] = make_solid(input.operands, k, settings.input);
+  input.expression =
+      strata::parse_expression(settings.expression, [&](const std::string& name) { return solids.at(name); });
+  return input;
+}
+
+/// Null where a form has more solids than anyone wants to read about.
+template <class Form>
+Json form_report(const Form& form) {
+  constexpr std::size_t most = 10'000, readable = 100;
+  try {
+    const strata::Expression e = form(most);
+    return {{"solids", e.size()}, {"text", e.size() <= readable ? Json(e.text()) : Json(nullptr)}};
+  } catch (const std::length_error&) {
+    return nullptr;
+  }
+}
+
+Json expression_report(const strata::Expression& e) {
+  Json primitives = Json::array();
+  for (const auto& p : e.primitives())
+    primitives.push_back(
+        {{"name", p.name}, {"positive", p.positive}, {"negative", p.negative}, {"matters", p.matters}});
+  return {{"solids", e.size()},
+          {"positive_form", form_report([&](std::size_t most) { return e.positive_form(most); })},
+          {"disjunctive_form", form_report([&](std::size_t most) { return e.disjunctive_form(most); })},
+          {"primitives", std::move(primitives)}};
+}
+
+strata::Solid evaluate(const strata::Expression& expression, const Settings& settings, const Watch& watch) {
+  ProgressBar bar(settings.progress, settings.quiet);
+  strata::Options options;
+  options.threads = settings.threads;
+  options.progress = [&bar](double fraction) { bar.show(fraction); };
+  options.cancel = &watch.token();
+  try {
+    return expression.evaluate(options);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+}  // namespace
+
+ExitCode run_eval(Settings& settings) {
+  Watch watch(settings.timeout);
+  Stopwatch stopwatch;
+  Json report = {{"operation", "eval"}, {"expression", nullptr}, {"operands", nullptr}, {"result", nullptr}};
+  const strata::Format format = output_format(settings);
+  const Input input = read_expression(settings);
+  report["seconds"]["read"] = stopwatch.lap();
+
+  watch.on_stop(OnStop::ask);
+  strata::Solid solid;
+  try {
+    solid = evaluate(*input.expression, settings, watch);
+  } catch (const strata::Cancelled&) {
+    watch.on_stop(OnStop::leave);  // says why
+    throw;
+  }
+  report["seconds"]["evaluate"] = stopwatch.lap();
+  report["peak_bytes"] = peak_bytes();
+  if (!settings.report.empty()) {
+    report["expression"] = expression_report(*input.expression);
+    report["operands"] = operand_reports(input.operands, settings.input);
+  }
+  return write_result(solid.exact_mesh(), format, std::move(report), settings, watch);
+}

@@ -1,0 +1,44 @@
+#include "result_file.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+#include "stopwatch.h"
+#include "strata/csg/check.h"
+
+namespace {
+
+// Checks what the file will hold: XOFF does not round, binary STL rounds once more, to floats.
+bool certify(const strata::ExactMesh& mesh, strata::Format format, const Settings& settings, const Watch& watch) {
+  strata::Options options;
+  options.threads = settings.threads;
+  options.cancel = &watch.token();
+  if (format == strata::Format::xoff) return strata::is_embedded(mesh, options);
+  if (format != strata::Format::stl) return strata::is_embedded(mesh.mesh, options);
+  const std::string bytes = strata::to_string(mesh.mesh, format);
+  return strata::is_embedded(strata::read_mesh(std::string_view(bytes), format, settings.output).mesh, options);
+}
+
+}  // namespace
+
+ExitCode write_result(const strata::ExactMesh& result, strata::Format format, Json report, const Settings& settings,
+                      Watch& watch) {
+  Stopwatch stopwatch;
+  std::optional<bool> rounded_valid;
+  if (settings.certify) {
+    rounded_valid = certify(result, format, settings, watch);
+    report["seconds"]["certify"] = stopwatch.lap();
+  }
+  watch.on_stop(OnStop::leave);
+  if (!settings.report.empty()) report["result"] = result_report(result, rounded_valid);
+  watch.on_stop(OnStop::finish);
+  stopwatch.lap();
+  write_output(settings, format, result);
+  report["seconds"]["write"] = stopwatch.lap();
+  if (!settings.report.empty()) write_report(settings.report, std::move(report));
+  if (rounded_valid != false) return ExitCode::ok;
+  fmt::print(stderr, "strata: not certified: faces of the result cross after rounding; it was written all the same\n");
+  return ExitCode::not_certified;
+}

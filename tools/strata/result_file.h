@@ -1,0 +1,14 @@
+#pragma once
+#include <optional>
+
+#include "exit_code.h"
+#include "files.h"
+#include "report.h"
+#include "settings.h"
+#include "strata/mesh/exact_mesh.h"
+#include "watch.h"
+
+/// What all verbs that make a mesh do with it: checks it where asked to, completes the report with the result and the
+/// times, writes both. Not certified: says so and tells by the exit code.
+[[nodiscard]] ExitCode write_result(const strata::ExactMesh& result, strata::Format format, Json report,
+                                    const Settings& settings, Watch& watch);
