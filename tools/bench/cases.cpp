@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "chains.h"
 #include "placement.h"
 #include "random.h"
 #include "solids.h"
@@ -241,6 +242,21 @@ void add_many(std::vector<Case>& cases) {
                    .make = [](const Corpus&) { return perforated_plate(); }});
 }
 
+void add_chains(std::vector<Case>& cases) {
+  const auto add = [&](const char* name, const char* about, auto make) {
+    cases.push_back({.name = name,
+                     .about = about,
+                     .group = Group::chain,
+                     .operation = Operation::subtract,
+                     .make = [make](const Corpus&) { return make(); }});
+  };
+  add("k_nine", "a sphere minus three tori and six spheres, 9 cuts in one call", nine_cuts);
+  add("k_terrain223", "a block minus 223 sweeps with seams in common, in one call", terrain);
+  add("k_dome100", "a ball minus 100 capsules on its upper half, in one call", [] { return dome(100); });
+  add("k_dome1000", "the same with 1,000 capsules", [] { return dome(1000); });
+  add("k_dome10000", "the same with 10,000 capsules", [] { return dome(10'000); });
+}
+
 void add_smoke(std::vector<Case>& cases) {
   const auto add = [&](const char* name, const char* about, auto make) {
     cases.push_back(
@@ -266,6 +282,7 @@ std::vector<Case> make_cases() {
   add_coinciding(cases);
   add_crossings(cases);
   add_many(cases);
+  add_chains(cases);
   add_smoke(cases);
   return cases;
 }
@@ -299,6 +316,8 @@ std::string name(Group group) {
       return "many";
     case Group::one_by_one:
       return "one_by_one";
+    case Group::chain:
+      return "chain";
     case Group::drill:
       return "drill";
     case Group::smoke:

@@ -20,6 +20,7 @@ enum class Group {
   dense,       ///< contact or crossings everywhere, or one face with thousands of them
   many,        ///< hundreds of operands in one call
   one_by_one,  ///< hundreds of operands, each joined to the result so far
+  chain,       ///< many differences one after the other, in one call
   drill,       ///< a small operand in a large one
   smoke,       ///< for counting instructions; not part of the table
 };
