@@ -17,3 +17,4 @@
 #include "strata/mesh/defect.h"
 #include "strata/mesh/measure.h"
 #include "strata/mesh/mesh.h"
+#include "strata/workpiece/workpiece.h"
