@@ -32,6 +32,7 @@ BrickGrid::BrickGrid(const Space& space, std::size_t budget, std::int32_t least_
 void BrickGrid::divide(const GridBox& interest, int shift) {
   shift_ = shift;
   lower_ = interest.lower;
+  upper_ = interest.upper;
   for (std::size_t i = 0; i < 3; ++i)
     size_[i] = static_cast<std::uint32_t>((interest.upper[i] - 1 - interest.lower[i]) >> shift) + 3;
   stride_ = {1, size_[0], size_[0] * size_[1]};
@@ -42,10 +43,9 @@ GridBox BrickGrid::box(BrickCode code) const {
   for (int axis = 0; axis < 3; ++axis) {
     const std::int64_t low =
         lower_[at(axis)] + (static_cast<std::int64_t>(BrickBox::along(code, axis)) - 1) * (std::int64_t{1} << shift_);
-    // The last brick may reach beyond the grid, where no coordinate is.
     r.lower[at(axis)] = static_cast<std::int32_t>(low);
     r.upper[at(axis)] =
-        static_cast<std::int32_t>(std::min(low + (std::int64_t{1} << shift_), Grid::extent + std::int64_t{1}));
+        static_cast<std::int32_t>(std::min(low + (std::int64_t{1} << shift_), std::int64_t{upper_[at(axis)]}));
   }
   return r;
 }
@@ -86,7 +86,8 @@ double BrickGrid::lower_bound(int axis, std::uint32_t k) const {
   // As a rule it is not far from where the grid's inverse has it.
   constexpr std::int64_t far = 64;
   const std::int64_t start = lower_[at(axis)] + (std::int64_t{k - 1} << shift_);
-  const double inverse = grid_.inverse(axis, static_cast<std::int32_t>(std::min<std::int64_t>(start, Grid::extent)));
+  const double inverse =
+      grid_.inverse(axis, static_cast<std::int32_t>(std::min<std::int64_t>(start, upper_[at(axis)])));
   const std::int64_t guess = std::clamp(ordered(inverse), low + far, high - far);
   if (is_below(guess - far) && !is_below(guess + far)) {
     low = guess - far;

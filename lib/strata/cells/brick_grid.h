@@ -48,9 +48,9 @@ struct BrickBox {
   }
 };
 
-/// The space of interest, cut into cubic bricks of equal size with one layer of outside around them. Bricks are
-/// numbered x fastest, the outside layer included. A brick holds the points whose grid coordinates are in its box; like
-/// the grid, the map of points to bricks is monotone along each axis.
+/// The space of interest, cut into cubic bricks of equal size, the last ones cut short, with one layer of outside
+/// around them. Bricks are numbered x fastest, the outside layer included. A brick holds the points whose grid
+/// coordinates are in its box; like the grid, the map of points to bricks is monotone along each axis.
 class BrickGrid {
  public:
   static constexpr std::uint32_t most_per_axis = 254;
@@ -101,16 +101,17 @@ class BrickGrid {
  private:
   [[nodiscard]] static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
   [[nodiscard]] std::uint32_t along(int axis, std::int32_t g) const {
+    if (g >= upper_[at(axis)]) return size_[at(axis)] - 1;
     const std::int32_t k = (g - lower_[at(axis)]) >> shift_;
-    return static_cast<std::uint32_t>(std::clamp(k, -1, static_cast<std::int32_t>(size_[at(axis)]) - 2) + 1);
+    return static_cast<std::uint32_t>(std::max(k, -1) + 1);
   }
   void divide(const GridBox& interest, int shift);
   [[nodiscard]] double centre(int axis, std::uint32_t k) const;
   [[nodiscard]] bool has_centres() const;
 
   Grid grid_;
-  Carriers::Coordinates corner_{};  ///< of the space of interest
-  std::array<std::int32_t, 3> lower_{};
+  Carriers::Coordinates corner_{};                 ///< of the space of interest
+  std::array<std::int32_t, 3> lower_{}, upper_{};  ///< of the space of interest
   int shift_ = 30;
   std::array<std::uint32_t, 3> size_{};
   std::array<std::uint32_t, 3> stride_{};

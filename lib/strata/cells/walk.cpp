@@ -46,7 +46,7 @@ Sign turn_about_axis(const Carriers& carriers, int axis, const Point& origin, co
 /// Does the line from O' to q pass through the inside of a triangle? Requires that q is not in its plane; where it is,
 /// the answer may be no.
 bool passes(const Carriers& carriers, const Carriers::Indices& f, const Carriers::Coordinates& origin, const Point& q) {
-  if (!carriers.has_rationals()) {  // a look in doubles
+  if (carriers.has_doubles(f)) {  // a look in doubles
     const auto &a = carriers.vertex(f[0]), &b = carriers.vertex(f[1]), &c = carriers.vertex(f[2]);
     const int ab = FilteredPlane(origin, a, b).side_within(q.at), bc = FilteredPlane(origin, b, c).side_within(q.at);
     if (ab * bc < 0) return false;

@@ -13,8 +13,9 @@
 #include "strata/select/whole_faces.h"
 
 namespace strata {
-Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
-                  Profile& profile) {
+
+Evaluated evaluate_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
+                          Profile& profile) {
   const TierCounts decided_before = tier_counts_now();
   Stopwatch watch(profile);
   const CellTree cells(carriers, {.self = self, .monitor = monitor});
@@ -25,29 +26,34 @@ Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& p
   const Meetings meetings = find_meetings(carriers, cells, self, points, monitor);
   watch.lap("overlap");
   monitor.report(0.55);
-  Pools pools;
+  Evaluated result;
   const LocalLayers layers(carriers, cells);
-  std::vector<SplitFace> split = split_faces(carriers, layers, rule, meetings, self, points, pools, monitor);
+  result.split = split_faces(carriers, layers, rule, meetings, self, points, result.pools, monitor);
   watch.lap("arrange");
   monitor.report(0.8);
-  const auto whole = judge_whole_faces(carriers, layers, &cells, rule, split, self, monitor);
+  result.whole = judge_whole_faces(carriers, layers, &cells, rule, result.split, self, monitor);
   watch.lap("layers");
   monitor.report(0.85);
-  merge_pieces(carriers, points, split, pools, monitor);
-  Boundary boundary = gather_boundary(carriers, whole, split, points);
-  watch.lap("select");
-  monitor.report(0.9);
+  merge_pieces(carriers, points, result.split, result.pools, monitor);
+  watch.lap("merge");
   std::size_t pieces = 0;
-  for (const SplitFace& face : split) pieces += face.triangles.size();
-  profile.counts = {{"cells", cells.cells().size()},
-                    {"pairs_tested", meetings.pairs_tested},
-                    {"pairs_meeting", meetings.pairs_meeting},
-                    {"points", points.end() - points.first()},
-                    {"split_faces", split.size()},
-                    {"pieces", pieces}};
+  for (const SplitFace& face : result.split) pieces += face.triangles.size();
+  profile.counts = {{"cells", cells.cells().size()},           {"pairs_tested", meetings.pairs_tested},
+                    {"pairs_meeting", meetings.pairs_meeting}, {"points", points.end() - points.first()},
+                    {"split_faces", result.split.size()},      {"pieces", pieces}};
   const TierCounts decided = tier_counts_now();
   for (std::size_t i = 0; i < decided.size(); ++i)
     if (decided[i] != decided_before[i]) profile.counts.emplace_back(tier_names[i], decided[i] - decided_before[i]);
+  return result;
+}
+
+Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
+                  Profile& profile) {
+  const Evaluated pieces = evaluate_pieces(carriers, rule, self, points, monitor, profile);
+  Stopwatch watch(profile);
+  Boundary boundary = gather_boundary(carriers, pieces.whole, pieces.split, points);
+  watch.lap("gather");
+  monitor.report(0.9);
   return boundary;
 }
 

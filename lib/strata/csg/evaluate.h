@@ -4,12 +4,24 @@
 #include "strata/mesh/monitor.h"
 #include "strata/select/boundary.h"
 #include "strata/select/rule.h"
+#include "strata/select/split_faces.h"
 
 namespace strata {
 
-/// The whole pipeline on operands that are ready: cells -> overlap -> arrange -> layers -> select.
+/// What stays of all faces: the verdicts on those that meet no other, and the pieces of the others.
+struct Evaluated {
+  std::vector<Verdict> whole;    ///< per face; drop for those that are split
+  std::vector<SplitFace> split;  ///< by increasing face; their arrays are in the pools
+  Pools pools;
+};
+
+/// The pipeline on operands that are ready: cells -> overlap -> arrange -> layers -> select.
 /// `self`: faces of one operand may meet each other, and winding numbers are whatever they are.
 /// Vertices of different operands at one place are identified; constructed points become points of the table.
+[[nodiscard]] Evaluated evaluate_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points,
+                                        const Monitor& monitor, Profile& profile);
+
+/// The same, gathered into one boundary.
 [[nodiscard]] Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& points,
                                 const Monitor& monitor, Profile& profile);
 

@@ -60,8 +60,8 @@ Solid::Data accept(ExactMesh mesh, InputClass input) {
     case InputClass::overlapping:
     case InputClass::repair: {
       const Operand operand{mesh.mesh, mesh.exact};
-      return data_of(combine(Operation::unite, std::span<const Operand>(&operand, 1),
-                             {.input = input, .exact_vertices = true}));
+      return data_of(
+          combine(Operation::unite, std::span<const Operand>(&operand, 1), {.input = input, .exact_vertices = true}));
     }
   }
   return {};
@@ -74,6 +74,13 @@ Solid::Solid() : data_(std::make_shared<const Data>()) {}
 Solid::Solid(Mesh mesh, InputClass input) : data_(std::make_shared<const Data>(accept(std::move(mesh), input))) {}
 
 Solid::Solid(ExactMesh mesh, InputClass input) : data_(std::make_shared<const Data>(accept(std::move(mesh), input))) {}
+
+Solid Solid::trusted(ExactMesh mesh) {
+  const std::size_t faces = mesh.mesh.triangles.size();
+  Solid solid;
+  solid.data_ = std::make_shared<const Data>(Data{std::move(mesh), own_faces(faces), {}});
+  return solid;
+}
 
 const Mesh& Solid::mesh() const { return data_->boundary.mesh; }
 const ExactMesh& Solid::exact_mesh() const { return data_->boundary; }

@@ -27,6 +27,9 @@ class Solid {
   /// The same for rational vertices, of which nothing is repaired.
   explicit Solid(ExactMesh mesh, InputClass input = InputClass::solid);
 
+  /// A solid that is known to be one, such as a result: nothing is checked.
+  [[nodiscard]] static Solid trusted(ExactMesh mesh);
+
   [[nodiscard]] const Mesh& mesh() const;  ///< coordinates rounded to nearest doubles
   [[nodiscard]] const ExactMesh& exact_mesh() const;
   [[nodiscard]] const std::vector<Source>& sources() const;  ///< per triangle; operand 0 and itself for an input

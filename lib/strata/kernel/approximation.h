@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <type_traits>
 
 #include "strata/kernel/carriers.h"
 #include "strata/kernel/filters.h"
@@ -10,9 +11,18 @@ namespace strata {
 /// Named points in a type with error bounds: Bounded for the first look, Twofold for a finer one.
 
 template <class Real>
+[[nodiscard]] RealPoint<Real> as(const RealPoint<Twofold>& p) {
+  if constexpr (std::is_same_v<Real, Twofold>) return p;
+  RealPoint<Real> r;
+  for (std::size_t i = 0; i < 3; ++i) r[i] = p[i].bounded();
+  return r;
+}
+
+template <class Real>
 [[nodiscard]] RealPoint<Real> approximate_vertex(const Carriers& carriers, std::uint32_t v) {
   const auto& p = carriers.vertex(v);
-  if (carriers.exact(v) == nullptr) return {p[0], p[1], p[2]};
+  if (carriers.has_doubles(v)) return {p[0], p[1], p[2]};
+  if (const MeetOfPlanes* meet = carriers.meet(v)) return as<Real>(meet->at);
   RealPoint<Real> r;
   for (std::size_t i = 0; i < 3; ++i) r[i] = Bounded{p[i], std::abs(p[i]) * Bounded::rounding + Bounded::underflow};
   return r;
@@ -34,6 +44,12 @@ struct ApproximatePlane {
 
 template <class Real>
 [[nodiscard]] ApproximatePlane<Real> approximate_plane(const Carriers& carriers, std::uint32_t face) {
+  if (const SourcePlane* source = carriers.source_plane(face)) {
+    if constexpr (std::is_same_v<Real, Twofold>)
+      return {source->at(), source->normal()};
+    else
+      return {source->bounded_at(), source->bounded_normal()};
+  }
   const auto f = carriers.face(face);
   const auto a = approximate_vertex<Real>(carriers, f[0]);
   return {a, cross<Real>(approximate_vertex<Real>(carriers, f[1]) - a, approximate_vertex<Real>(carriers, f[2]) - a)};

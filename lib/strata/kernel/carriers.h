@@ -9,8 +9,16 @@
 
 #include "strata/kernel/box.h"
 #include "strata/kernel/exact_vertex.h"
+#include "strata/kernel/source_plane.h"
 
 namespace strata {
+
+/// A vertex that is not where its doubles say: at a rational place, or where planes meet.
+struct PlacedVertex {
+  std::uint32_t vertex = 0;
+  const RationalPoint* rational = nullptr;
+  const MeetOfPlanes* meet = nullptr;
+};
 
 /// The input of one evaluation: points and faces of all operands under one global numbering.
 /// Everything that is ever constructed is named by these numbers (see PointName); nothing is copied.
@@ -25,6 +33,11 @@ class Carriers {
   /// points that faces use, if one is known.
   void add(std::span<const Coordinates> points, std::span<const Indices> faces, std::span<const ExactVertex> exact = {},
            const std::optional<Box>& bounds = {});
+
+  /// The same for an operand made from planes: `placed` lists the vertices that are not doubles, by increasing index;
+  /// `planes` holds the plane that each face is a part of, or null where its own corners, which are doubles then, tell.
+  void add(std::span<const Coordinates> points, std::span<const Indices> faces, std::span<const PlacedVertex> placed,
+           std::span<const SourcePlane* const> planes, const Box& bounds);
 
   /// Vertices at one place, as pairs: from now on faces name the lowest of them. Vertices keep their coordinates.
   void identify(std::span<const std::pair<std::uint32_t, std::uint32_t>> equal);
@@ -66,10 +79,26 @@ class Carriers {
     const Indices v{t[0] + b.first_vertex, t[1] + b.first_vertex, t[2] + b.first_vertex};
     return same_.empty() ? v : Indices{same_[v[0]], same_[v[1]], same_[v[2]]};
   }
-  /// The rational place of a vertex, or null when its doubles are exact.
-  [[nodiscard]] const RationalPoint* exact(std::uint32_t vertex) const {
-    return has_rationals_ ? find_exact(vertex) : nullptr;
+  /// True when a vertex is where its doubles say.
+  [[nodiscard]] bool has_doubles(std::uint32_t vertex) const { return !has_rationals_ || !find_place(vertex).listed; }
+  [[nodiscard]] bool has_doubles(const Indices& v) const {
+    return !has_rationals_ || (has_doubles(v[0]) && has_doubles(v[1]) && has_doubles(v[2]));
   }
+  /// The rational place of a vertex, or null when that is given by doubles or planes.
+  [[nodiscard]] const RationalPoint* exact(std::uint32_t vertex) const {
+    return has_rationals_ ? find_place(vertex).rational : nullptr;
+  }
+  /// The planes that meet in a vertex, or null when that is given by doubles or rationals.
+  [[nodiscard]] const MeetOfPlanes* meet(std::uint32_t vertex) const {
+    return has_rationals_ ? find_place(vertex).meet : nullptr;
+  }
+  /// The plane that a face is a part of, or null when that is the one through its corners.
+  [[nodiscard]] const SourcePlane* source_plane(std::uint32_t face) const {
+    if (!has_planes_) return nullptr;
+    const Block& b = blocks_[find<false>(face)];
+    return b.planes.empty() ? nullptr : b.planes[face - b.first_face];
+  }
+  /// True when any vertex is not where its doubles say.
   [[nodiscard]] bool has_rationals() const { return has_rationals_; }
 
  private:
@@ -77,14 +106,23 @@ class Carriers {
     std::span<const Coordinates> points;
     std::span<const Indices> faces;
     std::span<const ExactVertex> exact;
-    std::shared_ptr<const std::vector<std::uint32_t>> place;  ///< in `exact` or none, per vertex; if any is rational
+    std::span<const PlacedVertex> placed;
+    std::span<const SourcePlane* const> planes;
+    std::shared_ptr<const std::vector<std::uint32_t>>
+        place;  ///< in `exact` or `placed`, or none, per vertex; if any is listed
     std::uint32_t first_vertex = 0;
     std::uint32_t first_face = 0;
     std::optional<Box> bounds;
   };
 
-  [[nodiscard]] const RationalPoint* find_exact(std::uint32_t vertex) const;
+  struct Place {
+    bool listed = false;
+    const RationalPoint* rational = nullptr;
+    const MeetOfPlanes* meet = nullptr;
+  };
+  [[nodiscard]] Place find_place(std::uint32_t vertex) const;
 
+  void add(Block block);
   void list_operand(std::uint32_t operand);
 
   template <bool Vertex>
@@ -104,6 +142,7 @@ class Carriers {
   std::uint32_t vertex_end_ = 0;
   std::uint32_t face_end_ = 0;
   bool has_rationals_ = false;
+  bool has_planes_ = false;
 };
 
 }  // namespace strata

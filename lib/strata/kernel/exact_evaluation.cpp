@@ -72,7 +72,7 @@ Ground::Ground(const Carriers& carriers, std::span<const Point* const> points) {
 }
 
 void Ground::add_vertex(const Carriers& carriers, std::uint32_t v) {
-  if (carriers.exact(v) != nullptr) {
+  if (!carriers.has_doubles(v)) {
     rational_ = true;
     return;
   }
@@ -80,6 +80,7 @@ void Ground::add_vertex(const Carriers& carriers, std::uint32_t v) {
 }
 
 void Ground::add_face(const Carriers& carriers, std::uint32_t f) {
+  if (carriers.source_plane(f) != nullptr) rational_ = true;
   for (const std::uint32_t v : carriers.face(f)) add_vertex(carriers, v);
 }
 

@@ -51,12 +51,16 @@ class ExactEvaluation {
 
   [[nodiscard]] HPoint<Int> vertex(std::uint32_t v) const {
     if constexpr (std::is_same_v<Int, Integer>) {
+      if (const MeetOfPlanes* place = carriers_.meet(v)) return on_lattice(place->exact());
       if (const RationalPoint* p = carriers_.exact(v)) return rational(*p);
     }
     return on_lattice(carriers_.vertex(v));
   }
 
   [[nodiscard]] HPlane<Int> face(std::uint32_t f) const {
+    if constexpr (std::is_same_v<Int, Integer>) {
+      if (const SourcePlane* plane = carriers_.source_plane(f)) return on_lattice(plane->exact());
+    }
     const auto [a, b, c] = carriers_.face(f);
     return plane_through(vertex(a), vertex(b), vertex(c));
   }
@@ -91,12 +95,25 @@ class ExactEvaluation {
     for (const Rational& x : p) w = lcm(w, denominator(x));
     std::array<Integer, 3> n;
     for (std::size_t i = 0; i < 3; ++i) n[i] = numerator(p[i]) * (w / denominator(p[i]));
+    HPoint<Integer> r = on_lattice({n[0], n[1], n[2], w, false});
+    r.unit = r.w == 1;
+    return r;
+  }
+
+  /// A point or plane given in units of 1.
+  [[nodiscard]] HPoint<Integer> on_lattice(HPoint<Integer> p) const {
     const int unit = lattice_.unit();
-    if (unit > 0) w <<= static_cast<unsigned>(unit);
+    if (unit > 0) p.w <<= static_cast<unsigned>(unit);
     if (unit < 0)
-      for (Integer& x : n) x <<= static_cast<unsigned>(-unit);
-    const bool is_unit = w == 1;
-    return {n[0], n[1], n[2], w, is_unit};
+      for (Integer* x : {&p.x, &p.y, &p.z}) *x <<= static_cast<unsigned>(-unit);
+    return p;
+  }
+  [[nodiscard]] HPlane<Integer> on_lattice(HPlane<Integer> p) const {
+    const int unit = lattice_.unit();
+    if (unit < 0) p.d <<= static_cast<unsigned>(-unit);
+    if (unit > 0)
+      for (Integer* x : {&p.a, &p.b, &p.c}) *x <<= static_cast<unsigned>(unit);
+    return p;
   }
 
   /// Coplanar lines: the first coordinate axis along which they are not seen as parallel gives a plane that cuts.

@@ -7,6 +7,7 @@
 #include "strata/exact/twofold.h"
 #include "strata/kernel/approximation.h"
 #include "strata/kernel/exact_evaluation.h"
+#include "strata/kernel/nearest.h"
 
 namespace strata {
 namespace {
@@ -60,7 +61,7 @@ class CommonCoordinates {
     const auto& first = carriers_.vertex(*vertices.begin());
     std::array<bool, 3> common{true, true, true};
     for (const std::uint32_t v : vertices) {
-      if (carriers_.exact(v) != nullptr) return;
+      if (!carriers_.has_doubles(v)) return;
       for (std::size_t i = 0; i < 3; ++i) common[i] = common[i] && carriers_.vertex(v)[i] == first[i];
     }
     for (std::size_t i = 0; i < 3; ++i)
@@ -78,14 +79,6 @@ class CommonCoordinates {
   std::array<bool, 3> known_{};
   Carriers::Coordinates value_{};
 };
-
-/// The nearest double, and the nearest one to what is left.
-Twofold nearest_twofold(const Rational& x) {
-  const double value = to_nearest_double(x);
-  if (!std::isfinite(value)) return {value, 0, HUGE_VAL};
-  const double low = to_nearest_double(x - to_rational(value));
-  return {value, low, std::abs(low) * Bounded::rounding + Bounded::underflow};
-}
 
 }  // namespace
 

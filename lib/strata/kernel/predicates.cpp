@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "strata/exact/twofold.h"
+#include "strata/kernel/approximation.h"
 #include "strata/kernel/counters.h"
 #include "strata/kernel/exact_evaluation.h"
 #include "strata/kernel/filtered_plane.h"
@@ -57,6 +58,11 @@ std::optional<Sign> filtered(const Twofold& value) {
     return s;
   }
   return std::nullopt;
+}
+
+template <class Real>
+Real side_of(const ApproximatePlane<Real>& plane, const RealPoint<Real>& p) {
+  return dot<Real>(plane.normal, p - plane.at);
 }
 
 Point input_point(const Carriers& carriers, std::uint32_t v) { return make_point(carriers, PointName::input(v)); }
@@ -162,7 +168,7 @@ Sign orient3d(const Carriers::Coordinates& a, const Carriers::Coordinates& b, co
 }
 
 Sign orient3d(const Carriers& carriers, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  if (!carriers.has_rationals()) {
+  if (carriers.has_doubles({a, b, c}) && carriers.has_doubles(d)) {
     if (const auto sign =
             filtered_orient3d(carriers.vertex(a), carriers.vertex(b), carriers.vertex(c), carriers.vertex(d))) {
       count(Tier::filter);
@@ -204,7 +210,11 @@ std::optional<Sign> filtered_side_of_face(const Carriers& carriers, std::uint32_
     count(Tier::names);
     return Sign::zero;
   }
-  if (carriers.has_rationals()) return std::nullopt;
+  if (!carriers.has_doubles(v)) {
+    const auto sign = side_of(approximate_plane<Bounded>(carriers, face), p.at).sign();
+    if (sign) count(Tier::filter);
+    return sign;
+  }
   const FilteredPlane plane(carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2]));
   const int side = plane.side_within(p.at);
   if (side == 0) return std::nullopt;
@@ -214,6 +224,14 @@ std::optional<Sign> filtered_side_of_face(const Carriers& carriers, std::uint32_
 
 Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p) {
   if (const auto sign = filtered_side_of_face(carriers, face, p)) return *sign;
+  if (carriers.source_plane(face) != nullptr) {
+    if (const auto sign = filtered(side_of(approximate_plane<Twofold>(carriers, face), p.fine))) return *sign;
+    count(Tier::unbounded);
+    const Point* const one[] = {&p};
+    const Ground ground(carriers, one);
+    const ExactEvaluation<Integer> exact(carriers, ground.lattice());
+    return sign_of_integer(value_at(exact.face(face), exact.point(p)));
+  }
   const auto v = carriers.face(face);
   return orient3d(carriers, input_point(carriers, v[0]), input_point(carriers, v[1]), input_point(carriers, v[2]), p);
 }
@@ -296,9 +314,13 @@ bool equal(const Carriers& carriers, const Point& p, const Point& q) {
 }
 
 Sign normal_component(const Carriers& carriers, std::uint32_t face, int axis) {
+  if (const SourcePlane* plane = carriers.source_plane(face)) {
+    const auto& exact = plane->exact();
+    return sign_of_integer(axis == 0 ? exact.a : axis == 1 ? exact.b : exact.c);
+  }
   const auto f = carriers.face(face);
   const Projection across{(axis + 1) % 3, (axis + 2) % 3};
-  if (!carriers.has_rationals()) {
+  if (carriers.has_doubles(f)) {
     const auto corner = [&](std::size_t i) {
       const auto& p = carriers.vertex(f[i]);
       return PlanePoint{p[static_cast<std::size_t>(across.u)], p[static_cast<std::size_t>(across.v)]};

@@ -22,7 +22,7 @@ std::vector<std::uint32_t> vertices_near_others(const Carriers& carriers, const 
   const std::uint32_t count = carriers.vertex_count(), runs = (count + run - 1) / run;
   const auto for_each = [&](std::size_t n, const auto& visit) {
     for (std::uint32_t v = static_cast<std::uint32_t>(n) * run; v < count && v / run == n; ++v)
-      if (cells.is_near_others(v) && carriers.exact(v) == nullptr) visit(v);
+      if (cells.is_near_others(v) && carriers.has_doubles(v)) visit(v);
   };
   std::vector<std::size_t> first(runs + 1, 0);
   tbb::parallel_for(std::size_t{0}, std::size_t{runs}, [&](std::size_t n) {

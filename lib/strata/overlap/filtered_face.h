@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 
+#include "strata/kernel/approximation.h"
 #include "strata/kernel/carriers.h"
 #include "strata/kernel/filtered_plane.h"
 #include "strata/overlap/triangle.h"
@@ -13,8 +14,9 @@ struct FilteredFace {
   std::uint32_t face = 0;
   Carriers::Indices vertices{};
   std::array<Carriers::Coordinates, 3> corners{};
-  FilteredPlane plane;   ///< uncertain of everything if vertices are rationals
-  bool is_exact = true;  ///< vertices are where the corners say
+  FilteredPlane plane;                       ///< if exact
+  ApproximatePlane<Bounded> rational_plane;  ///< otherwise
+  bool is_exact = true;                      ///< vertices are where the corners say; else these are the nearest doubles
 
   FilteredFace() = default;
   FilteredFace(const Carriers& carriers, std::uint32_t face);
@@ -28,6 +30,8 @@ struct FilteredFace {
   /// side and all of the other face strictly on the other one, but for ends of the edge that both have.
   [[nodiscard]] bool is_off(const FilteredFace& other) const;
 
+  /// A corner within bounds.
+  [[nodiscard]] BoundedPoint corner(std::size_t i) const;
   [[nodiscard]] bool has(std::uint32_t v) const { return v == vertices[0] || v == vertices[1] || v == vertices[2]; }
 };
 

@@ -11,11 +11,17 @@ namespace {
 
 bool all(const Signs& s, Sign x) { return s[0] == x && s[1] == x && s[2] == x; }
 
+/// Side of a face's plane on which a vertex is.
+Sign side(const Carriers& carriers, std::uint32_t face, const Carriers::Indices& v, std::uint32_t of) {
+  if (carriers.source_plane(face) != nullptr)
+    return side_of_face(carriers, face, make_point(carriers, PointName::input(of)));
+  return orient3d(carriers, v[0], v[1], v[2], of);
+}
+
 /// Sides of which doubles are not certain are asked for exactly.
 Signs completed(const Carriers& carriers, Signs sides, const FilteredFace& plane, const FilteredFace& other) {
-  const auto& p = plane.vertices;
   for (std::size_t i = 0; i < 3; ++i)
-    if (sides[i] == Sign::zero) sides[i] = orient3d(carriers, p[0], p[1], p[2], other.vertices[i]);
+    if (sides[i] == Sign::zero) sides[i] = side(carriers, plane.face, plane.vertices, other.vertices[i]);
   return sides;
 }
 
@@ -166,10 +172,9 @@ int common_vertices(const Carriers::Indices& f, const Carriers::Indices& g) {
   return n;
 }
 
-bool is_coplanar(const Carriers& carriers, const Carriers::Indices& f, const Carriers::Indices& g) {
-  for (const std::uint32_t v : g)
-    if (std::find(f.begin(), f.end(), v) == f.end() && orient3d(carriers, f[0], f[1], f[2], v) != Sign::zero)
-      return false;
+bool is_coplanar(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g) {
+  for (const std::uint32_t v : g.vertices)
+    if (!f.has(v) && side(carriers, f.face, f.vertices, v) != Sign::zero) return false;
   return true;
 }
 
@@ -182,7 +187,7 @@ bool meet_faces(const Carriers& carriers, const FilteredFace& f, const FilteredF
   if (g.is_beside(f, of_f) || f.is_off(g) || g.is_off(f)) return false;
   const int common = common_vertices(f.vertices, g.vertices);
   if (common == 3) return meet_same_face(f.face, f.vertices, g.face, g.vertices, meetings);
-  if (common == 2 && !is_coplanar(carriers, f.vertices, g.vertices)) return false;
+  if (common == 2 && !is_coplanar(carriers, f, g)) return false;
   of_g = completed(carriers, of_g, f, g);
   if (all(of_g, Sign::positive) || all(of_g, Sign::negative)) return false;
   if (all(of_g, Sign::zero)) return meet_coplanar_faces(carriers, f, g, meetings);

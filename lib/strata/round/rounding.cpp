@@ -37,7 +37,7 @@ std::vector<ExactVertex> exact_places(const Carriers& carriers, const PointTable
   std::vector<std::optional<RationalPoint>> places(rounded.size());
   for_each_index(rounded.size(), monitor, [&](std::size_t i) {
     const bool is_input = i < boundary.inputs.size();
-    if (is_input && carriers.exact(boundary.inputs[i]) == nullptr) return;
+    if (is_input && carriers.has_doubles(boundary.inputs[i])) return;
     const PointId id = is_input ? boundary.inputs[i] : boundary.constructed[i - boundary.inputs.size()];
     RationalPoint exact = exact_position(carriers, points.point(id));
     for (std::size_t k = 0; k < 3; ++k)

@@ -89,9 +89,9 @@ Covering::Place Covering::place_in(std::uint32_t g, const Point& q) {
   return a * b * c == Sign::zero ? Place::border : Place::inside;
 }
 
-/// True when q is certainly beyond the box of a triangle, as seen in a projection.
+/// True when q is certainly beyond the box of a triangle, as seen in a projection. A rational corner rounds to its
+/// doubles, so what is beyond these is beyond the corner.
 bool Covering::is_beyond_box(const Carriers::Indices& triangle, Projection projection, const Point& q) const {
-  if (carriers_.has_rationals()) return false;
   const auto &a = carriers_.vertex(triangle[0]), &b = carriers_.vertex(triangle[1]), &c = carriers_.vertex(triangle[2]);
   for (const int axis : {projection.u, projection.v}) {
     const auto i = static_cast<std::size_t>(axis);

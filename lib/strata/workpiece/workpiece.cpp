@@ -1,27 +1,62 @@
 #include "strata/workpiece/workpiece.h"
 
-#include <array>
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
 
-#include "strata/mesh/measure.h"
+#include "strata/workpiece/face_tree.h"
+#include "strata/workpiece/step.h"
 
 namespace strata {
 
 struct Workpiece::Data {
-  Solid solid;
+  FaceTree faces;
 };
+
+namespace {
+
+RationalPoint position(const Corner& corner) {
+  if (corner.rational) return *corner.rational;
+  const HPoint<Integer> p = corner.meet.exact();
+  return {Rational(p.x, p.w), Rational(p.y, p.w), Rational(p.z, p.w)};
+}
+
+}  // namespace
 
 Workpiece::Workpiece() : data_(std::make_shared<const Data>()) {}
 
-Workpiece::Workpiece(const Solid& solid) : data_(std::make_shared<const Data>(Data{solid})) {}
+Workpiece::Workpiece(const Solid& solid) : data_(std::make_shared<const Data>(Data{FaceTree(faces_of(solid))})) {}
 
 Workpiece Workpiece::with(Operation operation, const Solid& tool, const Options& options) const {
-  const std::array<Solid, 2> both{data_->solid, tool};
-  return Workpiece(combine_solids(operation, both, options));
+  if (tool.is_empty() && operation != Operation::intersect) return *this;
+  if (is_empty())
+    return operation == Operation::unite || operation == Operation::exclude ? Workpiece(tool) : Workpiece();
+  if (tool.is_empty()) return Workpiece();
+  Workpiece result;
+  result.data_ = std::make_shared<const Data>(Data{take_step(data_->faces, operation, tool, options)});
+  return result;
 }
 
-Solid Workpiece::solid() const { return data_->solid; }
-bool Workpiece::is_empty() const { return data_->solid.is_empty(); }
-std::size_t Workpiece::triangle_count() const { return data_->solid.mesh().triangles.size(); }
-double Workpiece::volume() const { return data_->solid.volume().convert_to<double>(); }
+Solid Workpiece::solid() const {
+  ExactMesh mesh;
+  std::unordered_map<const Corner*, std::uint32_t> numbers;
+  data_->faces.for_each_in(data_->faces.bounds(), [&](const WorkFace& face) {
+    Triangle t{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Corner& corner = *face.corners()[i];
+      const auto [at, is_new] = numbers.try_emplace(&corner, static_cast<std::uint32_t>(mesh.mesh.vertices.size()));
+      t[i] = at->second;
+      if (!is_new) continue;
+      mesh.mesh.vertices.push_back(corner.at);
+      if (!corner.has_doubles()) mesh.exact.push_back({at->second, position(corner)});
+    }
+    mesh.mesh.triangles.push_back(t);
+  });
+  return Solid::trusted(std::move(mesh));
+}
+
+bool Workpiece::is_empty() const { return data_->faces.size() == 0; }
+std::size_t Workpiece::triangle_count() const { return data_->faces.size(); }
+double Workpiece::volume() const { return data_->faces.determinant().value / 6; }
 
 }  // namespace strata

@@ -1,0 +1,135 @@
+#include "strata/workpiece/face_tree.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace strata {
+namespace {
+
+constexpr std::size_t most_in_leaf = 16;
+
+/// A tree stays as long as neither half has more than this part of its faces.
+constexpr double balance = 0.75;
+
+Twofold coordinate(const Corner& c, std::size_t axis) {
+  if (c.meet_planes[0] != nullptr) return c.meet.at[axis];
+  if (c.rational) return Bounded{c.at[axis], std::abs(c.at[axis]) * Bounded::rounding + Bounded::underflow};
+  return c.at[axis];
+}
+
+RealPoint<Twofold> place(const Corner& c) { return {coordinate(c, 0), coordinate(c, 1), coordinate(c, 2)}; }
+
+double middle(const WorkFace& f, std::size_t axis) {
+  const Box& b = f.box();
+  return b.lower[axis] / 2 + b.upper[axis] / 2;
+}
+
+std::size_t longest_axis(const Box& b) {
+  std::size_t axis = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (b.upper[i] - b.lower[i] > b.upper[axis] - b.lower[axis]) axis = i;
+  return axis;
+}
+
+/// By how much a box must grow to take another one, in half perimeters.
+double growth(const Box& box, const Box& added) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    sum += std::max(0.0, box.lower[i] - added.lower[i]) + std::max(0.0, added.upper[i] - box.upper[i]);
+  return sum;
+}
+
+}  // namespace
+
+WorkFace::WorkFace(std::array<CornerPointer, 3> corners, PlanePointer plane)
+    : corners_(std::move(corners)), plane_(std::move(plane)) {
+  for (const CornerPointer& c : corners_) box_.include(c->at);
+  determinant_ = dot<Twofold>(place(*corners_[0]), cross<Twofold>(place(*corners_[1]), place(*corners_[2])));
+}
+
+FaceTree::FaceTree(std::vector<WorkFace> faces) : root_(faces.empty() ? nullptr : build(faces)) {}
+
+std::size_t FaceTree::size() const { return root_ == nullptr ? 0 : root_->count; }
+Box FaceTree::bounds() const { return root_ == nullptr ? Box() : root_->box; }
+Twofold FaceTree::determinant() const { return root_ == nullptr ? Twofold() : root_->determinant; }
+
+FaceTree FaceTree::with(const Box& region, std::span<const WorkFace* const> removed,
+                        std::vector<WorkFace> added) const {
+  NodePointer root = root_;
+  if (root != nullptr && !removed.empty()) root = without(root, region, removed);
+  if (!added.empty()) root = root == nullptr ? build(added) : with_faces(root, added);
+  return FaceTree(std::move(root));
+}
+
+FaceTree::NodePointer FaceTree::leaf(std::vector<WorkFace> faces) {
+  auto node = std::make_shared<Node>();
+  node->count = faces.size();
+  for (const WorkFace& f : faces) {
+    node->box.include(f.box());
+    node->determinant = node->determinant + f.determinant();
+  }
+  node->faces = std::move(faces);
+  return node;
+}
+
+FaceTree::NodePointer FaceTree::inner(NodePointer a, NodePointer b) {
+  auto node = std::make_shared<Node>();
+  node->count = a->count + b->count;
+  node->box = a->box;
+  node->box.include(b->box);
+  node->determinant = a->determinant + b->determinant;
+  node->children = {std::move(a), std::move(b)};
+  return node;
+}
+
+FaceTree::NodePointer FaceTree::build(std::span<WorkFace> faces) {
+  if (faces.size() <= most_in_leaf)
+    return leaf({std::make_move_iterator(faces.begin()), std::make_move_iterator(faces.end())});
+  Box middles;
+  for (const WorkFace& f : faces) middles.include(std::array{middle(f, 0), middle(f, 1), middle(f, 2)});
+  const std::size_t axis = longest_axis(middles), half = faces.size() / 2;
+  std::stable_sort(faces.begin(), faces.end(),
+                   [&](const WorkFace& f, const WorkFace& g) { return middle(f, axis) < middle(g, axis); });
+  return inner(build(faces.first(half)), build(faces.subspan(half)));
+}
+
+FaceTree::NodePointer FaceTree::without(const NodePointer& node, const Box& region,
+                                        std::span<const WorkFace* const> removed) {
+  if (!node->box.overlaps(region)) return node;
+  if (node->children[0] == nullptr) {
+    const auto stays = [&](const WorkFace& f) { return !std::binary_search(removed.begin(), removed.end(), &f); };
+    std::vector<WorkFace> left;
+    std::copy_if(node->faces.begin(), node->faces.end(), std::back_inserter(left), stays);
+    if (left.size() == node->faces.size()) return node;
+    return left.empty() ? nullptr : leaf(std::move(left));
+  }
+  NodePointer a = without(node->children[0], region, removed), b = without(node->children[1], region, removed);
+  if (a == node->children[0] && b == node->children[1]) return node;
+  if (a == nullptr || b == nullptr) return a == nullptr ? b : a;
+  return inner(std::move(a), std::move(b));
+}
+
+FaceTree::NodePointer FaceTree::with_faces(const NodePointer& node, std::span<WorkFace> added) {
+  if (added.empty()) return node;
+  const auto rebuilt = [&] {
+    std::vector<WorkFace> all;
+    all.reserve(node->count + added.size());
+    visit_node(*node, node->box, [&](const WorkFace& f) { all.push_back(f); });
+    all.insert(all.end(), std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
+    return build(all);
+  };
+  if (node->children[0] == nullptr || added.size() > node->count) return rebuilt();
+  const auto &a = node->children[0], &b = node->children[1];
+  const auto first_of_b = std::stable_partition(added.begin(), added.end(), [&](const WorkFace& f) {
+    const Box& box = f.box();
+    const double to_a = growth(a->box, box), to_b = growth(b->box, box);
+    return to_a < to_b || (to_a == to_b && a->count <= b->count);
+  });
+  const auto to_a = static_cast<std::size_t>(first_of_b - added.begin());
+  const std::size_t of_a = a->count + to_a, all = node->count + added.size();
+  if (static_cast<double>(std::max(of_a, all - of_a)) > balance * static_cast<double>(all)) return rebuilt();
+  return inner(with_faces(a, added.first(to_a)), with_faces(b, added.subspan(to_a)));
+}
+
+}  // namespace strata
