@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "strata/arrange/triangle_index.h"
+#include "strata/kernel/known_planes.h"
 
 namespace strata {
 
@@ -69,8 +70,25 @@ Sign FacePoints::turn(std::int32_t a, std::int32_t b, std::int32_t c) const {
   if (const auto sign = filtered_orient2d(projection_, p, q, r)) return *sign;
   if (collinear_by_name(p, q, r)) return Sign::zero;
   if (const auto sign = refined_orient2d(projection_, p, q, r)) return *sign;
-  if (collinear_by_edges(p, q, r)) return Sign::zero;
+  if (collinear_by_edges(p, q, r) || collinear_by_planes(p, q, r)) return Sign::zero;
   return exact_orient2d(carriers_, projection_, p, q, r);
+}
+
+/// Three points of this face are collinear when they lie in another source plane too.
+bool FacePoints::collinear_by_planes(const Point& p, const Point& q, const Point& r) const {
+  if (!carriers_.has_planes()) return false;
+  const KnownPlanes of_p(carriers_, p), of_q(carriers_, q), of_r(carriers_, r);
+  for (const SourcePlane* plane : of_p.list())
+    if (of_q.has(plane) && of_r.has(plane) && is_surely_other_plane(*plane)) return true;
+  return false;
+}
+
+bool FacePoints::is_surely_other_plane(const SourcePlane& plane) const {
+  for (std::int32_t k = 0; k < 3; ++k) {
+    const auto side = dot<Bounded>(plane.bounded_normal(), points_[at(k)].at - plane.bounded_at()).sign();
+    if (side && *side != Sign::zero) return true;
+  }
+  return false;
 }
 
 bool FacePoints::are_on_edge(int k, std::int32_t a, std::int32_t b) const {

@@ -28,7 +28,8 @@ void Carriers::add(std::span<const Coordinates> points, std::span<const Indices>
 }
 
 void Carriers::add(std::span<const Coordinates> points, std::span<const Indices> faces,
-                   std::span<const PlacedVertex> placed, std::span<const SourcePlane* const> planes, const Box& bounds) {
+                   std::span<const PlacedVertex> placed, std::span<const SourcePlane* const> planes,
+                   const Box& bounds) {
   add({points, faces, {}, placed, planes, places(points.size(), placed), vertex_end_, face_end_, bounds});
 }
 

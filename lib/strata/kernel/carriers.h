@@ -98,6 +98,8 @@ class Carriers {
     const Block& b = blocks_[find<false>(face)];
     return b.planes.empty() ? nullptr : b.planes[face - b.first_face];
   }
+  /// True when any face is a part of a known plane.
+  [[nodiscard]] bool has_planes() const { return has_planes_; }
   /// True when any vertex is not where its doubles say.
   [[nodiscard]] bool has_rationals() const { return has_rationals_; }
 

@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "strata/kernel/nearest.h"
 
 namespace strata {
 namespace {
 
-void divide_by_common_factor(HPlane<Integer>& p) {
-  const Integer factor = gcd(gcd(p.a, p.b), gcd(p.c, p.d));
-  if (factor <= 1) return;
-  for (Integer* x : {&p.a, &p.b, &p.c, &p.d}) *x /= factor;
+void divide_by_powers_of_two(HPlane<Integer>& p) {
+  std::size_t shift = std::numeric_limits<std::size_t>::max();
+  for (const Integer* x : {&p.a, &p.b, &p.c, &p.d})
+    if (*x != 0) shift = std::min<std::size_t>(shift, lsb(abs(*x)));
+  if (shift == 0) return;
+  for (Integer* x : {&p.a, &p.b, &p.c, &p.d}) *x >>= static_cast<unsigned>(shift);
 }
 
 std::size_t bits(const Integer& x) { return x == 0 ? 0 : msb(abs(x)) + 1; }
@@ -54,7 +57,7 @@ SourcePlane::SourcePlane(const HPlane<Integer>& plane, int unit, const RealPoint
   if (unit > 0) exact_.d <<= shift;
   if (unit < 0)
     for (Integer* x : {&exact_.a, &exact_.b, &exact_.c}) *x <<= shift;
-  divide_by_common_factor(exact_);
+  divide_by_powers_of_two(exact_);
   const std::size_t scale = std::max({bits(exact_.a), bits(exact_.b), bits(exact_.c)});
   normal_ = {scaled(exact_.a, scale), scaled(exact_.b, scale), scaled(exact_.c, scale)};
   for (std::size_t i = 0; i < 3; ++i) {

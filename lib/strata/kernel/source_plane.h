@@ -20,7 +20,7 @@ class SourcePlane {
   /// The same plane, looking the other way.
   [[nodiscard]] SourcePlane turned() const;
 
-  /// a x + b y + c z + d, positive on the outer side, in integers without a common factor.
+  /// a x + b y + c z + d, positive on the outer side, in integers that are not all even.
   [[nodiscard]] const HPlane<Integer>& exact() const { return exact_; }
   /// A point of the plane, within bounds.
   [[nodiscard]] const RealPoint<Twofold>& at() const { return at_; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace strata {
@@ -48,7 +49,7 @@ WorkFace::WorkFace(std::array<CornerPointer, 3> corners, PlanePointer plane)
   determinant_ = dot<Twofold>(place(*corners_[0]), cross<Twofold>(place(*corners_[1]), place(*corners_[2])));
 }
 
-FaceTree::FaceTree(std::vector<WorkFace> faces) : root_(faces.empty() ? nullptr : build(faces)) {}
+FaceTree::FaceTree(std::vector<WorkFace> faces) : root_(faces.empty() ? nullptr : build(std::move(faces))) {}
 
 std::size_t FaceTree::size() const { return root_ == nullptr ? 0 : root_->count; }
 Box FaceTree::bounds() const { return root_ == nullptr ? Box() : root_->box; }
@@ -58,7 +59,7 @@ FaceTree FaceTree::with(const Box& region, std::span<const WorkFace* const> remo
                         std::vector<WorkFace> added) const {
   NodePointer root = root_;
   if (root != nullptr && !removed.empty()) root = without(root, region, removed);
-  if (!added.empty()) root = root == nullptr ? build(added) : with_faces(root, added);
+  if (!added.empty()) root = root == nullptr ? build(std::move(added)) : with_faces(root, added);
   return FaceTree(std::move(root));
 }
 
@@ -83,15 +84,31 @@ FaceTree::NodePointer FaceTree::inner(NodePointer a, NodePointer b) {
   return node;
 }
 
-FaceTree::NodePointer FaceTree::build(std::span<WorkFace> faces) {
-  if (faces.size() <= most_in_leaf)
-    return leaf({std::make_move_iterator(faces.begin()), std::make_move_iterator(faces.end())});
+FaceTree::NodePointer FaceTree::build(std::vector<WorkFace> faces) {
+  if (faces.size() <= most_in_leaf) return leaf(std::move(faces));
+  std::vector<std::uint32_t> order(faces.size());
+  std::iota(order.begin(), order.end(), 0u);
+  return build(faces, order);
+}
+
+/// Of the faces that `order` names, in halves along the axis along which they are spread most.
+FaceTree::NodePointer FaceTree::build(std::span<WorkFace> faces, std::span<std::uint32_t> order) {
+  if (order.size() <= most_in_leaf) {
+    std::vector<WorkFace> taken;
+    taken.reserve(order.size());
+    for (const std::uint32_t i : order) taken.push_back(std::move(faces[i]));
+    return leaf(std::move(taken));
+  }
   Box middles;
-  for (const WorkFace& f : faces) middles.include(std::array{middle(f, 0), middle(f, 1), middle(f, 2)});
-  const std::size_t axis = longest_axis(middles), half = faces.size() / 2;
-  std::stable_sort(faces.begin(), faces.end(),
-                   [&](const WorkFace& f, const WorkFace& g) { return middle(f, axis) < middle(g, axis); });
-  return inner(build(faces.first(half)), build(faces.subspan(half)));
+  for (const std::uint32_t i : order)
+    middles.include(std::array{middle(faces[i], 0), middle(faces[i], 1), middle(faces[i], 2)});
+  const std::size_t axis = longest_axis(middles), half = order.size() / 2;
+  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(half), order.end(),
+                   [&](std::uint32_t i, std::uint32_t k) {
+                     return std::pair(middle(faces[i], axis), i) < std::pair(middle(faces[k], axis), k);
+                   });
+  NodePointer lower = build(faces, order.first(half));
+  return inner(std::move(lower), build(faces, order.subspan(half)));
 }
 
 FaceTree::NodePointer FaceTree::without(const NodePointer& node, const Box& region,
@@ -117,7 +134,7 @@ FaceTree::NodePointer FaceTree::with_faces(const NodePointer& node, std::span<Wo
     all.reserve(node->count + added.size());
     visit_node(*node, node->box, [&](const WorkFace& f) { all.push_back(f); });
     all.insert(all.end(), std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
-    return build(all);
+    return build(std::move(all));
   };
   if (node->children[0] == nullptr || added.size() > node->count) return rebuilt();
   const auto &a = node->children[0], &b = node->children[1];

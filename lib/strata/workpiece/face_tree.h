@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -99,7 +100,8 @@ class FaceTree {
 
   static NodePointer leaf(std::vector<WorkFace> faces);
   static NodePointer inner(NodePointer a, NodePointer b);
-  static NodePointer build(std::span<WorkFace> faces);
+  static NodePointer build(std::vector<WorkFace> faces);
+  static NodePointer build(std::span<WorkFace> faces, std::span<std::uint32_t> order);
   static NodePointer without(const NodePointer& node, const Box& region, std::span<const WorkFace* const> removed);
   static NodePointer with_faces(const NodePointer& node, std::span<WorkFace> added);
 

@@ -1,7 +1,7 @@
 #include "strata/workpiece/step.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <functional>
 #include <utility>
 
 #include "strata/csg/arena.h"
@@ -175,22 +175,26 @@ class Step {
     return {corners, are_given && !has_plane ? nullptr : planes.of(t.face, t.turned)};
   }
 
+  /// Each side of the faces that go is one of those that come, as often, or meets its opposite.
   static void ensure_same_boundary(const std::vector<const WorkFace*>& removed, const std::vector<WorkFace>& added) {
-    std::unordered_map<const Corner*, std::uint64_t> numbers;
-    const auto number = [&](const CornerPointer& c) {
-      return numbers.try_emplace(c.get(), numbers.size()).first->second;
-    };
-    std::unordered_map<std::uint64_t, int> sides;
+    std::vector<std::pair<std::pair<const Corner*, const Corner*>, int>> sides;
+    sides.reserve(3 * (removed.size() + added.size()));
     const auto add = [&](const WorkFace& f, int times) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint64_t a = number(f.corners()[i]), b = number(f.corners()[(i + 1) % 3]);
-        sides[std::min(a, b) << 32 | std::max(a, b)] += a < b ? times : -times;
+        const Corner *a = f.corners()[i].get(), *b = f.corners()[(i + 1) % 3].get();
+        const bool forth = std::less<>()(a, b);
+        sides.push_back({forth ? std::pair(a, b) : std::pair(b, a), forth ? times : -times});
       }
     };
     for (const WorkFace* f : removed) add(*f, -1);
     for (const WorkFace& f : added) add(f, 1);
-    for (const auto& [side, times] : sides)
-      if (times != 0) throw LogicError("a step would leave the workpiece open");
+    std::sort(sides.begin(), sides.end());
+    int sum = 0;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      sum += sides[i].second;
+      if (i + 1 < sides.size() && sides[i + 1].first == sides[i].first) continue;
+      if (sum != 0) throw LogicError("a step would leave the workpiece open");
+    }
   }
 
   const FaceTree& tree_;
