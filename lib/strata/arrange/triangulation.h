@@ -119,6 +119,7 @@ class Triangulation {
   };
   bool cut_ears(std::span<const PathPolygons::Side> sides);
   [[nodiscard]] bool is_straight(std::size_t i) const;
+  [[nodiscard]] bool crosses_one_plane(std::size_t i) const;
   [[nodiscard]] Sign corner_turn(std::size_t i);
   [[nodiscard]] bool is_ear(std::size_t i);
   void cut_ear(std::size_t i);
@@ -140,7 +141,8 @@ class Triangulation {
   FacePoints points_;
   PathPolygons paths_;
   std::vector<PolygonSide> polygon_;
-  std::vector<Side> halves_;  ///< per constraint: triangles' sides backward and forward along it
+  std::vector<const SourcePlane*> crossed_planes_;  ///< per constraint, if any are known
+  std::vector<Side> halves_;                        ///< per constraint: triangles' sides backward and forward along it
   std::vector<Triangle> triangles_;
   std::vector<std::int32_t> at_;
   std::vector<Note> notes_;

@@ -20,6 +20,10 @@ bool Triangulation::add_paths(std::span<const Constraint> constraints) {
     triangles_.clear();
     at_.assign(at(points_.size()), -1);
     halves_.assign(2 * constraints.size(), {});
+    crossed_planes_.clear();
+    if (carriers_.has_planes())
+      for (const Constraint& c : constraints)
+        crossed_planes_.push_back(c.line.edge ? nullptr : carriers_.source_plane(c.line.a));
     bool simple = true;
     for (std::size_t i = 0; i < paths_.count() && simple; ++i) simple = cut_ears(paths_[i]);
     if (simple) {
@@ -65,7 +69,8 @@ Sign Triangulation::corner_turn(std::size_t i) {
   const PolygonSide &before = polygon_[(i + n - 1) % n], &after = polygon_[(i + 1) % n];
   PolygonSide& here = polygon_[i];
   if (!here.turn_known) {
-    here.turn = is_straight(i) ? Sign::zero : turn(before.side.from, here.side.from, after.side.from);
+    here.turn =
+        is_straight(i) || crosses_one_plane(i) ? Sign::zero : turn(before.side.from, here.side.from, after.side.from);
     here.turn_known = true;
   }
   return here.turn;
@@ -76,6 +81,16 @@ bool Triangulation::is_straight(std::size_t i) const {
   const PolygonSide &before = polygon_[i == 0 ? polygon_.size() - 1 : i - 1], &here = polygon_[i];
   return here.inner.triangle < 0 && before.inner.triangle < 0 && here.side.carrier < 0 &&
          here.side.carrier == before.side.carrier;
+}
+
+/// True at a point where the polygon runs on along the same source plane, from one part of it to another.
+bool Triangulation::crosses_one_plane(std::size_t i) const {
+  if (crossed_planes_.empty()) return false;
+  const PolygonSide &before = polygon_[i == 0 ? polygon_.size() - 1 : i - 1], &here = polygon_[i];
+  if (here.inner.triangle >= 0 || before.inner.triangle >= 0 || here.side.carrier < 0 || before.side.carrier < 0)
+    return false;
+  const SourcePlane* plane = crossed_planes_[at(here.side.carrier)];
+  return plane != nullptr && plane == crossed_planes_[at(before.side.carrier)];
 }
 
 /// Requires a left turn. No point of the polygon may be in the triangle or on its base.
