@@ -1,6 +1,7 @@
 #include "strata/workpiece/face_tree.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -55,10 +56,14 @@ std::size_t FaceTree::size() const { return root_ == nullptr ? 0 : root_->count;
 Box FaceTree::bounds() const { return root_ == nullptr ? Box() : root_->box; }
 Twofold FaceTree::determinant() const { return root_ == nullptr ? Twofold() : root_->determinant; }
 
-FaceTree FaceTree::with(const Box& region, std::span<const WorkFace* const> removed,
-                        std::vector<WorkFace> added) const {
+FaceTree FaceTree::with(std::vector<const WorkFace*> removed, std::vector<WorkFace> added) const {
   NodePointer root = root_;
-  if (root != nullptr && !removed.empty()) root = without(root, region, removed);
+  if (root != nullptr && !removed.empty()) {
+    Box region;
+    for (const WorkFace* f : removed) region.include(f->box());
+    std::sort(removed.begin(), removed.end(), std::less<>());
+    root = without(root, region, removed);
+  }
   if (!added.empty()) root = root == nullptr ? build(std::move(added)) : with_faces(root, added);
   return FaceTree(std::move(root));
 }
@@ -115,7 +120,9 @@ FaceTree::NodePointer FaceTree::without(const NodePointer& node, const Box& regi
                                         std::span<const WorkFace* const> removed) {
   if (!node->box.overlaps(region)) return node;
   if (node->children[0] == nullptr) {
-    const auto stays = [&](const WorkFace& f) { return !std::binary_search(removed.begin(), removed.end(), &f); };
+    const auto stays = [&](const WorkFace& f) {
+      return !std::binary_search(removed.begin(), removed.end(), &f, std::less<>());
+    };
     std::vector<WorkFace> left;
     std::copy_if(node->faces.begin(), node->faces.end(), std::back_inserter(left), stays);
     if (left.size() == node->faces.size()) return node;
@@ -132,7 +139,8 @@ FaceTree::NodePointer FaceTree::with_faces(const NodePointer& node, std::span<Wo
   const auto rebuilt = [&] {
     std::vector<WorkFace> all;
     all.reserve(node->count + added.size());
-    visit_node(*node, node->box, [&](const WorkFace& f) { all.push_back(f); });
+    visit_node(
+        *node, [](const Box&) { return true; }, [&](const WorkFace& f) { all.push_back(f); });
     all.insert(all.end(), std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
     return build(std::move(all));
   };

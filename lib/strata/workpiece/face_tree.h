@@ -62,17 +62,19 @@ class FaceTree {
   /// Six times the volume inside, within bounds.
   [[nodiscard]] Twofold determinant() const;
 
-  /// Calls `visit(const WorkFace&)` for all faces whose boxes overlap a box, in the order of the tree. The references
-  /// are valid as long as the tree is.
+  /// Calls `visit(const WorkFace&)` for all faces whose boxes a region may hold something of, in the order of the tree.
+  /// `overlaps(const Box&)` is true of a box if it is of a box inside. The references are valid as long as the tree is.
+  template <class Overlaps, class Visit>
+  void for_each_in(const Overlaps& overlaps, const Visit& visit) const {
+    if (root_ != nullptr) visit_node(*root_, overlaps, visit);
+  }
   template <class Visit>
-  void for_each_in(const Box& box, const Visit& visit) const {
-    if (root_ != nullptr) visit_node(*root_, box, visit);
+  void for_each(const Visit& visit) const {
+    for_each_in([](const Box&) { return true; }, visit);
   }
 
-  /// The tree without some faces, all of which overlap `region`, and with others. `removed` are addresses of faces of
-  /// this tree, sorted. O(k log n) for k faces in the region and new ones, amortized.
-  [[nodiscard]] FaceTree with(const Box& region, std::span<const WorkFace* const> removed,
-                              std::vector<WorkFace> added) const;
+  /// The tree without some faces, given by their addresses, and with others. O(k log n) for k of both, amortized.
+  [[nodiscard]] FaceTree with(std::vector<const WorkFace*> removed, std::vector<WorkFace> added) const;
 
  private:
   struct Node;
@@ -87,14 +89,14 @@ class FaceTree {
 
   explicit FaceTree(NodePointer root) : root_(std::move(root)) {}
 
-  template <class Visit>
-  static void visit_node(const Node& node, const Box& box, const Visit& visit) {
-    if (!node.box.overlaps(box)) return;
+  template <class Overlaps, class Visit>
+  static void visit_node(const Node& node, const Overlaps& overlaps, const Visit& visit) {
+    if (!overlaps(node.box)) return;
     if (node.children[0] != nullptr) {
-      for (const NodePointer& child : node.children) visit_node(*child, box, visit);
+      for (const NodePointer& child : node.children) visit_node(*child, overlaps, visit);
     } else {
       for (const WorkFace& face : node.faces)
-        if (face.box().overlaps(box)) visit(face);
+        if (overlaps(face.box())) visit(face);
     }
   }
 

@@ -2,13 +2,44 @@
 
 #include <unordered_map>
 
+#include "strata/cells/grid.h"
+
 namespace strata {
 
+namespace {
+
+/// The faces that the cells of an evaluation see near a tool: its grid may be too coarse to tell them from those in the
+/// tool's box.
+class Reach {
+ public:
+  Reach(const Box& workpiece, const Box& tool) : grid_(lower(workpiece, tool), upper(workpiece, tool)) {
+    tool_.lower = grid_.at(tool.lower);
+    tool_.upper = grid_.at(tool.upper);
+    tool_.upper[0] = Grid::extent;  // walks come from beyond
+  }
+  [[nodiscard]] bool operator()(const Box& box) const {
+    return GridBox{grid_.at(box.lower), grid_.at(box.upper)}.overlaps(tool_);
+  }
+
+ private:
+  static Carriers::Coordinates lower(Box a, const Box& b) {
+    a.include(b);
+    return a.lower;
+  }
+  static Carriers::Coordinates upper(Box a, const Box& b) {
+    a.include(b);
+    return a.upper;
+  }
+
+  Grid grid_;
+  GridBox tool_;
+};
+
+}  // namespace
+
 Patch::Patch(const FaceTree& tree, const Box& tool) : bounds_(tree.bounds()) {
-  Box reach = tool;
-  reach.upper[0] = Box::infinity;
   std::unordered_map<const Corner*, std::uint32_t> numbers;
-  tree.for_each_in(reach, [&](const WorkFace& face) {
+  tree.for_each_in(Reach(bounds_, tool), [&](const WorkFace& face) {
     Carriers::Indices triangle{};
     for (std::size_t i = 0; i < 3; ++i) {
       const CornerPointer& corner = face.corners()[i];

@@ -98,7 +98,7 @@ class CornerRemover {
     fans_.clear();
     for (const Sheet& sheet : sheets_)
       if (!find_fans(candidates_[corner], sheet)) return false;
-    if (!ends_match()) return false;
+    if (!split_discs() || !ends_match()) return false;
     std::vector<ResultTriangle> replacing;
     for (const Fan& fan : fans_) {
       const auto triangulated = triangulate_star(carriers_, points_, *sheets_[fan.sheet].plane, fan.outline);
@@ -158,6 +158,34 @@ class CornerRemover {
       if (!std::binary_search(heads.begin(), heads.end(), sides[i].first)) follow(i);
     for (std::size_t i = 0; i < sides.size(); ++i)
       if (!used[i]) follow(i);
+    return true;
+  }
+
+  /// Where sheets bend, they do it in one line, which must stay an edge of all sheets through it: flat ones are split
+  /// along it. False when the line does not end in the same two corners for all of them.
+  bool split_discs() {
+    const auto open = std::find_if(fans_.begin(), fans_.end(), [](const Fan& f) { return !f.is_closed; });
+    if (open == fans_.end()) return fans_.size() == 1;
+    const auto ends = std::minmax(open->outline.front(), open->outline.back());
+    const std::pair<PointId, PointId> line(ends.first, ends.second);
+    for (std::size_t i = 0, n = fans_.size(); i < n; ++i) {
+      if (!fans_[i].is_closed) {
+        if (std::pair<PointId, PointId>(std::minmax({fans_[i].outline.front(), fans_[i].outline.back()})) != line)
+          return false;
+        continue;
+      }
+      Fan half{fans_[i].sheet, false, {}};
+      std::vector<PointId>& outline = fans_[i].outline;
+      const auto first = std::find(outline.begin(), outline.end(), line.first);
+      std::rotate(outline.begin(), first, outline.end());
+      const auto second = std::find(outline.begin(), outline.end(), line.second);
+      if (outline.front() != line.first || second == outline.end()) return false;
+      half.outline.assign(second, outline.end());
+      half.outline.push_back(line.first);
+      outline.erase(second + 1, outline.end());
+      fans_[i].is_closed = false;
+      fans_.push_back(std::move(half));
+    }
     return true;
   }
 

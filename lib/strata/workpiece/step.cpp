@@ -163,8 +163,7 @@ class Step {
     for (std::uint32_t f = 0; f < patch_.face_count(); ++f)
       if (!stays[f]) removed.push_back(&patch_.face(f));
     ensure_same_boundary(removed, added);
-    std::sort(removed.begin(), removed.end());
-    return tree_.with(region_, removed, std::move(added));
+    return tree_.with(std::move(removed), std::move(added));
   }
 
   WorkFace new_face(const ResultTriangle& t, FacePlanes& planes) {

@@ -40,7 +40,7 @@ Workpiece Workpiece::with(Operation operation, const Solid& tool, const Options&
 Solid Workpiece::solid() const {
   ExactMesh mesh;
   std::unordered_map<const Corner*, std::uint32_t> numbers;
-  data_->faces.for_each_in(data_->faces.bounds(), [&](const WorkFace& face) {
+  data_->faces.for_each([&](const WorkFace& face) {
     Triangle t{};
     for (std::size_t i = 0; i < 3; ++i) {
       const Corner& corner = *face.corners()[i];
