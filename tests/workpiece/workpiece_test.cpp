@@ -95,6 +95,21 @@ TEST_CASE("tools at rational places", "[workpiece][property]") {
   }
 }
 
+TEST_CASE("many tools at once are the same as one after the other", "[workpiece][property]") {
+  for (std::uint64_t seed = 0; seed < 16; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Solid start(test::lattice_solid(random));
+    std::vector<Solid> tools;
+    for (int i = 0; i < 7; ++i) tools.emplace_back(test::lattice_solid(random));
+    for (const Operation operation : operations) {
+      Workpiece one(start);
+      for (const Solid& tool : tools) one = one.with(operation, tool);
+      CHECK(Workpiece(start).with(operation, tools).solid() == one.solid());
+    }
+  }
+}
+
 TEST_CASE("the scales of tools may be far apart", "[workpiece]") {
   std::vector<std::pair<Operation, Solid>> steps{{Operation::unite, Solid(test::box({-1e30, -1, -1}, {1e30, 1, 1}))}};
   steps.emplace_back(Operation::subtract, Solid(test::box({-1e-30, -2, -1e-30}, {1e-30, 2, 1e-30})));

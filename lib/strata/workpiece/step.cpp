@@ -11,11 +11,12 @@
 #include "strata/workpiece/face_planes.h"
 #include "strata/workpiece/patch.h"
 #include "strata/workpiece/redundant_corners.h"
+#include "strata/workpiece/tool_groups.h"
 
 namespace strata {
 namespace {
 
-constexpr std::uint32_t workpiece_operand = 0, tool_operand = 1;
+constexpr std::uint32_t workpiece_operand = 0;
 
 CornerPointer given_corner(const Vertex& at, const RationalPoint* rational) {
   auto corner = std::make_shared<Corner>();
@@ -24,10 +25,9 @@ CornerPointer given_corner(const Vertex& at, const RationalPoint* rational) {
   return corner;
 }
 
-Box bounds_of(const Mesh& mesh) {
+Box bounds_of(std::span<const Solid> tools) {
   Box box;
-  for (const Triangle& t : mesh.triangles)
-    for (const std::uint32_t v : t) box.include(mesh.vertices[v]);
+  for (const Solid& tool : tools) box.include(bounds_of(tool));
   return box;
 }
 
@@ -46,15 +46,14 @@ bool keeps_rest(const Rule& rule) {
 
 class Step {
  public:
-  Step(const FaceTree& tree, Operation operation, const Solid& tool, const Monitor& monitor)
+  Step(const FaceTree& tree, Operation operation, std::span<const Solid> tools, const Monitor& monitor)
       : tree_(tree),
-        tool_(tool.exact_mesh()),
-        region_(bounds_of(tool_.mesh)),
-        rule_(operation, 2),
+        region_(bounds_of(tools)),
+        rule_(operation, static_cast<std::uint32_t>(tools.size() + 1)),
         patch_(tree, region_),
         points_(carriers_) {
     patch_.add_to(carriers_);
-    carriers_.add(tool_.mesh.vertices, tool_.mesh.triangles, tool_.exact, region_);
+    for (const Solid& tool : tools) carriers_.add(tool.mesh().vertices, tool.mesh().triangles, tool.exact_mesh().exact);
     Profile profile;
     pieces_ = evaluate_pieces(carriers_, rule_, false, points_, monitor, profile);
   }
@@ -197,7 +196,6 @@ class Step {
   }
 
   const FaceTree& tree_;
-  const ExactMesh& tool_;
   const Box region_;
   const Rule rule_;
   const Patch patch_;
@@ -210,13 +208,14 @@ class Step {
 
 }  // namespace
 
-FaceTree take_step(const FaceTree& workpiece, Operation operation, const Solid& tool, const Options& options) {
+FaceTree take_step(const FaceTree& workpiece, Operation operation, std::span<const Solid> tools,
+                   const Options& options) {
   const Monitor monitor(options.cancel, &options.progress);
   monitor.check();
+  std::size_t faces = 0;
+  for (const Solid& tool : tools) faces += tool.mesh().triangles.size();
   FaceTree result;
-  arena_for(options, tool.mesh().triangles.size()).execute([&] {
-    result = Step(workpiece, operation, tool, monitor).take();
-  });
+  arena_for(options, faces).execute([&] { result = Step(workpiece, operation, tools, monitor).take(); });
   return result;
 }
 

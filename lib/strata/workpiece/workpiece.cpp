@@ -6,6 +6,7 @@
 
 #include "strata/workpiece/face_tree.h"
 #include "strata/workpiece/step.h"
+#include "strata/workpiece/tool_groups.h"
 
 namespace strata {
 
@@ -28,12 +29,23 @@ Workpiece::Workpiece() : data_(std::make_shared<const Data>()) {}
 Workpiece::Workpiece(const Solid& solid) : data_(std::make_shared<const Data>(Data{FaceTree(faces_of(solid))})) {}
 
 Workpiece Workpiece::with(Operation operation, const Solid& tool, const Options& options) const {
-  if (tool.is_empty() && operation != Operation::intersect) return *this;
-  if (is_empty())
-    return operation == Operation::unite || operation == Operation::exclude ? Workpiece(tool) : Workpiece();
-  if (tool.is_empty()) return Workpiece();
-  Workpiece result;
-  result.data_ = std::make_shared<const Data>(Data{take_step(data_->faces, operation, tool, options)});
+  return with(operation, std::span(&tool, 1), options);
+}
+
+Workpiece Workpiece::with(Operation operation, std::span<const Solid> tools, const Options& options) const {
+  const auto is_empty_tool = [](const Solid& tool) { return tool.is_empty(); };
+  if (operation == Operation::intersect && std::any_of(tools.begin(), tools.end(), is_empty_tool)) return {};
+  Workpiece result = *this;
+  for (const std::vector<Solid>& group : group_tools(tools)) {
+    std::span<const Solid> step = group;
+    if (result.is_empty()) {
+      if (operation == Operation::subtract || operation == Operation::intersect) return {};
+      result = Workpiece(step.front());
+      step = step.subspan(1);
+    }
+    if (!step.empty())
+      result.data_ = std::make_shared<const Data>(Data{take_step(result.data_->faces, operation, step, options)});
+  }
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <memory>
+#include <span>
 
 #include "strata/csg/options.h"
 #include "strata/csg/solid.h"
@@ -18,6 +19,11 @@ class Workpiece {
 
   /// The workpiece and a tool combined; subtract: the tool is taken away. Exact. Throws as `combine` does.
   [[nodiscard]] Workpiece with(Operation operation, const Solid& tool, const Options& options = {}) const;
+
+  /// The same with many tools, in any order: those that are near each other are taken in one step, which is faster than
+  /// one after the other. unite: with all; subtract: all are taken away; intersect: what is in all; exclude: as often
+  /// as there are tools.
+  [[nodiscard]] Workpiece with(Operation operation, std::span<const Solid> tools, const Options& options = {}) const;
 
   [[nodiscard]] Solid solid() const;  ///< O(n)
   [[nodiscard]] bool is_empty() const;
