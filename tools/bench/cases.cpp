@@ -254,7 +254,15 @@ void add_chains(std::vector<Case>& cases) {
   add("k_terrain223", "a block minus 223 sweeps with seams in common, in one call", terrain);
   add("k_dome100", "a ball minus 100 capsules on its upper half, in one call", [] { return dome(100); });
   add("k_dome1000", "the same with 1,000 capsules", [] { return dome(1000); });
-  add("k_dome10000", "the same with 10,000 capsules", [] { return dome(10'000); });
+  const auto add_steps = [&](const char* name, const char* about, auto make) {
+    add(name, about, make);
+    cases.back().group = Group::one_by_one;
+  };
+  add_steps("k_nine_steps", "k_nine, one cut after the other", nine_cuts);
+  add_steps("k_terrain223_steps", "k_terrain223, one cut after the other", terrain);
+  add_steps("k_dome100_steps", "k_dome100, one cut after the other", [] { return dome(100); });
+  add_steps("k_dome1000_steps", "k_dome1000, one cut after the other", [] { return dome(1000); });
+  add_steps("k_dome10000_steps", "the same with 10,000 capsules", [] { return dome(10'000); });
 }
 
 void add_smoke(std::vector<Case>& cases) {

@@ -60,17 +60,15 @@ Subject all_at_once(const Request& request, std::span<const MeshView> operands, 
           }};
 }
 
-/// Arrays are copied into solids, results stay exact from step to step.
+/// Arrays are copied into solids, the result stays exact from step to step.
 Subject one_by_one(const Request& request, std::span<const Mesh> operands, Outcome& outcome) {
   const strata::Options options{.threads = request.threads};
   return {[&outcome] { outcome = {}; },
           [&outcome, &request, operands, options] {
-            strata::Solid whole(operands.front());
-            for (const Mesh& mesh : operands.subspan(1)) {
-              const strata::Solid both[] = {whole, strata::Solid(mesh)};
-              whole = strata::combine_solids(request.operation, both, options);
-            }
-            outcome.solid = whole;
+            strata::Workpiece whole{strata::Solid(operands.front())};
+            for (const Mesh& mesh : operands.subspan(1))
+              whole = whole.with(request.operation, strata::Solid(mesh), options);
+            outcome.solid = whole.solid();
           }};
 }
 
