@@ -15,6 +15,7 @@
 #include "request.h"
 #include "strata/csg/combine.h"
 #include "strata/csg/solid.h"
+#include "strata/workpiece/workpiece.h"
 
 namespace bench {
 namespace {

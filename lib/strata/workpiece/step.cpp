@@ -119,8 +119,11 @@ class Step {
     corner->is_given = false;
     corner->meet = meet_of(*planes[0], *planes[1], *planes[2]);
     for (std::size_t i = 0; i < 3; ++i) corner->at[i] = corner->meet.at[i].value;
-    if (exact_doubles(corner->meet)) return corner;
-    corner->meet_planes = planes;
+    if (exact_doubles(corner->meet)) {
+      corner->meet = {};
+    } else {
+      corner->meet_planes = planes;
+    }
     return corner;
   }
 
