@@ -12,7 +12,7 @@ class Usage(ToolTest):
 
     def test_every_verb_has_help(self):
         for verb in ("union", "intersection", "difference", "xor", "check", "info", "compare", "layers", "locate",
-                     "ray"):
+                     "ray", "eval", "chain", "draw"):
             self.assertIn("Exit codes:", self.run_tool(verb, "--help").stdout.decode())
 
     def test_version_is_a_number(self):

@@ -8,6 +8,7 @@
 #include <string>
 #include <system_error>
 
+#include "chain.h"
 #include "draw.h"
 #include "exit_code.h"
 #include "settings.h"
@@ -32,6 +33,7 @@ constexpr const char* examples = R"(Examples:
   strata check scan.stl
   strata compare yesterday.stl today.obj
   strata layers house.obj tree.obj -o layers.ply
+  strata chain part.json -o part.stl --checkpoint part.save
   strata locate part.stl --points probes.csv -o answers.csv
   strata ray part.stl --rays beams.csv -o hits.csv --all
 
@@ -72,6 +74,28 @@ Examples:
 {})text",
       exit_codes));
   verb->callback([&] { action = [&] { return run_eval(settings); }; });
+}
+
+void add_chain(CLI::App& app, Settings& settings, ChainSettings& chain_settings, Action& action) {
+  CLI::App* verb = app.add_subcommand("chain", "Many steps, one after the other, exactly; may be stopped and resumed");
+  add_chain_options(*verb, chain_settings, settings);
+  add_run_options(*verb, settings);
+  add_input_class(*verb, settings);
+  add_output_options(*verb, settings);
+  verb->footer(fmt::format(
+      R"text(STEPS.json, with paths relative to it; "start" may be null, "label", "input" and "transform" left out:
+  {{"start": {{"file": "block.stl"}},
+   "steps": [{{"operation": "difference", "file": "drill.stl", "label": "hole", "input": "solid",
+              "transform": [[1, 0, 0, "1/3"], [0, 1, 0, 2], [0, 0, 1, 0.5], [0, 0, 0, 1]]}}]}}
+
+Examples:
+  strata chain part.json -o part.xoff --report part-report.json --exact-volumes
+  strata chain part.json -o part.stl --checkpoint part.save --checkpoint-every 100 --timeout 3600
+  strata chain part.json -o part.stl --checkpoint part.save --resume part.save
+
+{})text",
+      exit_codes));
+  verb->callback([&] { action = [&] { return run_chain(chain_settings, settings); }; });
 }
 
 void add_verbs(CLI::App& app, Settings& settings, Action& action) {
@@ -223,6 +247,7 @@ ExitCode run(const Action& action, const Settings& settings) {
 int main(int argc, char** argv) {
   Settings settings;
   DrawSettings draw_settings;
+  ChainSettings chain_settings;
   Action action;
   CLI::App app("Exact Booleans of meshes, on the doubles in the files", "strata");
   app.set_version_flag("--version", "strata " STRATA_VERSION);
@@ -230,6 +255,7 @@ int main(int argc, char** argv) {
   app.footer(std::string(examples) + exit_codes);
   add_verbs(app, settings, action);
   add_eval(app, settings, action);
+  add_chain(app, settings, chain_settings, action);
   add_draw(app, settings, draw_settings, action);
   add_layers(app, settings, action);
   add_locate(app, settings, action);

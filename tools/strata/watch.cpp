@@ -69,6 +69,16 @@ void Watch::on_stop(OnStop action) {
   action_ = action;
 }
 
+void Watch::hold() {
+  const std::lock_guard lock(mutex_);
+  action_ = OnStop::hold;
+}
+
+std::string Watch::reason() {
+  const std::lock_guard lock(mutex_);
+  return reason_;
+}
+
 void Watch::run() {
   using Seconds = std::chrono::duration<double>;
   bool timed = seconds_ > 0;

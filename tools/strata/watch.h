@@ -8,6 +8,7 @@
 enum class OnStop {
   leave,   ///< nothing is written yet: end the process at once
   ask,     ///< set the cancel token, so that the engine throws Cancelled; after two seconds, as `leave`
+  hold,    ///< set the cancel token, and leave it at that: something is done that must be whole
   finish,  ///< files are being written: too late to stop
 };
 
@@ -22,6 +23,12 @@ class Watch {
 
   /// Throws strata::Cancelled when a stop came before.
   void on_stop(OnStop action);
+
+  /// The same as on_stop(OnStop::hold), but goes on when a stop came before. Never throws.
+  void hold();
+
+  /// Why it was stopped; empty if it was not.
+  [[nodiscard]] std::string reason();
 
   [[nodiscard]] const std::atomic<bool>& token() const { return stopped_; }
 

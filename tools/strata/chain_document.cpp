@@ -1,0 +1,89 @@
+#include "chain_document.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "json_matrix.h"
+#include "json_place.h"
+#include "strata/io/file.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the document and the command line say about all operands.
+struct Defaults {
+  fs::path directory;
+  strata::InputClass input;
+  strata::Placement placement;
+};
+
+std::string read_text(const std::string& path) {
+  if (path != "-") return std::string(strata::io::FileBytes(strata::io::File(path)).view());
+  std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+  if (std::cin.bad()) throw strata::IoError("standard input", {}, "read error");
+  return text;
+}
+
+strata::InputClass read_input_class(const JsonPlace& place) {
+  constexpr std::array classes = {strata::InputClass::solid, strata::InputClass::overlapping,
+                                  strata::InputClass::repair};
+  return classes[place.choice("input class", {"solid", "overlapping", "repair"})];
+}
+
+strata::Placement read_placement(const JsonPlace& place) {
+  constexpr std::array placements = {strata::Placement::exact, strata::Placement::rounded};
+  return placements[place.choice("placement of transforms", {"exact", "rounded"})];
+}
+
+ChainOperand read_operand(const JsonPlace& place, const Defaults& defaults) {
+  ChainOperand operand;
+  operand.place = place.path();
+  operand.file = place.at("file").text();
+  operand.path = operand.file == "-" ? "-" : (defaults.directory / operand.file).lexically_normal().string();
+  operand.input = defaults.input;
+  operand.placement = defaults.placement;
+  if (const auto label = place.find("label")) operand.label = label->text();
+  if (const auto input = place.find("input")) operand.input = read_input_class(*input);
+  if (const auto matrix = place.find("transform")) operand.transform = read_matrix(*matrix);
+  return operand;
+}
+
+ChainStep read_step(const JsonPlace& place, const Defaults& defaults) {
+  using strata::Operation;
+  const std::vector<std::string_view> names = {"union", "intersection", "difference", "xor"};
+  constexpr std::array operations = {Operation::unite, Operation::intersect, Operation::subtract, Operation::exclude};
+  place.expect_keys({"operation", "file", "transform", "input", "label"});
+  const std::size_t which = place.at("operation").choice("operation", names);
+  return {std::string(names[which]), operations[which], read_operand(place, defaults)};
+}
+
+std::optional<ChainOperand> read_start(const JsonPlace& place, const Defaults& defaults) {
+  if (place.value().is_null()) return {};
+  place.expect_keys({"file", "transform", "input", "label"});
+  return read_operand(place, defaults);
+}
+
+}  // namespace
+
+std::string ChainOperand::title() const { return label.empty() ? place : fmt::format("{} ({})", place, label); }
+
+ChainDocument read_chain_document(const std::string& path, const Settings& settings) {
+  ChainDocument document;
+  document.name = path == "-" ? "standard input" : path;
+  const Json json = parse_json(read_text(path), document.name);
+  const JsonPlace root(json, document.name);
+  root.expect_keys({"transforms", "start", "steps"});
+  Defaults defaults{path == "-" ? fs::path() : fs::path(path).parent_path(), settings.input, settings.placement};
+  if (const auto place = root.find("transforms"))
+    if (read_placement(*place) == strata::Placement::rounded) defaults.placement = strata::Placement::rounded;
+  document.start = read_start(root.at("start"), defaults);
+  for (const JsonPlace& step : root.at("steps").items()) document.steps.push_back(read_step(step, defaults));
+  return document;
+}

@@ -1,0 +1,77 @@
+#include "chain_operands.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "scene_input.h"
+#include "strata/csg/transform.h"
+#include "threads.h"
+
+void ChainOperands::read(std::size_t first, bool with_start) {
+  if (with_start && document_.start) read(*document_.start);
+  for (std::size_t k = first; k < document_.steps.size(); ++k) read(document_.steps[k].operand);
+  meshes_.clear();
+}
+
+void ChainOperands::read(const ChainOperand& operand) {
+  const auto [found, is_new] = solids_.try_emplace({operand.path, operand.input});
+  ++found->second.uses;
+  if (!is_new) return;
+  const LoadedMesh& mesh = mesh_of(operand);
+  found->second.solid = make(mesh, operand, operand.input);
+  announce(mesh, operand, found->second.solid);
+}
+
+void ChainOperands::announce(const LoadedMesh& mesh, const ChainOperand& operand, const strata::Solid& solid) {
+  if (!settings_.report.empty()) reports_.push_back(operand_report(mesh, operand_defects(mesh, operand.input)));
+  if (settings_.quiet) return;
+  for (const strata::Defect& note : solid.notes())
+    fmt::print(stderr, "strata: {}: {}\n", mesh.path, strata::describe(note));
+}
+
+const LoadedMesh& ChainOperands::mesh_of(const ChainOperand& operand) {
+  const auto found = meshes_.find(operand.path);
+  if (found != meshes_.end()) return found->second;
+  if (operand.path == "-" && settings_.input_format.empty()) throw UsageError("standard input needs --input-format");
+  settings_.operands = {operand.path};
+  try {
+    return meshes_.emplace(operand.path, std::move(read_operands(settings_).front())).first->second;
+  } catch (const strata::IoError& error) {
+    throw strata::IoError(document_.name, {}, fmt::format("{}.file: {}", operand.place, error.what()));
+  }
+}
+
+strata::Solid ChainOperands::make(const LoadedMesh& mesh, const ChainOperand& operand, strata::InputClass input) {
+  try {
+    return make_solid({&mesh, 1}, 0, input);
+  } catch (const strata::InputError& error) {
+    if (!settings_.report.empty()) reports_.push_back(operand_report(mesh, error.defects()));
+    settings_.operands = {fmt::format("{}: {}: {}", document_.name, operand.title(), mesh.path)};
+    throw;
+  }
+}
+
+strata::ExactMesh ChainOperands::moved(const strata::Solid& solid, const ChainOperand& operand) const {
+  try {
+    return on_threads(settings_,
+                      [&] { return strata::transform(solid.exact_mesh(), operand.transform, operand.placement); });
+  } catch (const std::overflow_error& error) {
+    throw strata::IoError(document_.name, {}, fmt::format("{}.transform: {}", operand.place, error.what()));
+  }
+}
+
+strata::Solid ChainOperands::take(const ChainOperand& operand) {
+  settings_.operands = {fmt::format("{}: the solid before {}", document_.name, operand.place),
+                        fmt::format("{}: {}: {}", document_.name, operand.title(), operand.path)};
+  const auto found = solids_.find({operand.path, operand.input});
+  const strata::Solid solid = found->second.solid;
+  if (--found->second.uses == 0) solids_.erase(found);
+  if (operand.transform.is_identity()) return solid;
+  const LoadedMesh image{operand.path + ", transformed", moved(solid, operand)};
+  // What rounding folds over is resolved where that was asked for; it is no soup any more.
+  const bool may_overlap =
+      operand.placement == strata::Placement::rounded && operand.input != strata::InputClass::solid;
+  return make(image, operand, may_overlap ? strata::InputClass::overlapping : strata::InputClass::solid);
+}

@@ -1,0 +1,102 @@
+#include "chain_run.h"
+
+#include <fmt/format.h>
+
+#include "progress.h"
+#include "stopwatch.h"
+#include "strata/mesh/defect.h"
+
+namespace {
+
+Json label_of(const ChainOperand& operand) { return operand.label.empty() ? Json(nullptr) : Json(operand.label); }
+
+}  // namespace
+
+ChainRun::ChainRun(const ChainDocument& document, const std::vector<ChainMark>& marks, const ChainSettings& chain,
+                   const Settings& settings, Watch& watch)
+    : document_(document), marks_(marks), chain_(chain), settings_(settings), watch_(watch) {}
+
+void ChainRun::begin(const ChainCheckpoint& from) {
+  workpiece_ = strata::Workpiece(from.solid);
+  done_ = from.done;
+  resumed_ = {{"checkpoint", chain_.resume}, {"steps_done", done_}};
+  resumed_.update(facts());
+}
+
+void ChainRun::begin(ChainOperands& operands) {
+  const std::optional<ChainOperand>& start = document_.start;
+  if (start) workpiece_ = strata::Workpiece(operands.take(*start));
+  start_ = {{"label", start ? label_of(*start) : Json(nullptr)}, {"file", start ? Json(start->file) : Json(nullptr)}};
+  start_.update(facts());
+}
+
+void ChainRun::finish(ChainOperands& operands) {
+  ProgressBar bar(settings_.progress, settings_.quiet);
+  strata::Options options;
+  options.threads = settings_.threads;
+  options.cancel = &watch_.token();
+  options.progress = [&](double fraction) {
+    bar.show((static_cast<double>(done_) + fraction) / static_cast<double>(document_.steps.size()));
+  };
+  try {
+    while (done_ < document_.steps.size()) do_step(document_.steps[done_], operands, options);
+    if (!chain_.checkpoint.empty()) save();
+    watch_.on_stop(OnStop::leave);
+  } catch (const strata::Cancelled&) {
+    watch_.hold();
+    if (chain_.checkpoint.empty()) throw strata::Cancelled(watch_.reason());
+    save();
+    throw strata::Cancelled(fmt::format("{}; {} of {} steps are done and in {}", watch_.reason(), done_,
+                                        document_.steps.size(), chain_.checkpoint));
+  }
+}
+
+// Only the engine can be stopped; what is done beside is short.
+void ChainRun::do_step(const ChainStep& step, ChainOperands& operands, const strata::Options& options) {
+  watch_.on_stop(OnStop::ask);
+  Stopwatch stopwatch;
+  workpiece_ = workpiece_.with(step.operation, operands.take(step.operand), options);
+  const double seconds = stopwatch.lap();
+  watch_.hold();
+  ++done_;
+  options.progress(0);
+  evaluating_ += seconds;
+  if (!settings_.report.empty()) {
+    rows_.push_back({{"index", done_ - 1},
+                     {"label", label_of(step.operand)},
+                     {"operation", step.operation_name},
+                     {"file", step.operand.file},
+                     {"seconds", seconds}});
+    rows_.back().update(facts());
+  }
+  if (chain_.every != 0 && done_ % chain_.every == 0 && done_ < document_.steps.size()) save();
+}
+
+Json ChainRun::facts() {
+  Json row = {{"triangles", workpiece_.triangle_count()}, {"volume", workpiece_.volume()}};
+  if (!chain_.exact_volumes) return row;
+  Stopwatch stopwatch;
+  row["volume_exact"] = workpiece_.solid().volume().str();
+  measuring_ += stopwatch.lap();
+  return row;
+}
+
+void ChainRun::save() {
+  if (saved_ == done_) return;
+  Stopwatch stopwatch;
+  write_checkpoint(chain_.checkpoint, {done_, workpiece_.solid()}, marks_, settings_);
+  saving_ += stopwatch.lap();
+  saved_ = done_;
+  ++saves_;
+}
+
+void ChainRun::add_to(Json& report) const {
+  report["start"] = start_;
+  report["resumed"] = resumed_;
+  report["steps"] = rows_;
+  report["checkpoints"] =
+      chain_.checkpoint.empty() ? Json(nullptr) : Json{{"path", chain_.checkpoint}, {"written", saves_}};
+  report["seconds"]["evaluate"] = evaluating_;
+  if (chain_.exact_volumes) report["seconds"]["volumes"] = measuring_;
+  if (!chain_.checkpoint.empty()) report["seconds"]["checkpoints"] = saving_;
+}

@@ -1,0 +1,74 @@
+#include "json_matrix.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+using strata::Integer;
+using strata::Rational;
+
+namespace {
+
+constexpr const char* coefficient = "a number or a string with an integer or a quotient of integers, like \"-1/3\"";
+
+bool is_digits(std::string_view word) {
+  return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+Integer to_integer(std::string_view digits) {
+  Integer integer;
+  mpz_set_str(integer.backend().data(), std::string(digits).c_str(), 10);
+  return integer;
+}
+
+Rational read_quotient(const JsonPlace& place) {
+  const std::string text = place.text();
+  std::string_view word = text;
+  const bool is_negative = word[0] == '-';
+  if (is_negative || word[0] == '+') word.remove_prefix(1);
+  const std::size_t slash = word.find('/');
+  const std::string_view denominator = slash == word.npos ? "1" : word.substr(slash + 1);
+  word = word.substr(0, slash);
+  if (!is_digits(word) || !is_digits(denominator)) place.fail_expected(coefficient);
+  if (denominator.find_first_not_of('0') == denominator.npos) place.fail("the denominator is 0");
+  const Rational size(to_integer(word), to_integer(denominator));
+  return is_negative ? Rational(-size) : size;
+}
+
+Rational read_coefficient(const JsonPlace& place) {
+  const Json& value = place.value();
+  if (value.is_number_unsigned()) return Rational(Integer(value.get<std::uint64_t>()));
+  if (value.is_number_integer()) return Rational(Integer(value.get<std::int64_t>()));
+  if (value.is_number_float()) return strata::to_rational(value.get<double>());
+  if (!value.is_string()) place.fail_expected(coefficient);
+  return read_quotient(place);
+}
+
+strata::Transform::Row read_row(const JsonPlace& place) {
+  const std::vector<JsonPlace> items = place.items();
+  if (items.size() != 4)
+    place.fail("a row of a matrix has 4 coefficients, this one has " + std::to_string(items.size()));
+  strata::Transform::Row row;
+  std::transform(items.begin(), items.end(), row.begin(), read_coefficient);
+  return row;
+}
+
+}  // namespace
+
+strata::Transform read_matrix(const JsonPlace& place) {
+  const std::vector<JsonPlace> items = place.items();
+  if (items.size() != 4) place.fail("a matrix has 4 rows, this one has " + std::to_string(items.size()));
+  std::array<strata::Transform::Row, 3> rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = read_row(items[i]);
+  const strata::Transform::Row last = read_row(items[3]);
+  if (last[0] != 0 || last[1] != 0 || last[2] != 0 || last[3] == 0)
+    items[3].fail("the last row of a transform is 0 0 0 1 or a multiple of it");
+  for (strata::Transform::Row& row : rows)
+    for (Rational& x : row) x /= last[3];
+  try {
+    return strata::Transform(std::move(rows));
+  } catch (const std::invalid_argument& error) {
+    place.fail(error.what());
+  }
+}
