@@ -165,3 +165,28 @@ TEST_CASE("a step can be cancelled", "[workpiece]") {
   std::atomic<bool> stop{true};
   CHECK_THROWS_AS(cube.with(Operation::unite, Solid(test::box({0, 0, 0}, {2, 2, 2})), {.cancel = &stop}), Cancelled);
 }
+
+TEST_CASE("a chain that goes on from its exact mesh does not grow either", "[workpiece]") {
+  Solid solid(test::icosphere({0, 0, 0}, 1, 2));
+  Random random(3);
+  for (int i = 0; i < 40; ++i) {
+    const Vertex at{2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1};
+    solid = Workpiece(Solid(solid.exact_mesh())).with(Operation::subtract, Solid(test::octahedron(at, .3))).solid();
+  }
+  CHECK(bits_of(solid) <= 9 * 56 + 14);
+}
+
+TEST_CASE("a rational corner on an edge of doubles, in a common plane", "[workpiece]") {
+  const std::array<std::array<double, 2>, 3> outline{{{0, 0}, {3, 1}, {0, 3}}}, thrice{{{3, 1}, {9, -3}, {6, 2}}};
+  const Solid prism(test::prism(outline, 0, 1));
+  const Transform third = Transform::scaling({Rational(1, 3), Rational(1, 3), Rational(1, 3)});
+  const Solid beside(transform(test::exact(test::prism(thrice, 0, 3)), third, Placement::exact));
+  REQUIRE_FALSE(beside.exact_mesh().exact.empty());
+  for (const Operation operation : {Operation::unite, Operation::exclude}) {
+    CHECK(combined(operation, prism, beside).volume() == prism.volume() + beside.volume());
+    CHECK(Workpiece(prism).with(operation, beside).solid() == combined(operation, prism, beside));
+  }
+  CHECK(combined(Operation::subtract, prism, beside) == prism);
+  CHECK(Workpiece(beside).with(Operation::subtract, prism).solid() == beside);
+  CHECK(combined(Operation::intersect, prism, beside).is_empty());
+}

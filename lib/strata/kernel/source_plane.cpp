@@ -9,6 +9,15 @@
 namespace strata {
 namespace {
 
+/// A plane through vertices that were constructed gets back the small integers of the one that they come from. Small
+/// planes are not worth the search for a factor.
+void divide_by_common_factor(HPlane<Integer>& p) {
+  constexpr unsigned large = 300;
+  if (msb(abs(p.d) + abs(p.a) + abs(p.b) + abs(p.c)) < large) return;
+  const Integer factor = gcd(gcd(p.a, p.b), gcd(p.c, p.d));
+  for (Integer* x : {&p.a, &p.b, &p.c, &p.d}) *x /= factor;
+}
+
 void divide_by_powers_of_two(HPlane<Integer>& p) {
   std::size_t shift = std::numeric_limits<std::size_t>::max();
   for (const Integer* x : {&p.a, &p.b, &p.c, &p.d})
@@ -58,6 +67,7 @@ SourcePlane::SourcePlane(const HPlane<Integer>& plane, int unit, const RealPoint
   if (unit < 0)
     for (Integer* x : {&exact_.a, &exact_.b, &exact_.c}) *x <<= shift;
   divide_by_powers_of_two(exact_);
+  divide_by_common_factor(exact_);
   const std::size_t scale = std::max({bits(exact_.a), bits(exact_.b), bits(exact_.c)});
   normal_ = {scaled(exact_.a, scale), scaled(exact_.b, scale), scaled(exact_.c, scale)};
   for (std::size_t i = 0; i < 3; ++i) {

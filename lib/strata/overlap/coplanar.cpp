@@ -23,7 +23,7 @@ class SeenTriangle {
   /// Sides of the triangle's directed edge e on which the corners of another one are: left positive.
   [[nodiscard]] Sign side(std::size_t e, const SeenTriangle& other, std::size_t p) const {
     const std::size_t n = (e + 1) % 3;
-    if (face_.is_exact) return orient2d(seen_[e], seen_[n], other.seen_[p]);
+    if (face_.is_exact && other.face_.is_exact) return orient2d(seen_[e], seen_[n], other.seen_[p]);
     return orient2d(carriers_, projection_, point(e), point(n), other.point(p));
   }
   [[nodiscard]] Point point(std::size_t i) const { return make_point(carriers_, PointName::input(face_.vertices[i])); }
