@@ -1,4 +1,5 @@
 """Exactness across processes: chains of Booleans through .xoff files, and every verb on rational vertices."""
+import random
 import unittest
 from fractions import Fraction
 
@@ -48,6 +49,39 @@ class Exact(ToolTest):
         self.assertEqual(self.volume("x.xoff"), self.volume("u.xoff") - self.volume("i.xoff"))
         self.run_tool("xor", "x.xoff", self.b, "-o", "back.xoff")
         self.run_tool("compare", "back.xoff", self.a)
+
+    def vertices(self, path):
+        lines = self.path(path).read_text().splitlines()
+        count = int(lines[1].split()[0])
+        return [tuple(map(Fraction, line.split())) for line in lines[2:2 + count]]
+
+    def test_results_of_random_expressions_are_read_and_written_as_they_are(self):
+        """Solids on a grid of thirds or of a much finer one; results are the same when read again, digit by digit."""
+        rational = 0
+        for seed in range(12):
+            with self.subTest(seed=seed):
+                chance = random.Random(seed)
+                fine = 1 if seed % 2 else 10**40
+                bindings = []
+                for name in "abcd":
+                    place = [Fraction(chance.randint(-2 * fine, 2 * fine), 3 * fine) for _ in range(3)]
+                    side = Fraction(chance.randint(2 * fine, 6 * fine), 3 * fine)
+                    text = xoff(corner(*place, side), TETRAHEDRON)
+                    bindings.append(f"{name}={self.file(name + '.xoff', text)}")
+                one, two, three = (chance.choice("|&-^") for _ in range(3))
+                self.run_tool("eval", f"((a {one} b) {two} c) {three} d", *bindings, "-o", "first.xoff")
+                self.run_tool("eval", "x", "x=first.xoff", "-o", "again.xoff")
+                self.run_tool("eval", "x | x", "x=again.xoff", "-o", "third.xoff")
+                self.run_tool("compare", "first.xoff", "third.xoff")
+                self.assertEqual(self.vertices("first.xoff"), self.vertices("again.xoff"))
+                self.assertEqual(self.path("first.xoff").read_text(), self.path("again.xoff").read_text())
+                rational += any(x.denominator % 3 == 0 for v in self.vertices("first.xoff") for x in v)
+                for number, (step, other) in enumerate(((one, "b"), (two, "c"), (three, "d"))):
+                    verb = {"|": "union", "&": "intersection", "-": "difference", "^": "xor"}[step]
+                    before = f"step{number - 1}.xoff" if number else "a.xoff"
+                    self.run_tool(verb, before, f"{other}.xoff", "-o", f"step{number}.xoff")
+                self.run_tool("compare", "first.xoff", "step2.xoff")
+        self.assertGreater(rational, 6)
 
     def test_doubles_lose_what_xoff_keeps(self):
         self.run_tool("union", self.a, self.b, "-o", "u.xoff")

@@ -31,9 +31,9 @@ std::string read_all(int pipe) {
 
 /// The child's life: 0 and a result, or 1 and a complaint. A crash must end it, not reach the test framework's
 /// handlers.
-[[noreturn]] void work_in_child(int pipe, const std::function<std::string()>& work) {
+[[noreturn]] void work_in_child(int pipe, const std::function<std::string()>& work, unsigned seconds) {
   for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGBUS}) std::signal(signal, SIG_DFL);
-  alarm(60);
+  alarm(seconds);
   try {
     write_all(pipe, work());
     _exit(0);
@@ -45,14 +45,14 @@ std::string read_all(int pipe) {
 
 }  // namespace
 
-std::string in_child(const std::function<std::string()>& work) {
+std::string in_child(const std::function<std::string()>& work, unsigned seconds) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw OracleFailed("no pipe");
   const pid_t child = fork();
   if (child < 0) throw OracleFailed("no child process");
   if (child == 0) {
     close(ends[0]);
-    work_in_child(ends[1], work);
+    work_in_child(ends[1], work, seconds);
   }
   close(ends[1]);
   std::string text = read_all(ends[0]);

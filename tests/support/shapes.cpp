@@ -202,19 +202,26 @@ Mesh cell_solid(const CellGrid& grid) {
   return mesh.take();
 }
 
-Mesh kuhn_solid(Random& random, std::array<int, 3> size, std::uint64_t one_in) {
-  std::vector<LatticeTetrahedron> taken;
+Mesh kuhn_solid(std::array<int, 3> size, const std::vector<bool>& taken) {
+  std::vector<LatticeTetrahedron> tetrahedra;
+  auto flag = taken.begin();
   for (int k = 0; k < size[2]; ++k) {
     for (int j = 0; j < size[1]; ++j) {
       for (int i = 0; i < size[0]; ++i) {
         for (const auto& t : kuhn_tetrahedra({i, j, k})) {
-          if (random.once_in(one_in)) taken.push_back(t);
+          if (*flag++) tetrahedra.push_back(t);
         }
       }
     }
   }
-  if (taken.empty()) taken.push_back(kuhn_tetrahedra({0, 0, 0}).front());
-  return boundary_of(taken);
+  return boundary_of(tetrahedra);
+}
+
+Mesh kuhn_solid(Random& random, std::array<int, 3> size, std::uint64_t one_in) {
+  std::vector<bool> taken(static_cast<std::size_t>(size[0] * size[1] * size[2]) * 6);
+  for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = random.once_in(one_in);
+  if (std::find(taken.begin(), taken.end(), true) == taken.end()) taken.front() = true;
+  return kuhn_solid(size, taken);
 }
 
 Mesh l_shape() {

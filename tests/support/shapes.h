@@ -44,6 +44,9 @@ struct CellGrid {
 /// `one_in`: how rarely a tetrahedron is taken. Edges and vertices may be shared by several sheets.
 [[nodiscard]] Mesh kuhn_solid(Random& random, std::array<int, 3> size, std::uint64_t one_in);
 
+/// The union of the taken tetrahedra of that subdivision: six flags for every cube, cubes as in CellGrid.
+[[nodiscard]] Mesh kuhn_solid(std::array<int, 3> size, const std::vector<bool>& taken);
+
 [[nodiscard]] Mesh l_shape();                      ///< three unit cells
 [[nodiscard]] Mesh box_with_hole();                ///< a 3 x 3 x 1 box with a hole through its middle cell
 [[nodiscard]] Mesh box_with_cavity(double width);  ///< [0, 4]^3 without a box of that width in its middle

@@ -12,6 +12,14 @@ Rational determinant(const Affine& map) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
+RationalPoint image(const RationalPoint& p, const Affine& map) {
+  RationalPoint q = map.columns[3];
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t k = 0; k < 3; ++k) q[k] += map.columns[c][k] * p[c];
+  }
+  return q;
+}
+
 }  // namespace
 
 Mesh reversed(Mesh mesh) {
@@ -114,17 +122,22 @@ ExactMesh translated(const ExactMesh& mesh, const RationalPoint& by) {
   return exact_mesh(points, mesh.mesh.triangles);
 }
 
-ExactMesh mapped(const Mesh& mesh, const Affine& map) {
+ExactMesh mapped(const Mesh& mesh, const Affine& map) { return mapped(exact(mesh), map); }
+
+ExactMesh mapped(const ExactMesh& mesh, const Affine& map) {
   std::vector<RationalPoint> points;
-  for (const Vertex& v : mesh.vertices) {
-    RationalPoint p = map.columns[3];
-    for (int c = 0; c < 3; ++c) {
-      for (int k = 0; k < 3; ++k) p[k] += map.columns[c][k] * to_rational(v[c]);
-    }
-    points.push_back(p);
+  for (std::uint32_t v = 0; v < mesh.mesh.vertices.size(); ++v) points.push_back(image(mesh.position(v), map));
+  return exact_mesh(points, determinant(map) < 0 ? reversed(mesh.mesh).triangles : mesh.mesh.triangles);
+}
+
+Affine product(const Affine& a, const Affine& b) {
+  Affine result;
+  for (std::size_t c = 0; c < 4; ++c) {
+    result.columns[c] = image(b.columns[c], a);
+    if (c == 3) continue;
+    for (std::size_t k = 0; k < 3; ++k) result.columns[c][k] -= a.columns[3][k];
   }
-  const Mesh oriented = determinant(map) < 0 ? reversed(mesh) : mesh;
-  return exact_mesh(points, oriented.triangles);
+  return result;
 }
 
 }  // namespace strata::test

@@ -32,5 +32,7 @@ struct Affine {
   std::array<std::array<Rational, 3>, 4> columns;
 };
 [[nodiscard]] ExactMesh mapped(const Mesh& mesh, const Affine& map);
+[[nodiscard]] ExactMesh mapped(const ExactMesh& mesh, const Affine& map);
+[[nodiscard]] Affine product(const Affine& a, const Affine& b);  ///< first b, then a
 
 }  // namespace strata::test

@@ -176,17 +176,28 @@ TEST_CASE("a chain that goes on from its exact mesh does not grow either", "[wor
   CHECK(bits_of(solid) <= 9 * 56 + 14);
 }
 
-TEST_CASE("a rational corner on an edge of doubles, in a common plane", "[workpiece]") {
-  const std::array<std::array<double, 2>, 3> outline{{{0, 0}, {3, 1}, {0, 3}}}, thrice{{{3, 1}, {9, -3}, {6, 2}}};
-  const Solid prism(test::prism(outline, 0, 1));
+TEST_CASE("rational corners on edges of doubles, in common planes", "[workpiece][property]") {
   const Transform third = Transform::scaling({Rational(1, 3), Rational(1, 3), Rational(1, 3)});
-  const Solid beside(transform(test::exact(test::prism(thrice, 0, 3)), third, Placement::exact));
-  REQUIRE_FALSE(beside.exact_mesh().exact.empty());
-  for (const Operation operation : {Operation::unite, Operation::exclude}) {
-    CHECK(combined(operation, prism, beside).volume() == prism.volume() + beside.volume());
-    CHECK(Workpiece(prism).with(operation, beside).solid() == combined(operation, prism, beside));
+  const auto triangle = [](std::array<std::array<double, 2>, 3> p) {  // counter-clockwise
+    const double area = (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
+    if (area < 0) std::swap(p[1], p[2]);
+    return std::pair(p, area != 0);
+  };
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const auto whole = [&] { return static_cast<double>(random.between(-4, 4)); };
+    const auto [outline, is_wide] = triangle({{{whole(), whole()}, {whole(), whole()}, {whole(), whole()}}});
+    // A third of the way along an edge, times three.
+    const std::array<double, 2> on_edge{2 * outline[0][0] + outline[1][0], 2 * outline[0][1] + outline[1][1]};
+    const auto [thrice, is_wide_too] = triangle({{on_edge, {3 * whole(), 3 * whole()}, {whole(), whole()}}});
+    if (!is_wide || !is_wide_too) continue;
+    const Solid a(test::prism(outline, 0, 1));
+    const Solid b(transform(test::exact(test::prism(thrice, 0, 3)), third, Placement::exact));
+    const Rational common = combined(Operation::intersect, a, b).volume();
+    CHECK(combined(Operation::unite, a, b).volume() == a.volume() + b.volume() - common);
+    CHECK(combined(Operation::subtract, a, b).volume() == a.volume() - common);
+    for (const Operation operation : operations)
+      CHECK(Workpiece(a).with(operation, b).solid() == combined(operation, a, b));
   }
-  CHECK(combined(Operation::subtract, prism, beside) == prism);
-  CHECK(Workpiece(beside).with(Operation::subtract, prism).solid() == beside);
-  CHECK(combined(Operation::intersect, prism, beside).is_empty());
 }
