@@ -28,6 +28,7 @@ class Checkpoint(ChainTest):
             report = self.report("chain", document, "-o", "out.xoff", "--checkpoint", "save", "--resume", "save")
             self.assertEqual((report["resumed"]["checkpoint"], report["resumed"]["steps_done"]), ("save", done))
             self.assertIsNone(report["start"])
+            self.assertEqual([o["path"] for o in report["operands"]], [str(self.path("unit.off"))])  # no other is read
             self.assertEqual([step["index"] for step in report["steps"]], list(range(done, until)))
             self.assertEqual(report["checkpoints"], {"path": "save", "written": 1})
             self.assertEqual(self.mark("save")["done"], until)

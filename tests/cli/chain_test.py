@@ -129,7 +129,8 @@ class Chain(ChainTest):
         self.assertTrue(out.startswith(b"XOFF\n"))
         # Read once, used three times.
         document = self.document("steps.json", {"file": "-"}, [
-            {"operation": "xor", "file": "-", "transform": matrix(at=(Fraction(k, 3), 0, 0))} for k in (1, 2)])
+            {"operation": "xor", "file": "-", "input": kind, "transform": matrix(at=(Fraction(k, 3), 0, 0))}
+            for k, kind in ((1, "solid"), (2, "overlapping"))])
         report = json.loads(self.run_tool("chain", document, "-o", "out.off", "--report", "-", "--input-format", "off",
                                           stdin=cube().encode()).stdout)
         self.assertEqual(report["result"]["volume_exact"], "1")
