@@ -124,7 +124,7 @@ std::vector<bool> known_answer(const Recipe& recipe, const std::vector<std::vect
 // Catches: rules that judge otherwise than steps, copies of solids taken for one another, forms that are not equal,
 // walls and holes in arrangements of many solids that touch in all ways.
 TEST_CASE("random expressions about touching solids have one answer in four ways", "[csg][property]") {
-  constexpr std::uint64_t count = test::rounds(400);
+  constexpr std::uint64_t count = test::rounds(500);
   Tally tally;
   for (std::uint64_t seed = 0; seed < count; ++seed) {
     const Recipe recipe = test::touching_recipe(seed, {});
@@ -144,7 +144,7 @@ TEST_CASE("random expressions about touching solids have one answer in four ways
 
 // Catches: what is wrong in all of those ways. The answer is known without any geometry.
 TEST_CASE("random expressions about tetrahedra of one subdivision are what flags say", "[csg][property]") {
-  constexpr std::uint64_t count = test::rounds(400);
+  constexpr std::uint64_t count = test::rounds(500);
   Tally tally;
   for (std::uint64_t seed = 0; seed < count; ++seed) {
     CAPTURE(seed);

@@ -112,12 +112,12 @@ void compare_expressions(SeedRange range) {
 }  // namespace
 
 // Catches: what all ways of the engine have in common, complements and maps of results among them.
-TEST_CASE("500 random expressions about touching solids are what Nef polyhedra give", "[oracle][expressions]") {
-  compare_expressions(seeds({0, 500}));
+TEST_CASE("800 random expressions about touching solids are what Nef polyhedra give", "[oracle][expressions]") {
+  compare_expressions(seeds({0, 800}));
 }
 
-TEST_CASE("2500 more random expressions are what Nef polyhedra give", "[oracle][expressions][slow]") {
-  compare_expressions(seeds({500, 3000}));
+TEST_CASE("2200 more random expressions are what Nef polyhedra give", "[oracle][expressions][slow]") {
+  compare_expressions(seeds({800, 3000}));
 }
 
 }  // namespace strata::oracle
