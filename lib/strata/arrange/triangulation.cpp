@@ -15,7 +15,7 @@ void Triangulation::start(std::uint32_t face, Names names) {
   triangles_.clear();
   notes_.clear();
   lines_.clear();
-  equal_.clear();
+  other_names_.clear();
   triangles_.push_back({{0, 1, 2}, {-1, -1, -1}, {-1, -1, -1}});
   at_.assign(3, 0);
   last_ = 0;
@@ -28,7 +28,7 @@ std::int32_t Triangulation::add_point(PointId id) {
   if (l.on == Location::On::vertex) {
     drop_vertex();
     const std::int32_t there = tri(l.triangle).v[at(l.index)];
-    equal_.emplace_back(points_.table().name(id), points_[there].name);
+    other_names_.push_back({there, points_.table().name(id)});
     points_.remember(id, there);
     return there;
   }

@@ -60,13 +60,19 @@ class Triangulation {
   /// Local vertex of a point; inserted if there is none at its place. Requires a point of the closed face.
   std::int32_t add_point(PointId id);
 
+  /// A name that was found to be a vertex, too.
+  struct OtherName {
+    std::int32_t vertex = 0;
+    PointName name;
+  };
+
   /// Inserts a segment between two local vertices as constraint number `constraint`, carried by `line`.
   void add_segment(std::int32_t tail, std::int32_t head, std::int32_t constraint, const ConstraintLine& line);
 
   /// Notes, for every vertex in which lines of different faces' operands meet, the names that those lines give it. A
   /// point that was found under one name here may be known by another to the faces that carry those lines.
-  /// `same_operand`: lines of one operand count as well.
-  void connect_names(bool same_operand);
+  /// `same_operand`: lines of one operand count as well. Only of vertices for which `wanted` is not negative.
+  void connect_names(bool same_operand, std::span<const std::int32_t> wanted);
 
   /// Where a point of the closed face lies.
   [[nodiscard]] Location locate(const Point& p);
@@ -77,8 +83,8 @@ class Triangulation {
   [[nodiscard]] const Note& note(std::int32_t i) const { return notes_[static_cast<std::size_t>(i)]; }
   /// Some triangle at a vertex.
   [[nodiscard]] std::int32_t triangle_at(std::int32_t vertex) const { return at_[static_cast<std::size_t>(vertex)]; }
-  /// Pairs of names found to be one point.
-  [[nodiscard]] const std::vector<std::pair<PointName, PointName>>& equal_names() const { return equal_; }
+  /// Other names of vertices than their own.
+  [[nodiscard]] std::span<const OtherName> other_names() const { return other_names_; }
 
  private:
   struct Side {
@@ -147,7 +153,7 @@ class Triangulation {
   std::vector<std::int32_t> at_;
   std::vector<Note> notes_;
   std::vector<ConstraintLine> lines_;  ///< per constraint number
-  std::vector<std::pair<PointName, PointName>> equal_;
+  std::vector<OtherName> other_names_;
   std::vector<std::pair<std::int32_t, std::int32_t>> crossed_;
   std::vector<std::int32_t> stack_;  ///< triangles at a new vertex whose opposite sides are to be judged
   std::int32_t last_ = 0;

@@ -98,7 +98,7 @@ std::uint32_t Triangulation::operand_of(const ConstraintLine& line) const {
   return line.edge ? carriers_.operand_of_vertex(line.a) : carriers_.operand_of_face(line.a);
 }
 
-void Triangulation::connect_names(bool same_operand) {
+void Triangulation::connect_names(bool same_operand, std::span<const std::int32_t> wanted) {
   struct Arm {
     std::int32_t end;
     ConstraintLine line;
@@ -106,7 +106,7 @@ void Triangulation::connect_names(bool same_operand) {
   };
   std::vector<std::pair<std::int32_t, Arm>> arms;  // at a vertex
   const auto add = [&](std::int32_t v, std::int32_t end, const ConstraintLine& line) {
-    arms.push_back({v, {end, line, operand_of(line)}});
+    if (wanted[at(v)] >= 0) arms.push_back({v, {end, line, operand_of(line)}});
   };
   for (const Triangle& t : triangles_)
     for (int i = 0; i < 3; ++i) {
@@ -133,7 +133,7 @@ void Triangulation::connect_names(bool same_operand) {
         if (x.line == y.line || (!same_operand && x.operand == y.operand)) continue;
         const PointName name = name_of_crossing(x.line, y.line);
         if (name == points_[v].name || turn(v, x.end, y.end) == Sign::zero) continue;
-        equal_.emplace_back(name, points_[v].name);
+        other_names_.push_back({v, name});
       }
   }
 }
@@ -146,7 +146,7 @@ std::int32_t Triangulation::cross_constraint(Side s, const ConstraintLine& line)
     if (v < 0) {
       v = new_vertex(make_point(carriers_, name));
     } else if (name != points_[v].name) {
-      equal_.emplace_back(name, points_[v].name);
+      other_names_.push_back({v, name});
     }
   }
   split_side(s, v);

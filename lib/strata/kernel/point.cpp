@@ -119,6 +119,31 @@ bool named_on_edge(const PointName& name, std::uint32_t a, std::uint32_t b) {
   return false;
 }
 
+bool named_on_line(const Carriers& carriers, const PointName& name, const PointName& p, const PointName& q) {
+  const auto& id = name.id;
+  const auto on_edge = [&](std::size_t a, std::size_t b) {
+    return named_on_edge(p, id[a], id[b]) && named_on_edge(q, id[a], id[b]);
+  };
+  switch (name.kind) {
+    case PointName::Kind::edge_edge:
+      return on_edge(0, 1) || on_edge(2, 3);
+    case PointName::Kind::edge_face:
+      return on_edge(0, 1);
+    case PointName::Kind::three_faces: {
+      const auto in_plane = [&](std::uint32_t f) {
+        const auto v = carriers.face(f);
+        return named_on_face(p, f, v) && named_on_face(q, f, v);
+      };
+      return int{in_plane(id[0])} + int{in_plane(id[1])} + int{in_plane(id[2])} >= 2;
+    }
+    case PointName::Kind::input:
+    case PointName::Kind::weighted:
+    case PointName::Kind::free:
+      return false;
+  }
+  return false;
+}
+
 Point make_point(const Carriers& carriers, const PointName& name) {
   if (name.kind == PointName::Kind::input)
     return {name, approximate_vertex<Bounded>(carriers, name.id[0]), approximate_vertex<Twofold>(carriers, name.id[0])};

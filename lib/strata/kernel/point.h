@@ -65,6 +65,11 @@ struct Point {
 /// True when the name itself says that the point lies on the line through the vertices a and b.
 [[nodiscard]] bool named_on_edge(const PointName& name, std::uint32_t a, std::uint32_t b);
 
+/// True when the names themselves say that the point lies on the line through two other points: all are on one edge, or
+/// in the same two of the planes that make it. O(1).
+[[nodiscard]] bool named_on_line(const Carriers& carriers, const PointName& name, const PointName& p,
+                                 const PointName& q);
+
 /// Approximates the named point. Its coordinates are within the bounds, which are about an ulp wide. Where carriers
 /// meet at an angle so small that doubles in pairs do not reach this, they are found from the exact place. Requires a
 /// kind other than free whose carriers do meet in one point. O(1), with rationals in the ill-posed case.

@@ -51,14 +51,21 @@ void FaceSplitter::split(std::span<const Constraint> constraints, SplitFace& res
 
 void FaceSplitter::collect_pieces(const std::optional<FreeCorner>& corner, EqualNames& equal) {
   const bool simple = triangulate();
-  // Where lines of one operand may know a point by different names, simple paths may, too.
-  const bool same_operand = self_ || carriers_.has_identified();
-  if (self_ || (carriers_.operand_count() > 2 && (same_operand || !simple))) triangulation_.connect_names(same_operand);
   spread(corner ? Start{triangle_at_corner(corner->index), {corner->windings, {}}} : start_inside());
   remember_corners();
   judge();
   collect();
-  equal.insert(equal.end(), triangulation_.equal_names().begin(), triangulation_.equal_names().end());
+  if (!kept_.triangles.empty()) connect_names(simple, equal);
+}
+
+/// Tells other names of the points that stay. `simple`: the constraints are simple paths.
+void FaceSplitter::connect_names(bool simple, EqualNames& equal) {
+  // Where lines of one operand may know a point by different names, simple paths may, too.
+  const bool same_operand = self_ || carriers_.has_identified();
+  if (self_ || (carriers_.operand_count() > 2 && (same_operand || !simple)))
+    triangulation_.connect_names(same_operand, kept_index_);
+  for (const auto& [vertex, name] : triangulation_.other_names())
+    if (kept_index_[at(vertex)] >= 0) equal.emplace_back(name, triangulation_.points()[vertex].name);
 }
 
 /// All operands that the face meets, its own included, in order.

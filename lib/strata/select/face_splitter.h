@@ -67,6 +67,7 @@ class FaceSplitter {
   [[nodiscard]] bool is_one_of_the_same() const;
   void collect_whole();
   void collect_pieces(const std::optional<FreeCorner>& corner, EqualNames& equal);
+  void connect_names(bool simple, EqualNames& equal);
 
   bool triangulate();
   void spread(Start from);

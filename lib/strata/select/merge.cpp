@@ -61,13 +61,16 @@ class Outlines {
     tbb::parallel_for(std::size_t{0}, degree_.size(), [&](std::size_t v) {
       const auto id = static_cast<Id>(v);
       if (concerned_[v] == 0 || degree_[v] != 2 || table.is_input(id)) return;
-      const Point p = table.point(neighbours_[v][0]);
-      const Point q = table.point(id);
-      const Point r = table.point(neighbours_[v][1]);
-      for (const Projection axes : {Projection{0, 1}, Projection{1, 2}, Projection{2, 0}})
-        if (orient2d(carriers, axes, p, q, r) != Sign::zero) return;
-      straight_[v] = 1;
+      const auto [before, after] = neighbours_[v];
+      straight_[v] = static_cast<std::uint8_t>(runs_straight(carriers, table, before, id, after));
     });
+  }
+  [[nodiscard]] static bool runs_straight(const Carriers& carriers, const PointTable& table, Id a, Id b, Id c) {
+    if (named_on_line(carriers, table.name(b), table.name(a), table.name(c))) return true;
+    const Point p = table.point(a), q = table.point(b), r = table.point(c);
+    for (const Projection axes : {Projection{0, 1}, Projection{1, 2}, Projection{2, 0}})
+      if (orient2d(carriers, axes, p, q, r) != Sign::zero) return false;
+    return true;
   }
 
   std::vector<std::uint8_t> concerned_;  ///< per point: its outlines are known
