@@ -56,15 +56,19 @@ std::size_t FaceTree::size() const { return root_ == nullptr ? 0 : root_->count;
 Box FaceTree::bounds() const { return root_ == nullptr ? Box() : root_->box; }
 Twofold FaceTree::determinant() const { return root_ == nullptr ? Twofold() : root_->determinant; }
 
-FaceTree FaceTree::with(std::vector<const WorkFace*> removed, std::vector<WorkFace> added) const {
-  NodePointer root = root_;
-  if (root != nullptr && !removed.empty()) {
-    Box region;
-    for (const WorkFace* f : removed) region.include(f->box());
-    std::sort(removed.begin(), removed.end(), std::less<>());
-    root = without(root, region, removed);
+FaceTree FaceTree::with(std::vector<FaceChange> changes) const {
+  std::vector<const WorkFace*> removed;
+  std::vector<Box> regions;
+  for (const FaceChange& change : changes) {
+    if (change.removed.empty()) continue;
+    regions.emplace_back();
+    for (const WorkFace* f : change.removed) regions.back().include(f->box());
+    removed.insert(removed.end(), change.removed.begin(), change.removed.end());
   }
-  if (!added.empty()) root = root == nullptr ? build(std::move(added)) : with_faces(root, added);
+  std::sort(removed.begin(), removed.end(), std::less<>());
+  NodePointer root = removed.empty() || root_ == nullptr ? root_ : without(root_, regions, removed);
+  for (FaceChange& change : changes)
+    if (!change.added.empty()) root = root == nullptr ? build(std::move(change.added)) : with_faces(root, change.added);
   return FaceTree(std::move(root));
 }
 
@@ -116,9 +120,10 @@ FaceTree::NodePointer FaceTree::build(std::span<WorkFace> faces, std::span<std::
   return inner(std::move(lower), build(faces, order.subspan(half)));
 }
 
-FaceTree::NodePointer FaceTree::without(const NodePointer& node, const Box& region,
+FaceTree::NodePointer FaceTree::without(const NodePointer& node, std::span<const Box> regions,
                                         std::span<const WorkFace* const> removed) {
-  if (!node->box.overlaps(region)) return node;
+  const auto is_near = [&](const Box& region) { return node->box.overlaps(region); };
+  if (std::none_of(regions.begin(), regions.end(), is_near)) return node;
   if (node->children[0] == nullptr) {
     const auto stays = [&](const WorkFace& f) {
       return !std::binary_search(removed.begin(), removed.end(), &f, std::less<>());
@@ -128,7 +133,7 @@ FaceTree::NodePointer FaceTree::without(const NodePointer& node, const Box& regi
     if (left.size() == node->faces.size()) return node;
     return left.empty() ? nullptr : leaf(std::move(left));
   }
-  NodePointer a = without(node->children[0], region, removed), b = without(node->children[1], region, removed);
+  NodePointer a = without(node->children[0], regions, removed), b = without(node->children[1], regions, removed);
   if (a == node->children[0] && b == node->children[1]) return node;
   if (a == nullptr || b == nullptr) return a == nullptr ? b : a;
   return inner(std::move(a), std::move(b));

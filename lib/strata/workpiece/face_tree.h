@@ -50,6 +50,12 @@ class WorkFace {
   Twofold determinant_;
 };
 
+/// Faces of a tree, by their addresses, that go, and others that come in their place.
+struct FaceChange {
+  std::vector<const WorkFace*> removed;
+  std::vector<WorkFace> added;
+};
+
 /// The faces of a workpiece in an immutable tree of boxes. A tree that differs in a few faces shares all subtrees in
 /// which it does not. The shape of a tree follows from how it was made, not from threads or addresses.
 class FaceTree {
@@ -73,8 +79,9 @@ class FaceTree {
     for_each_in([](const Box&) { return true; }, visit);
   }
 
-  /// The tree without some faces, given by their addresses, and with others. O(k log n) for k of both, amortized.
-  [[nodiscard]] FaceTree with(std::vector<const WorkFace*> removed, std::vector<WorkFace> added) const;
+  /// The tree after changes of this very one, no two of which remove the same face. O(k log n) for k faces that come
+  /// and go, amortized.
+  [[nodiscard]] FaceTree with(std::vector<FaceChange> changes) const;
 
  private:
   struct Node;
@@ -104,7 +111,8 @@ class FaceTree {
   static NodePointer inner(NodePointer a, NodePointer b);
   static NodePointer build(std::vector<WorkFace> faces);
   static NodePointer build(std::span<WorkFace> faces, std::span<std::uint32_t> order);
-  static NodePointer without(const NodePointer& node, const Box& region, std::span<const WorkFace* const> removed);
+  static NodePointer without(const NodePointer& node, std::span<const Box> regions,
+                             std::span<const WorkFace* const> removed);
   static NodePointer with_faces(const NodePointer& node, std::span<WorkFace> added);
 
   NodePointer root_;

@@ -4,14 +4,12 @@
 #include <functional>
 #include <utility>
 
-#include "strata/csg/arena.h"
 #include "strata/csg/evaluate.h"
 #include "strata/exact/failure.h"
 #include "strata/kernel/nearest.h"
 #include "strata/workpiece/face_planes.h"
 #include "strata/workpiece/patch.h"
 #include "strata/workpiece/redundant_corners.h"
-#include "strata/workpiece/tool_groups.h"
 
 namespace strata {
 namespace {
@@ -23,12 +21,6 @@ CornerPointer given_corner(const Vertex& at, const RationalPoint* rational) {
   corner->at = at;
   if (rational != nullptr) corner->rational = *rational;
   return corner;
-}
-
-Box bounds_of(std::span<const Solid> tools) {
-  Box box;
-  for (const Solid& tool : tools) box.include(bounds_of(tool));
-  return box;
 }
 
 bool holds(const Box& box, const Vertex& p) {
@@ -46,19 +38,20 @@ bool keeps_rest(const Rule& rule) {
 
 class Step {
  public:
-  Step(const FaceTree& tree, Operation operation, std::span<const Solid> tools, const Monitor& monitor)
+  Step(const FaceTree& tree, Operation operation, const ToolGroup& group, const Monitor& monitor)
       : tree_(tree),
-        region_(bounds_of(tools)),
-        rule_(operation, static_cast<std::uint32_t>(tools.size() + 1)),
+        region_(group.box),
+        rule_(operation, static_cast<std::uint32_t>(group.tools.size() + 1)),
         patch_(tree, region_),
         points_(carriers_) {
     patch_.add_to(carriers_);
-    for (const Solid& tool : tools) carriers_.add(tool.mesh().vertices, tool.mesh().triangles, tool.exact_mesh().exact);
+    for (const Solid& tool : group.tools)
+      carriers_.add(tool.mesh().vertices, tool.mesh().triangles, tool.exact_mesh().exact);
     Profile profile;
     pieces_ = evaluate_pieces(carriers_, rule_, false, points_, monitor, profile);
   }
 
-  FaceTree take() {
+  FaceChange change() {
     gather();
     FacePlanes planes(carriers_);
     for (std::uint32_t f = 0; f < patch_.face_count(); ++f)
@@ -148,24 +141,34 @@ class Step {
     return known = points_.is_input(v) ? given_corner(carriers_.vertex(v), carriers_.exact(v)) : corner_by_name(v);
   }
 
-  /// The tree with what has changed.
-  FaceTree assembled(FacePlanes& planes) {
+  FaceChange assembled(FacePlanes& planes) {
+    FaceChange change;
     std::vector<bool> stays(patch_.face_count());
-    std::vector<WorkFace> added;
-    const bool keep = keeps_rest(rule_);
     for (const ResultTriangle& t : triangles_) {
-      if (t.untouched && keep) {
+      if (t.untouched) {
         stays[t.face] = true;
       } else {
-        added.push_back(new_face(t, planes));
+        change.added.push_back(new_face(t, planes));
       }
     }
-    if (!keep) return FaceTree(std::move(added));
-    std::vector<const WorkFace*> removed;
     for (std::uint32_t f = 0; f < patch_.face_count(); ++f)
-      if (!stays[f]) removed.push_back(&patch_.face(f));
-    ensure_same_boundary(removed, added);
-    return tree_.with(std::move(removed), std::move(added));
+      if (!stays[f]) change.removed.push_back(&patch_.face(f));
+    if (keeps_rest(rule_)) {
+      ensure_same_boundary(change);
+    } else {
+      remove_rest(change);
+    }
+    return change;
+  }
+
+  /// All faces of the tree that are not in the patch.
+  void remove_rest(FaceChange& change) const {
+    std::vector<const WorkFace*> known;
+    for (std::uint32_t f = 0; f < patch_.face_count(); ++f) known.push_back(&patch_.face(f));
+    std::sort(known.begin(), known.end(), std::less<>());
+    tree_.for_each([&](const WorkFace& f) {
+      if (!std::binary_search(known.begin(), known.end(), &f, std::less<>())) change.removed.push_back(&f);
+    });
   }
 
   WorkFace new_face(const ResultTriangle& t, FacePlanes& planes) {
@@ -177,9 +180,9 @@ class Step {
   }
 
   /// Each side of the faces that go is one of those that come, as often, or meets its opposite.
-  static void ensure_same_boundary(const std::vector<const WorkFace*>& removed, const std::vector<WorkFace>& added) {
+  static void ensure_same_boundary(const FaceChange& change) {
     std::vector<std::pair<std::pair<const Corner*, const Corner*>, int>> sides;
-    sides.reserve(3 * (removed.size() + added.size()));
+    sides.reserve(3 * (change.removed.size() + change.added.size()));
     const auto add = [&](const WorkFace& f, int times) {
       for (std::size_t i = 0; i < 3; ++i) {
         const Corner *a = f.corners()[i].get(), *b = f.corners()[(i + 1) % 3].get();
@@ -187,8 +190,8 @@ class Step {
         sides.push_back({forth ? std::pair(a, b) : std::pair(b, a), forth ? times : -times});
       }
     };
-    for (const WorkFace* f : removed) add(*f, -1);
-    for (const WorkFace& f : added) add(f, 1);
+    for (const WorkFace* f : change.removed) add(*f, -1);
+    for (const WorkFace& f : change.added) add(f, 1);
     std::sort(sides.begin(), sides.end());
     int sum = 0;
     for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -211,15 +214,8 @@ class Step {
 
 }  // namespace
 
-FaceTree take_step(const FaceTree& workpiece, Operation operation, std::span<const Solid> tools,
-                   const Options& options) {
-  const Monitor monitor(options.cancel, &options.progress);
-  monitor.check();
-  std::size_t faces = 0;
-  for (const Solid& tool : tools) faces += tool.mesh().triangles.size();
-  FaceTree result;
-  arena_for(options, faces).execute([&] { result = Step(workpiece, operation, tools, monitor).take(); });
-  return result;
+FaceChange change_by(const FaceTree& workpiece, Operation operation, const ToolGroup& group, const Monitor& monitor) {
+  return Step(workpiece, operation, group, monitor).change();
 }
 
 std::vector<WorkFace> faces_of(const Solid& solid) {

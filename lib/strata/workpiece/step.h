@@ -1,17 +1,20 @@
 #pragma once
-#include <span>
 #include <vector>
 
-#include "strata/csg/options.h"
 #include "strata/csg/solid.h"
+#include "strata/mesh/monitor.h"
+#include "strata/select/operation.h"
 #include "strata/workpiece/face_tree.h"
+#include "strata/workpiece/tool_groups.h"
 
 namespace strata {
 
-/// One step: the faces of a workpiece combined with tools, all at once. Exact. Throws as `combine` does, and LogicError
-/// when the faces that come and go do not have the same boundary (an operand that is not what was declared).
-[[nodiscard]] FaceTree take_step(const FaceTree& workpiece, Operation operation, std::span<const Solid> tools,
-                                 const Options& options);
+/// One step: what it changes when the faces of a workpiece are combined with tools, all at once. Exact. Runs in the
+/// current task arena. Throws as `combine` does, and LogicError when the faces that come and go do not have the same
+/// boundary (an operand that is not what was declared).
+/// Law: steps with tools whose boxes are apart change a workpiece independently, if no face is removed by two of them.
+[[nodiscard]] FaceChange change_by(const FaceTree& workpiece, Operation operation, const ToolGroup& group,
+                                   const Monitor& monitor);
 
 /// The faces of a solid.
 [[nodiscard]] std::vector<WorkFace> faces_of(const Solid& solid);

@@ -10,7 +10,7 @@ namespace strata {
 namespace {
 
 /// A step has costs of its own, which more faces share; tools in one step are all tested with each other.
-constexpr std::size_t faces_of_step = 6000;
+constexpr std::size_t faces_of_step = 2000;
 
 /// Bits of three coordinates of 10 bits each in turn: points near each other on a curve through all of space (Morton).
 std::uint32_t interleaved(const std::array<std::int32_t, 3>& g) {
@@ -33,7 +33,7 @@ Box bounds_of(const Solid& solid) {
   return box;
 }
 
-std::vector<std::vector<Solid>> group_tools(std::span<const Solid> tools) {
+std::vector<ToolGroup> group_tools(std::span<const Solid> tools) {
   Box all;
   std::vector<Box> boxes;
   for (const Solid& tool : tools) {
@@ -48,7 +48,7 @@ std::vector<std::vector<Solid>> group_tools(std::span<const Solid> tools) {
     order.emplace_back(interleaved(Grid(all.lower, all.upper).at(middle)), i);
   }
   std::sort(order.begin(), order.end());
-  std::vector<std::vector<Solid>> groups;
+  std::vector<ToolGroup> groups;
   std::size_t faces = faces_of_step;
   for (const auto& [code, i] : order) {
     const std::size_t more = tools[i].mesh().triangles.size();
@@ -56,7 +56,8 @@ std::vector<std::vector<Solid>> group_tools(std::span<const Solid> tools) {
       groups.emplace_back();
       faces = 0;
     }
-    groups.back().push_back(tools[i]);
+    groups.back().tools.push_back(tools[i]);
+    groups.back().box.include(boxes[i]);
     faces += more;
   }
   return groups;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "strata/workpiece/face_tree.h"
+#include "strata/workpiece/rounds.h"
 #include "strata/workpiece/step.h"
 #include "strata/workpiece/tool_groups.h"
 
@@ -35,17 +36,8 @@ Workpiece Workpiece::with(Operation operation, const Solid& tool, const Options&
 Workpiece Workpiece::with(Operation operation, std::span<const Solid> tools, const Options& options) const {
   const auto is_empty_tool = [](const Solid& tool) { return tool.is_empty(); };
   if (operation == Operation::intersect && std::any_of(tools.begin(), tools.end(), is_empty_tool)) return {};
-  Workpiece result = *this;
-  for (const std::vector<Solid>& group : group_tools(tools)) {
-    std::span<const Solid> step = group;
-    if (result.is_empty()) {
-      if (operation == Operation::subtract || operation == Operation::intersect) return {};
-      result = Workpiece(step.front());
-      step = step.subspan(1);
-    }
-    if (!step.empty())
-      result.data_ = std::make_shared<const Data>(Data{take_step(result.data_->faces, operation, step, options)});
-  }
+  Workpiece result;
+  result.data_ = std::make_shared<const Data>(Data{take_steps(data_->faces, operation, group_tools(tools), options)});
   return result;
 }
 
