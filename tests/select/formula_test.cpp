@@ -95,6 +95,33 @@ TEST_CASE("chains settle as unions and differences do", "[select]") {
   CHECK_FALSE(formula.holds(w));
 }
 
+// Catches: operands that occur twice, negated terms of unions, terms of intersections taken for those of unions.
+TEST_CASE("operands of a union may be replaced by one of them", "[select][property]") {
+  const auto seed = GENERATE(range(0, 300));
+  CAPTURE(seed);
+  test::Random random(static_cast<std::uint64_t>(seed));
+  Formula formula(6);
+  const Pair p = random_pair(formula, random, 3);
+  formula.close(p.term);
+  for (const auto& list : formula.unions()) {
+    REQUIRE(list.size() >= 2);
+    std::uint32_t members = 0;
+    for (const std::uint32_t o : list) members |= 1u << o;
+    for (std::uint32_t bits = 0; bits < 64; ++bits)
+      if ((bits & members) != 0)
+        REQUIRE(formula.holds(windings_of(bits)) == formula.holds(windings_of((bits & ~members) | 1u << list.front())));
+  }
+}
+
+TEST_CASE("what a difference takes away is a union", "[select]") {
+  Formula formula(5);
+  const Formula::Term away =
+      formula.join(Formula::Join::any, std::vector<Formula::Term>{formula.operand(1), formula.operand(2)});
+  const std::vector<Formula::Term> whole{formula.operand(0), !away, !formula.operand(4)};
+  formula.close(formula.join(Formula::Join::all, whole));
+  CHECK(formula.unions() == std::vector<std::vector<std::uint32_t>>{{1, 2, 4}});
+}
+
 TEST_CASE("a formula without operands is a constant", "[select]") {
   Formula everything(0);
   everything.close(everything.join(Formula::Join::all, {}));

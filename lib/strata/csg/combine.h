@@ -21,8 +21,8 @@ struct Profile {
       counts;  ///< pairs, points, pieces, ...; decisions per tier if counted
 };
 
-/// An operand whose vertices may be rationals; `exact` is empty for ordinary meshes. Rationals are taken as they are, of
-/// whatever class: they may cross themselves where the class is overlapping or repair, but nothing is repaired.
+/// An operand whose vertices may be rationals; `exact` is empty for ordinary meshes. Rationals are taken as they are,
+/// of whatever class: they may cross themselves where the class is overlapping or repair, but nothing is repaired.
 struct Operand {
   MeshView mesh;
   std::span<const ExactVertex> exact;
@@ -40,12 +40,12 @@ struct BooleanResult {
 
 /// Regularized Boolean of n solids, exact on the coordinates given.
 /// The combinatorics are those of the exact result; coordinates of new vertices are the nearest doubles.
-/// Faces that do not meet another operand come out untouched: same vertices, same triangle, same order.
+/// Faces that do not meet another operand come out untouched: same vertices, same triangle, same order (but operands of
+/// one union that have walls in common are united first, and their faces stand together).
 /// Edges and vertices shared by several sheets are written once (non-manifold).
 /// Laws: commutative in the operands (as point sets); same bytes for any number of threads.
-/// Throws InputError (an operand is not what was declared), std::invalid_argument (exact places that are not in order or
-/// do not belong to the doubles), Cancelled, std::length_error (more than 2^32 - 2
-/// vertices or faces in all).
+/// Throws InputError (an operand is not what was declared), std::invalid_argument (exact places that are not in order
+/// or do not belong to the doubles), Cancelled, std::length_error (more than 2^32 - 2 vertices or faces in all).
 [[nodiscard]] BooleanResult combine(Operation operation, std::span<const MeshView> operands,
                                     const Options& options = {});
 [[nodiscard]] BooleanResult combine(Operation operation, std::span<const Operand> operands,

@@ -135,4 +135,23 @@ bool Formula::find_settled(std::uint32_t operand, bool in) const {
   return false;
 }
 
+/// Terms of one joint: of `any` as they are; by De Morgan, of `all` negated.
+std::vector<std::vector<std::uint32_t>> Formula::unions() const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> terms;  // joint, operand
+  for (std::uint32_t o = 0; o < operands(); ++o) {
+    if (occurrences_[o].size() != 1) continue;
+    const Place& p = occurrences_[o].front();
+    const Join join = joints_[p.joint].join;
+    if ((join == Join::any && !p.negated) || (join == Join::all && p.negated)) terms.emplace_back(p.joint, o);
+  }
+  std::sort(terms.begin(), terms.end());
+  std::vector<std::vector<std::uint32_t>> all;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (i == 0 || terms[i].first != terms[i - 1].first) all.emplace_back();
+    all.back().push_back(terms[i].second);
+  }
+  std::erase_if(all, [](const auto& list) { return list.size() < 2; });
+  return all;
+}
+
 }  // namespace strata

@@ -36,6 +36,10 @@ class Formula {
     return settles_[2 * std::size_t{operand} + (in ? 1 : 0)];
   }
 
+  /// Operands that matter only in that a point is in one of them or in none: each list is as good as one operand, their
+  /// union. Lists of at least two, in order; an operand that occurs several times is in none. O(operands log operands).
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> unions() const;
+
  private:
   static constexpr std::uint32_t none = 0xffffffffu;
   struct Place {

@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "strata/cells/windings.h"
 #include "strata/select/formula.h"
@@ -33,6 +35,16 @@ class Rule {
         return false;
     }
     return false;
+  }
+
+  /// Operands that matter only in that a point is in one of them or in none: each list is as good as their union.
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> unions() const {
+    if (formula_) return formula_->unions();
+    const std::uint32_t first = operation_ == Operation::subtract ? 1 : 0;
+    if (operation_ == Operation::intersect || operation_ == Operation::exclude || operands_ < first + 2) return {};
+    std::vector<std::uint32_t> list(operands_ - first);
+    std::iota(list.begin(), list.end(), first);
+    return {list};
   }
 
   [[nodiscard]] bool inside(const Windings& windings) const {

@@ -1,0 +1,167 @@
+#include "strata/csg/common_walls.h"
+
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "strata/strata.h"
+#include "support/random.h"
+#include "support/shapes.h"
+
+using namespace strata;
+using test::Random;
+
+namespace {
+
+/// A four-sided outline across a sweep, at a place of its path.
+std::array<Vertex, 4> outline(double x, double y, double z) {
+  return {{{x, y - 1, z}, {x, y, z - 1}, {x, y + 1, z}, {x, y, z + 1}}};
+}
+
+/// The piece of a sweep between two outlines; neighbours have caps with the same corners.
+Mesh piece(const std::array<Vertex, 4>& from, const std::array<Vertex, 4>& to) {
+  Mesh mesh;
+  mesh.vertices.assign(from.begin(), from.end());
+  mesh.vertices.insert(mesh.vertices.end(), to.begin(), to.end());
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t k = (i + 1) % 4;
+    mesh.triangles.push_back({i, k + 4, i + 4});
+    mesh.triangles.push_back({i, k, k + 4});
+  }
+  for (const Triangle& t : {Triangle{0, 1, 2}, Triangle{0, 2, 3}}) {
+    mesh.triangles.push_back({t[0], t[2], t[1]});
+    mesh.triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
+  }
+  return mesh;
+}
+
+/// A sweep in pieces along x, which wanders across.
+std::vector<Mesh> sweep(Random& random, int pieces) {
+  std::vector<Mesh> meshes;
+  auto at = outline(0, random.between(-2, 2), random.between(-2, 2));
+  for (int i = 0; i < pieces; ++i) {
+    const auto next = outline(2 * i + 2, random.between(-2, 2), random.between(-2, 2));
+    meshes.push_back(piece(at, next));
+    at = next;
+  }
+  return meshes;
+}
+
+std::vector<Operand> operands_of(const std::vector<Mesh>& meshes) {
+  std::vector<Operand> operands;
+  for (const Mesh& m : meshes) operands.push_back({MeshView(m), {}, false});
+  return operands;
+}
+
+CanonicalForm form_of(const BooleanResult& r) { return canonical_form(ExactMesh{r.mesh, r.exact}); }
+
+RationalPoint place(const BooleanResult& r, std::uint32_t vertex) {
+  for (const ExactVertex& e : r.exact)
+    if (e.vertex == vertex) return e.position;
+  const Vertex& v = r.mesh.vertices[vertex];
+  return {to_rational(v[0]), to_rational(v[1]), to_rational(v[2])};
+}
+
+/// Every triangle of a result lies in the plane of the face it is said to come from.
+void check_sources(const BooleanResult& r, const std::vector<Mesh>& meshes) {
+  REQUIRE(r.sources.size() == r.mesh.triangles.size());
+  for (std::size_t t = 0; t < r.sources.size(); ++t) {
+    const Mesh& mesh = meshes[r.sources[t].operand];
+    RationalPoint p[3];
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) p[i][k] = to_rational(mesh.vertices[mesh.triangles[r.sources[t].face][i]][k]);
+    for (const std::uint32_t v : r.mesh.triangles[t]) {
+      const RationalPoint q = place(r, v);
+      Rational m[3][3];
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) m[i][k] = (i == 0 ? q[k] : p[i][k]) - p[0][k];
+      const Rational det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+      REQUIRE(det == 0);
+    }
+  }
+}
+
+/// (first operand) - (union of the middle ones) ^ (union of the last `count`).
+Formula mixed_formula(std::uint32_t operands, std::uint32_t count) {
+  Formula f(operands);
+  std::vector<Formula::Term> middle, last;
+  for (std::uint32_t o = 1; o < operands; ++o) (o + count < operands ? middle : last).push_back(f.operand(o));
+  const Formula::Term some_middle = f.join(Formula::Join::any, middle), some_last = f.join(Formula::Join::any, last);
+  const std::vector<Formula::Term> difference{f.operand(0), !some_middle};
+  const std::vector<Formula::Term> whole{f.join(Formula::Join::all, difference), some_last};
+  f.close(f.join(Formula::Join::odd, whole));
+  return f;
+}
+
+}  // namespace
+
+TEST_CASE("pieces of a sweep have walls in common, other neighbours have none", "[csg]") {
+  Random random(1);
+  std::vector<Mesh> meshes = sweep(random, 5);
+  meshes.push_back(test::box({0, 10, 10}, {1, 11, 11}));
+  meshes.push_back(test::box({1, 10, 10}, {2, 12, 12}));  // touches in a part of a side
+  meshes.push_back(test::box({0, 10, 10}, {1, 11, 11}));  // the same as one: its faces look the same way
+  for (const Mesh& m : sweep(random, 40)) meshes.push_back(m);
+  for (std::size_t i = 8; i < meshes.size(); ++i)
+    for (Vertex& v : meshes[i].vertices) v[2] += 100;
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t o = 0; o < meshes.size(); ++o) all.push_back(o);
+  const std::vector<Operand> operands = operands_of(meshes);
+  const auto groups = groups_with_common_walls(operands, all);
+  REQUIRE(groups.size() == 2);  // what is more than half of all is not grouped: 32 of 48 are not, the rest of them are
+  CHECK(groups[0] == std::vector<std::uint32_t>{0, 1, 2, 3, 4});
+  CHECK(groups[1].size() == 8);
+  CHECK(groups_with_common_walls(operands, std::vector<std::uint32_t>{0, 2, 4, 6}).empty());
+}
+
+// Catches: members that are united twice or lost, unions of what is no union, sources that name the wrong operand.
+TEST_CASE("operands that are united first give what all together give", "[csg][property]") {
+  for (std::uint64_t seed = 0; seed < 25; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<Mesh> meshes{test::box({-1, -3, -3}, {7, 3, 3})};
+    for (int s = 0; s < 3; ++s)
+      for (Mesh& m : sweep(random, 4)) meshes.push_back(std::move(m));
+    const auto operands = operands_of(meshes);
+    const Options together{.input = InputClass::overlapping, .exact_vertices = true}, grouped{.exact_vertices = true};
+    const auto check = [&](const auto& rule) {
+      const BooleanResult r = combine(rule, std::span<const Operand>(operands), grouped);
+      REQUIRE(form_of(r) == form_of(combine(rule, std::span<const Operand>(operands), together)));
+      check_sources(r, meshes);
+    };
+    for (const Operation op : {Operation::unite, Operation::subtract, Operation::intersect, Operation::exclude}) {
+      CAPTURE(static_cast<int>(op));
+      check(op);
+    }
+    check(mixed_formula(13, 4));
+  }
+}
+
+TEST_CASE("unions of neighbours do not depend on the number of threads", "[csg]") {
+  Random random(7);
+  std::vector<Mesh> meshes{test::box({-1, -3, -3}, {30, 3, 3})};
+  for (int s = 0; s < 6; ++s)
+    for (Mesh& m : sweep(random, 14)) meshes.push_back(std::move(m));
+  const auto operands = operands_of(meshes);
+  const BooleanResult one = combine(Operation::subtract, std::span<const Operand>(operands), {.threads = 1}),
+                      two = combine(Operation::subtract, std::span<const Operand>(operands), {.threads = 2});
+  CHECK(one.mesh.vertices == two.mesh.vertices);
+  CHECK(one.mesh.triangles == two.mesh.triangles);
+  CHECK(one.sources == two.sources);
+}
+
+TEST_CASE("an operand with a wall in common that is no solid is named", "[csg]") {
+  Random random(2);
+  std::vector<Mesh> meshes;
+  for (int s = 0; s < 3; ++s)
+    for (Mesh& m : sweep(random, 4)) meshes.push_back(std::move(m));
+  meshes[6].triangles.erase(meshes[6].triangles.begin());
+  meshes[10].triangles.erase(meshes[10].triangles.begin());
+  try {
+    (void)combine(Operation::unite, std::span<const Operand>(operands_of(meshes)));
+    FAIL("an open operand was accepted");
+  } catch (const InputError& e) {
+    CHECK(e.operand() == 6);
+  }
+}
