@@ -1,10 +1,18 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "exit_code.h"
 #include "settings.h"
+
+/// Megabytes of address space for a process. Programs with a sanitizer reserve all there is.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr std::uint64_t default_megabytes = 0;
+#else
+inline constexpr std::uint64_t default_megabytes = 4096;
+#endif
 
 /// What `strata verify` asks for.
 struct VerifySettings {
@@ -14,7 +22,7 @@ struct VerifySettings {
   std::vector<std::string> reports;      ///< by extension: .json, .xml (JUnit), .html
   unsigned jobs = 0;
   double seconds = 20;
-  std::uint64_t megabytes = 4096;
+  std::uint64_t megabytes = default_megabytes;
   bool certify = false, recertify = false;
   std::string oracle;   ///< program; empty: $STRATA_ORACLE, else strata-oracle in the path
   std::string python;   ///< program; empty: $STRATA_PYTHON, else python3
