@@ -56,11 +56,10 @@ struct Bounds {
 struct Fit {
   PaperPoint lower;
   double scale, margin;
-  int digits;
 
   void print(std::string& out, const PaperPoint& p) const {
-    fmt::format_to(std::back_inserter(out), "{:.{}g} {:.{}g}", (p[0] - lower[0]) * scale + margin, digits,
-                   (p[1] - lower[1]) * scale + margin, digits);
+    fmt::format_to(std::back_inserter(out), "{:.7g} {:.7g}", (p[0] - lower[0]) * scale + margin,
+                   (p[1] - lower[1]) * scale + margin);
   }
 };
 
@@ -122,7 +121,7 @@ void SvgPage::add_polygon(const PaperPath& corners, int shade) {
   layers_.back().paths.push_back(corners);
 }
 
-std::string SvgPage::text(double width, std::string_view title, int digits) const {
+std::string SvgPage::text(double width, std::string_view title) const {
   Bounds bounds;
   for (const Layer& l : layers_)
     for (const PaperPath& path : l.paths)
@@ -131,7 +130,7 @@ std::string SvgPage::text(double width, std::string_view title, int digits) cons
   const double margin = .03 * width;
   const double wide = bounds.upper[0] - bounds.lower[0], high = bounds.upper[1] - bounds.lower[1];
   const double scale = (width - 2 * margin) / std::max({wide, high, 1e-300});
-  const Fit fit{bounds.lower, scale, margin, digits};
+  const Fit fit{bounds.lower, scale, margin};
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.7g} {1:.7g}\" width=\"{0:.7g}\" "
       "height=\"{1:.7g}\">\n"

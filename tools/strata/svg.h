@@ -13,8 +13,8 @@ class SvgPage {
   /// A filled polygon over everything before. Neighbours of one shade share a path.
   void add_polygon(const PaperPath& corners, int shade);
 
-  /// The document, `width` units wide; places have that many significant digits.
-  [[nodiscard]] std::string text(double width, std::string_view title, int digits = 7) const;
+  /// The document, `width` units wide.
+  [[nodiscard]] std::string text(double width, std::string_view title) const;
   [[nodiscard]] bool is_empty() const { return layers_.empty(); }
 
  private:

@@ -100,10 +100,12 @@ std::optional<std::string> difference(const Expectation& found, const Expectatio
   return {};
 }
 
-void add_origin(Expectation& expectation, const std::string& name) {
+bool add_origin(Expectation& expectation, const std::string& name) {
   auto& list = expectation.origin;
   const auto place = std::lower_bound(list.begin(), list.end(), name);
-  if (place == list.end() || *place != name) list.insert(place, name);
+  if (place != list.end() && *place == name) return false;
+  list.insert(place, name);
+  return true;
 }
 
 }  // namespace verify

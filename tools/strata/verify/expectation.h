@@ -32,7 +32,7 @@ struct Expectation {
 /// What differs, as a sentence; nothing if only `origin` may.
 [[nodiscard]] std::optional<std::string> difference(const Expectation& found, const Expectation& expected);
 
-/// Adds a name to `origin` where it is not yet.
-void add_origin(Expectation& expectation, const std::string& name);
+/// Adds a name to `origin`. False if it is there already.
+bool add_origin(Expectation& expectation, const std::string& name);
 
 }  // namespace verify

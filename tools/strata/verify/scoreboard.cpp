@@ -140,7 +140,7 @@ std::string case_section(const Run& run, std::size_t k) {
 std::string scoreboard(const Run& run) {
   std::vector<std::string> tags = {"all"};
   std::ranges::copy(tags_of(run), std::back_inserter(tags));
-  std::string html = head;
+  std::string html = head + fmt::format("<style>{}</style>\n", sketch_style());
   html += fmt::format(
       "<p>{} cases, {:.0f} s, strata {}. Exact: the same point set, as a valid mesh. Rounded: volume, area and "
       "topology "

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
 
-#include "svg.h"
 #include "view.h"
 
 namespace verify {
@@ -19,8 +19,9 @@ using strata::Mesh;
 using strata::Triangle;
 using strata::Vertex;
 
-constexpr std::size_t most_triangles = 1500;
-constexpr double width = 150;
+constexpr std::size_t most_triangles = 120;
+constexpr int width = 150, shades = 10;
+constexpr double scale = width / 1.8;  // the unit cube in this direction is not quite as large
 constexpr Vertex looking{-2, 3, -2};
 
 Vertex minus(const Vertex& a, const Vertex& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -82,11 +83,30 @@ std::map<Side, std::vector<Vertex>> normals_at_sides(const Mesh& mesh) {
 bool is_flat(const std::vector<Vertex>& normals) { return normals.size() == 2 && dot(normals[0], normals[1]) > .99; }
 
 std::string instead(const std::string& text) {
-  return fmt::format("<svg width=\"{0:g}\" height=\"40\"><text x=\"4\" y=\"24\" font-size=\"12\">{1}</text></svg>",
-                     width, text);
+  return fmt::format("<svg width=\"{0}\" height=\"40\"><text x=\"4\" y=\"24\" font-size=\"12\">{1}</text></svg>", width,
+                     text);
+}
+
+/// A path over integers, of a class that the style sheet knows.
+void append_path(std::string& svg, const std::string& look, const PaperPath& corners, const char* end) {
+  svg += fmt::format("<path class=\"{}\" d=\"M", look);
+  for (const PaperPoint& p : corners)
+    fmt::format_to(std::back_inserter(svg), "{} {} ", std::lround(p[0] * scale + width / 2),
+                   std::lround(p[1] * scale + width / 2));
+  svg.back() = end[0];
+  svg += end + 1;
 }
 
 }  // namespace
+
+std::string sketch_style() {
+  std::string css = "path.e{fill:none;stroke:#222;stroke-linecap:round}";
+  for (int shade = 0; shade < shades; ++shade) {
+    const int light = 60 + 190 * shade / (shades - 1);
+    css += fmt::format("path.s{0}{{fill:#{1:02x}{1:02x}{2:02x}}}", shade, light, std::min(light + 6, 255));
+  }
+  return css;
+}
 
 std::string sketch(const Mesh& given) {
   if (given.triangles.empty()) return instead("nothing");
@@ -94,18 +114,17 @@ std::string sketch(const Mesh& given) {
   const Mesh mesh = moderate(given);
   const View view(strata::Origin::direction(looking), {.5, .5, .5}, {0, 0, 1});
   const auto normals = normals_at_sides(mesh);
-  SvgPage page;
+  std::string svg = fmt::format("<svg width=\"{0}\" height=\"{0}\">", width);
   for (const Face& face : seen_faces(mesh)) {
     std::vector<Vertex> corners;
     for (const std::uint32_t v : face.corners) corners.push_back(mesh.vertices[v]);
-    page.add_polygon(view.polygon(corners), static_cast<int>(std::lround(view.brightness(face.normal) * 48)) * 5);
-    std::vector<PaperPath> lines;
+    const auto shade = std::lround(view.brightness(face.normal) * (shades - 1));
+    append_path(svg, fmt::format("s{}", shade), view.polygon(corners), "z\"/>");
     for (std::size_t i = 0; i < 3; ++i)
       if (!is_flat(normals.at(std::minmax(corners[i], corners[(i + 1) % 3]))))
-        lines.push_back(view.segment(corners[i], corners[(i + 1) % 3]));
-    page.add_lines(std::move(lines), .6, "#222");
+        append_path(svg, "e", view.segment(corners[i], corners[(i + 1) % 3]), "\"/>");
   }
-  return page.text(width, "", 4);
+  return svg + "</svg>";
 }
 
 }  // namespace verify
