@@ -15,6 +15,7 @@
 #include "strata/io/mesh_file.h"
 #include "strata/mesh/defect.h"
 #include "verbs.h"
+#include "verify/verify.h"
 
 namespace {
 
@@ -205,6 +206,19 @@ Examples:
   verb->callback([&] { action = [&] { return run_ray(settings); }; });
 }
 
+void add_verify(CLI::App& app, Settings& settings, VerifySettings& verify_settings, Action& action) {
+  CLI::App* verb = app.add_subcommand("verify", "Cases with one right answer, asked of this engine or of others");
+  add_verify_options(*verb, verify_settings, settings);
+  verb->footer(fmt::format(R"(Examples:
+  strata verify
+  strata verify --tag contact --engine strata --engine manifold3d --report board.html --report results.xml
+  strata verify --case ulp-gap-face-union --engine "mine=./my-engine --boolean"
+
+{})",
+                           exit_codes));
+  verb->callback([&] { action = [&] { return run_verify(verify_settings, settings); }; });
+}
+
 ExitCode complain(ExitCode code, const std::string& message) {
   std::fputs(("strata: " + message + "\n").c_str(), stderr);
   return code;
@@ -248,6 +262,7 @@ int main(int argc, char** argv) {
   Settings settings;
   DrawSettings draw_settings;
   ChainSettings chain_settings;
+  VerifySettings verify_settings;
   Action action;
   CLI::App app("Exact Booleans of meshes, on the doubles in the files", "strata");
   app.set_version_flag("--version", "strata " STRATA_VERSION);
@@ -260,6 +275,7 @@ int main(int argc, char** argv) {
   add_layers(app, settings, action);
   add_locate(app, settings, action);
   add_ray(app, settings, action);
+  add_verify(app, settings, verify_settings, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,8 +1,7 @@
 #include <algorithm>
-#include <cctype>
-#include <optional>
 
 #include "strata/csg/expression.h"
+#include "strata/csg/expression_grammar.h"
 #include "strata/csg/expression_node.h"
 
 namespace strata {
@@ -49,107 +48,14 @@ Text text_of(Kind kind, const std::vector<Text>& terms) {
   return {text, Binding::subtract, false};
 }
 
-class Parser {
- public:
-  Parser(std::string_view text, const std::function<Solid(const std::string&)>& solid_of)
-      : text_(text), solid_of_(solid_of) {}
-
-  Expression parse() {
-    Expression e = unions();
-    if (at_ < text_.size()) fail(text_[at_] == ')' ? "a parenthesis that was not opened" : "an operator is missing");
-    return e;
-  }
-
- private:
-  static constexpr int deepest = 1000;
-
-  Expression unions() {
-    Expression e = exclusions();
-    while (take('|')) e = e | exclusions();
-    return e;
-  }
-  Expression exclusions() {
-    Expression e = intersections();
-    while (take('^')) e = e ^ intersections();
-    return e;
-  }
-  Expression intersections() {
-    Expression e = sums();
-    while (take('&')) e = e & sums();
-    return e;
-  }
-  Expression sums() {
-    Expression e = complements();
-    while (true) {
-      if (take('-')) {
-        e = e - complements();
-      } else if (take('+')) {
-        e = e | complements();
-      } else {
-        return e;
-      }
-    }
-  }
-  Expression complements() {
-    bool odd = false;
-    while (take('~') || take('!')) odd = !odd;
-    Expression e = atom();
-    return odd ? ~e : e;
-  }
-  Expression atom() {
-    skip_spaces();
-    const std::size_t start = at_;
-    if (take('(')) {
-      if (++depth_ > deepest) fail("parentheses are nested too deeply");
-      Expression e = unions();
-      if (!take(')')) at_ < text_.size() ? fail("an operator or ')' is missing") : fail_at(start, "is never closed");
-      --depth_;
-      return e;
-    }
-    while (at_ < text_.size() && is_name(text_[at_])) ++at_;
-    if (at_ == start) fail("a name or '(' is missing");
-    std::string name(text_.substr(start, at_ - start));
-    Expression e = named(name, start);
-    skip_spaces();
-    return e;
-  }
-  [[nodiscard]] Expression named(const std::string& name, std::size_t start) const {
-    try {
-      return {solid_of_(name), name};
-    } catch (const std::out_of_range&) {
-      fail_at(start, "no solid is called '" + name + "'");
-    }
-  }
-  static bool is_name(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' ||
-           static_cast<unsigned char>(c) >= 0x80;
-  }
-  void skip_spaces() {
-    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
-  }
-  bool take(char c) {
-    skip_spaces();
-    if (at_ == text_.size() || text_[at_] != c) return false;
-    ++at_;
-    skip_spaces();
-    return true;
-  }
-  [[noreturn]] void fail(const std::string& what) const { fail_at(at_, what); }
-  [[noreturn]] static void fail_at(std::size_t position, const std::string& what) { throw ParseError(what, position); }
-
-  std::string_view text_;
-  const std::function<Solid(const std::string&)>& solid_of_;
-  std::size_t at_ = 0;
-  int depth_ = 0;
-};
-
 }  // namespace
 
 ParseError::ParseError(const std::string& what, std::size_t position)
     : std::runtime_error("column " + std::to_string(position + 1) + ": " + what), position_(position) {}
 
 Expression parse_expression(std::string_view text, const std::function<Solid(const std::string&)>& solid_of) {
-  return Parser(text, solid_of).parse();
+  const auto leaf = [&solid_of](const std::string& name) { return Expression(solid_of(name), name); };
+  return ExpressionGrammar<Expression, decltype(leaf)>(text, leaf).parse();
 }
 
 std::string Expression::text() const {

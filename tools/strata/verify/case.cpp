@@ -1,0 +1,128 @@
+#include "verify/case.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "strata/csg/expression.h"
+#include "strata/io/file.h"
+#include "strata/io/mesh_file.h"
+#include "verify/decimal.h"
+#include "verify/generate.h"
+#include "verify/json_number.h"
+
+namespace verify {
+namespace {
+
+namespace fs = std::filesystem;
+using strata::InputClass;
+
+CaseOperand read_operand(const std::string& name, const JsonPlace& place, const fs::path& folder) {
+  if (place.value().is_object()) return {name, {}, {generate(place), {}}};
+  const std::string file = place.text();
+  const fs::path path = folder / file;
+  if (!fs::path(file).is_relative() || file.find("..") != std::string::npos)
+    place.fail("operands are files in the folder of the case");
+  try {
+    strata::MeshFile mesh = strata::read_mesh(path);
+    return {name, path, {std::move(mesh.mesh), std::move(mesh.exact)}};
+  } catch (const strata::IoError& error) {
+    place.fail(error.what());
+  }
+}
+
+std::optional<strata::Rational> rational_in(const JsonPlace& place, const char* key) {
+  const auto member = place.find(key);
+  if (!member) return {};
+  const auto value = parse_rational(member->text());
+  if (!value) member->fail_expected("a number as a string");
+  return value;
+}
+
+std::optional<std::int64_t> integer_in(const JsonPlace& place, const char* key) {
+  const auto member = place.find(key);
+  if (!member) return {};
+  return integer(*member, INT64_MIN, INT64_MAX);
+}
+
+Known read_known(const JsonPlace& place) {
+  place.expect_keys({"volume", "area", "components", "euler", "facets", "edges", "vertices"});
+  return {rational_in(place, "volume"), rational_in(place, "area"),  integer_in(place, "components"),
+          integer_in(place, "euler"),   integer_in(place, "facets"), integer_in(place, "edges"),
+          integer_in(place, "vertices")};
+}
+
+Steps read_steps(const JsonPlace& place) {
+  try {
+    return steps_of(place.text());
+  } catch (const strata::ParseError& error) {
+    place.fail(error.what());
+  } catch (const std::invalid_argument& error) {
+    place.fail(error.what());
+  }
+}
+
+void check_names(const Case& c, const JsonPlace& root) {
+  const auto has = [](const auto& list, const auto& matches) { return std::any_of(list.begin(), list.end(), matches); };
+  for (const std::string& used : c.steps.names)
+    if (!has(c.operands, [&](const CaseOperand& o) { return o.name == used; }))
+      root.at("expression").fail(fmt::format("there is no operand '{}'", used));
+  for (const CaseOperand& o : c.operands)
+    if (!has(c.steps.names, [&](const std::string& used) { return o.name == used; }))
+      root.at("operands").fail(fmt::format("the expression has no '{}'", o.name));
+}
+
+}  // namespace
+
+const char* name(InputClass input) {
+  switch (input) {
+    case InputClass::solid:
+      return "solid";
+    case InputClass::overlapping:
+      return "overlapping";
+    case InputClass::repair:
+      return "repair";
+  }
+  throw std::invalid_argument("no input class");
+}
+
+bool Case::has_tag(const std::string& tag) const { return std::find(tags.begin(), tags.end(), tag) != tags.end(); }
+
+Case read_case(const fs::path& folder) {
+  const fs::path path = folder / "case.json";
+  const Json json = parse_json(strata::io::FileBytes(strata::io::File(path)).view(), path.string());
+  const JsonPlace root(json, path.string());
+  root.expect_keys({"operands", "expression", "tags", "why", "input", "known"});
+  Case c;
+  c.slug = folder.filename().string();
+  c.folder = folder;
+  c.expression = root.at("expression").text();
+  c.steps = read_steps(root.at("expression"));
+  c.why = root.at("why").text();
+  for (const JsonPlace& tag : root.at("tags").items()) c.tags.push_back(tag.text());
+  constexpr std::array classes = {InputClass::solid, InputClass::overlapping, InputClass::repair};
+  if (const auto input = root.find("input"))
+    c.input = classes[input->choice("input class", {"solid", "overlapping", "repair"})];
+  if (const auto known = root.find("known")) c.known = read_known(*known);
+  const JsonPlace operands = root.at("operands");
+  if (!operands.value().is_object()) operands.fail_expected("an object");
+  for (const auto& [name, value] : operands.value().items())
+    c.operands.push_back(read_operand(name, operands.at(name), folder));
+  check_names(c, root);
+  if (fs::exists(folder / "expected.json")) c.expected = read_expectation(folder / "expected.json");
+  return c;
+}
+
+std::vector<fs::path> find_cases(const fs::path& root) {
+  std::vector<fs::path> folders;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(root, error))
+    if (fs::exists(entry.path() / "case.json")) folders.push_back(entry.path());
+  if (folders.empty()) throw strata::IoError(root.string(), {}, "no folder with a case.json is in it");
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+}  // namespace verify

@@ -1,0 +1,31 @@
+#include "verify/json_number.h"
+
+#include <fmt/format.h>
+
+namespace verify {
+
+double number(const JsonPlace& place) {
+  if (!place.value().is_number()) place.fail_expected("a number");
+  return place.value().get<double>();
+}
+
+std::int64_t integer(const JsonPlace& place, std::int64_t least, std::int64_t most) {
+  if (!place.value().is_number_integer()) place.fail_expected("an integer");
+  const auto value = place.value().get<std::int64_t>();
+  if (value < least || value > most) place.fail_expected(fmt::format("an integer from {} to {}", least, most));
+  return value;
+}
+
+std::vector<double> numbers(const JsonPlace& place, std::size_t count) {
+  std::vector<double> list;
+  for (const JsonPlace& item : place.items()) list.push_back(number(item));
+  if (list.size() != count) place.fail(fmt::format("expected {} numbers, found {}", count, list.size()));
+  return list;
+}
+
+std::array<double, 3> point(const JsonPlace& place) {
+  const std::vector<double> list = numbers(place, 3);
+  return {list[0], list[1], list[2]};
+}
+
+}  // namespace verify

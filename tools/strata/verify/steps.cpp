@@ -1,0 +1,80 @@
+#include "verify/steps.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "strata/csg/expression_grammar.h"
+
+namespace verify {
+namespace {
+
+using strata::Operation;
+
+/// A value while the text is read: it notes its steps instead of doing them.
+struct Value {
+  Steps* steps;
+  std::size_t number;
+  bool is_complement;
+
+  [[nodiscard]] Value step(Operation operation, std::size_t first, std::size_t second, bool complement) const {
+    steps->steps.push_back({operation, first, second});
+    return {steps, steps->steps.size() - 1, complement};
+  }
+};
+
+// Results of steps are numbered behind the names, whose count is known in the end only: until then they are marked.
+constexpr std::size_t is_name = std::size_t{1} << 62;
+
+Value operator~(const Value& a) { return {a.steps, a.number, !a.is_complement}; }
+
+Value operator&(const Value& a, const Value& b) {
+  if (a.is_complement && b.is_complement) return a.step(Operation::unite, a.number, b.number, true);
+  if (b.is_complement) return a.step(Operation::subtract, a.number, b.number, false);
+  if (a.is_complement) return a.step(Operation::subtract, b.number, a.number, false);
+  return a.step(Operation::intersect, a.number, b.number, false);
+}
+
+Value operator|(const Value& a, const Value& b) { return ~(~a & ~b); }
+Value operator-(const Value& a, const Value& b) { return a & ~b; }
+Value operator^(const Value& a, const Value& b) {
+  return a.step(Operation::exclude, a.number, b.number, a.is_complement != b.is_complement);
+}
+
+}  // namespace
+
+Steps steps_of(std::string_view expression) {
+  Steps steps;
+  const auto leaf = [&steps](const std::string& name) {
+    const auto found = std::find(steps.names.begin(), steps.names.end(), name);
+    const auto number = static_cast<std::size_t>(found - steps.names.begin());
+    if (found == steps.names.end()) steps.names.push_back(name);
+    return Value{&steps, number | is_name, false};
+  };
+  const Value result = strata::ExpressionGrammar<Value, decltype(leaf)>(expression, leaf).parse();
+  if (result.is_complement) throw std::invalid_argument("the expression is not bounded");
+  const auto final_number = [&steps](std::size_t n) {
+    return (n & is_name) != 0 ? n ^ is_name : n + steps.names.size();
+  };
+  for (Step& step : steps.steps) {
+    step.first = final_number(step.first);
+    step.second = final_number(step.second);
+  }
+  steps.result = final_number(result.number);
+  return steps;
+}
+
+const char* name(Operation operation) {
+  switch (operation) {
+    case Operation::unite:
+      return "union";
+    case Operation::intersect:
+      return "intersection";
+    case Operation::subtract:
+      return "difference";
+    case Operation::exclude:
+      return "xor";
+  }
+  throw std::invalid_argument("no operation");
+}
+
+}  // namespace verify

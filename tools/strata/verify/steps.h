@@ -1,0 +1,31 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strata/select/operation.h"
+
+namespace verify {
+
+/// One call of an engine that takes two operands. Values are numbered: first the names, then the results of the steps.
+struct Step {
+  strata::Operation operation = strata::Operation::unite;
+  std::size_t first = 0, second = 0;
+};
+
+/// An expression as calls of binary operations, without complements.
+struct Steps {
+  std::vector<std::string> names;  ///< by first occurrence
+  std::vector<Step> steps;
+  std::size_t result = 0;  ///< the number of the last value
+};
+
+/// Reads an expression (strata::parse_expression). Complements go up the tree by De Morgan: a & ~b is a - b,
+/// ~a | ~b is ~(a & b). Throws strata::ParseError, and std::invalid_argument where the result is a complement.
+[[nodiscard]] Steps steps_of(std::string_view expression);
+
+/// union, intersection, difference, xor.
+[[nodiscard]] const char* name(strata::Operation operation);
+
+}  // namespace verify

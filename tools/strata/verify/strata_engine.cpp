@@ -1,0 +1,63 @@
+#include "verify/strata_engine.h"
+
+#include <fmt/format.h>
+
+#include "exit_code.h"
+#include "strata/io/mesh_file.h"
+
+namespace verify {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The exit codes of the command line, of which only some mean what they mean for other programs.
+Verdict verdict(const ChildEnd& end) {
+  if (end.how != ChildEnd::How::exited) return verdict_of(end);
+  if (end.code == static_cast<int>(ExitCode::invalid_input)) return {Outcome::refused, end.error};
+  if (end.code == static_cast<int>(ExitCode::stopped)) return {Outcome::crashed, "out of memory"};
+  return end.code == 0 ? Verdict{} : Verdict{Outcome::crashed, fmt::format("exit status {}: {}", end.code, end.error)};
+}
+
+class StrataEngine : public Engine {
+ public:
+  explicit StrataEngine(bool doubles) : doubles_(doubles), program_(fs::read_symlink("/proc/self/exe").string()) {}
+
+  [[nodiscard]] std::string name() const override { return doubles_ ? "strata-doubles" : "strata"; }
+
+  [[nodiscard]] Answer ask(const Case& c, const fs::path& folder, const Limits& limits) const override {
+    Answer answer;
+    answer.file = folder / (doubles_ ? "result.off" : "result.xoff");
+    std::vector<std::string> command = {program_, "eval", c.expression};
+    for (std::string& binding : bindings_of(c, folder)) command.push_back(std::move(binding));
+    for (const std::string& word :
+         {std::string("-o"), answer.file.string(), std::string("--input"), std::string(verify::name(c.input)),
+          std::string("-j"), std::string("1"), std::string("-q")})
+      command.push_back(word);
+    const ChildEnd end = run_child(command, limits, folder);
+    answer.why_not = verdict(end);
+    answer.seconds = end.seconds;
+    answer.peak_bytes = end.peak_bytes;
+    if (answer.why_not.outcome != Outcome::exact) answer.file.clear();
+    return answer;
+  }
+
+ private:
+  bool doubles_;
+  std::string program_;
+};
+
+}  // namespace
+
+std::vector<std::string> bindings_of(const Case& c, const fs::path& folder) {
+  std::vector<std::string> bindings;
+  for (const CaseOperand& o : c.operands) {
+    fs::path file = o.file.empty() ? folder / (o.name + ".off") : fs::absolute(o.file);
+    if (o.file.empty()) strata::write_mesh(file, o.mesh, strata::Format::off);
+    bindings.push_back(o.name + "=" + file.string());
+  }
+  return bindings;
+}
+
+std::unique_ptr<Engine> make_strata_engine(bool doubles) { return std::make_unique<StrataEngine>(doubles); }
+
+}  // namespace verify

@@ -1,0 +1,170 @@
+#include "verify/verify.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "files.h"
+#include "progress.h"
+#include "strata/io/io_error.h"
+#include "verify/certify.h"
+#include "verify/reports.h"
+#include "verify/run.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using verify::Outcome;
+
+std::string from_environment(const std::string& option, const char* variable, const char* otherwise) {
+  if (!option.empty()) return option;
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0' ? value : otherwise;
+}
+
+fs::path folder_of_cases(const VerifySettings& settings) {
+  const fs::path here = "data/cases";
+  if (!settings.cases.empty()) return settings.cases;
+  return fs::is_directory(here) ? here : fs::path(STRATA_SOURCE_DIR) / here;
+}
+
+bool is_wanted(const verify::Case& c, const VerifySettings& settings) {
+  if (settings.tags.empty()) return true;
+  return std::any_of(settings.tags.begin(), settings.tags.end(), [&](const auto& tag) { return c.has_tag(tag); });
+}
+
+std::vector<verify::Case> read_cases(const VerifySettings& settings) {
+  const fs::path root = folder_of_cases(settings);
+  std::vector<fs::path> folders;
+  for (const std::string& slug : settings.slugs) folders.push_back(root / slug);
+  if (folders.empty()) folders = verify::find_cases(root);
+  std::vector<verify::Case> cases;
+  for (const fs::path& folder : folders)
+    if (verify::Case c = verify::read_case(folder); is_wanted(c, settings)) cases.push_back(std::move(c));
+  if (cases.empty()) throw UsageError(fmt::format("no case has a tag {}", fmt::join(settings.tags, ", ")));
+  return cases;
+}
+
+void check_reports(const VerifySettings& settings) {
+  for (const std::string& path : settings.reports)
+    if (path != "-" && !path.ends_with(".json") && !path.ends_with(".xml") && !path.ends_with(".html"))
+      throw UsageError(fmt::format("cannot tell a report from {}; use .json, .xml or .html", path));
+}
+
+bool wants_pictures(const VerifySettings& settings) {
+  return std::any_of(settings.reports.begin(), settings.reports.end(),
+                     [](const std::string& path) { return path.ends_with(".html"); });
+}
+
+void write_reports(const verify::Run& run, const VerifySettings& settings) {
+  for (const std::string& path : settings.reports) {
+    if (path.ends_with(".html")) {
+      write_text(path, verify::scoreboard(run));
+    } else if (path.ends_with(".xml")) {
+      write_text(path, verify::junit_report(run));
+    } else {
+      write_report(path, verify::json_report(run));
+    }
+  }
+}
+
+std::vector<std::unique_ptr<verify::Engine>> make_engines(const VerifySettings& settings) {
+  const verify::EngineFolders folders = {
+      from_environment(settings.python, "STRATA_PYTHON", "python3"),
+      settings.scripts.empty() ? fs::path(STRATA_SOURCE_DIR) / "tools/engines" : fs::path(settings.scripts)};
+  std::vector<std::unique_ptr<verify::Engine>> engines;
+  try {
+    for (const std::string& name : settings.engines) engines.push_back(verify::make_engine(name, folders));
+    if (engines.empty()) engines.push_back(verify::make_engine("strata", folders));
+  } catch (const std::runtime_error& error) {
+    throw UsageError(error.what());
+  }
+  return engines;
+}
+
+verify::Run run(const VerifySettings& settings, const verify::RunOptions& options) {
+  std::vector<verify::Case> cases = read_cases(settings);
+  if (settings.recertify)
+    return verify::recertify(std::move(cases), from_environment(settings.oracle, "STRATA_ORACLE", "strata-oracle"),
+                             options);
+  if (settings.certify && settings.engines.empty()) return verify::certify(std::move(cases), options);
+  const auto engines = make_engines(settings);
+  verify::Run result = verify::run_cases(std::move(cases), engines, options);
+  if (settings.certify)
+    for (std::size_t e = 0; e < engines.size(); ++e) verify::add_to_origins(result, e);
+  return result;
+}
+
+/// Open defects of strata are cases with this tag: they are run, and pass as long as they are not exact.
+constexpr const char* known_failure = "known-failure";
+
+bool is_passed(const verify::Run& run, const verify::Finding& f) {
+  const Outcome o = f.verdict.outcome;
+  if (run.engines[f.of_engine] == "strata")
+    return (o == Outcome::exact) != run.cases[f.of_case].has_tag(known_failure) && o != Outcome::oracle_failed;
+  return o == Outcome::exact || o == Outcome::rounded || o == Outcome::not_applicable;
+}
+
+bool is_passed(const verify::Run& run) {
+  return std::all_of(run.findings.begin(), run.findings.end(),
+                     [&](const verify::Finding& f) { return is_passed(run, f); });
+}
+
+/// What begins to pass is no known failure any more.
+void report_mended(const verify::Run& run) {
+  for (const verify::Finding& f : run.findings)
+    if (run.engines[f.of_engine] == "strata" && f.verdict.outcome == Outcome::exact &&
+        run.cases[f.of_case].has_tag(known_failure))
+      fmt::print("{}: exact now; remove its tag {}\n", run.cases[f.of_case].slug, known_failure);
+}
+
+}  // namespace
+
+void add_verify_options(CLI::App& verb, VerifySettings& v, Settings& settings) {
+  verb.add_option("--case", v.slugs, "Only this case; may be given several times")->type_name("SLUG");
+  verb.add_option("--tag", v.tags, "Only cases with this tag; may be given several times")->type_name("TAG");
+  verb.add_option("--engine", v.engines,
+                  "strata, strata-doubles, manifold3d, trueform, meshlib, libigl, or a command that is called as\n"
+                  "COMMAND union|intersection|difference|xor A.off B.off OUT.off; may be given several times")
+      ->type_name("NAME|[NAME=]COMMAND");
+  verb.add_option("--report", v.reports, "Where reports go: .json, .xml (JUnit) or .html; - is JSON")
+      ->type_name("FILE");
+  verb.add_option("--jobs", v.jobs, "Cases at a time; all cores unless told")->type_name("N");
+  verb.add_option("--seconds", v.seconds, "Time for a case, by the clock")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb.add_option("--memory", v.megabytes, "Address space for a process; 0: no limit")
+      ->type_name("MB")
+      ->capture_default_str();
+  verb.add_option("--cases", v.cases, "Where the cases are, unless in data/cases")->type_name("FOLDER");
+  verb.add_flag("--certify", v.certify,
+                "Complete expected.json of new cases; with --engine, note that these engines say the same");
+  verb.add_flag("--recertify", v.recertify, "Have the oracle say what is right, and note where it agrees");
+  verb.add_option("--oracle", v.oracle, "The oracle, unless $STRATA_ORACLE or strata-oracle in the path")
+      ->type_name("PROGRAM");
+  verb.add_option("--python", v.python, "Runs the engines that are scripts, unless $STRATA_PYTHON or python3")
+      ->type_name("PROGRAM");
+  verb.add_option("--scripts", v.scripts, "Where the engines are that are scripts")->type_name("FOLDER");
+  verb.add_flag("--progress", settings.progress, "Show progress at once, also when not on a terminal");
+  verb.add_flag("-q,--quiet", settings.quiet, "No summary");
+}
+
+ExitCode run_verify(const VerifySettings& v, const Settings& settings) {
+  check_reports(v);
+  ProgressBar bar(settings.progress, settings.quiet);
+  verify::RunOptions options;
+  options.limits = {v.seconds, v.megabytes << 20};
+  options.jobs = v.jobs;
+  options.pictures = wants_pictures(v);
+  options.progress = [&bar](double fraction) { bar.show(fraction); };
+  const verify::Run result = run(v, options);
+  write_reports(result, v);
+  if (!settings.quiet) fmt::print("{}", verify::summary(result));
+  report_mended(result);
+  return is_passed(result) ? ExitCode::ok : ExitCode::negative;
+}
