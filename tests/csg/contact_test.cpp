@@ -113,6 +113,35 @@ TEST_CASE("an apex on a face, from outside and from inside", "[csg][degenerate]"
   CHECK(topology((a - inside).exact_mesh()).non_manifold_vertices == 1);
 }
 
+// Catches: merging that loses vertices which bound nothing in their own face.
+TEST_CASE("an apex on a face that is merged, from inside, is a vertex of the face", "[csg][degenerate]") {
+  // A pyramid whose apex touches a tetrahedron's face from inside, and one outside that shares the apex and has its
+  // base in the plane of that face, so that the face is split and merged again.
+  const Mesh two{{{2, 2.75, 1.5},
+                  {2, 2.75, 2.5},
+                  {3, 2.75, 2.5},
+                  {2, 1.75, 1.5},
+                  {2, 1.75, 2.5},
+                  {3, 2.75, 1.5},
+                  {4, 2.75, 2.5},
+                  {3, 1.75, 1.5},
+                  {3, 1.75, 2.5}},
+                 {{0, 1, 2},
+                  {3, 0, 2},
+                  {3, 1, 0},
+                  {1, 4, 2},
+                  {3, 2, 4},
+                  {3, 4, 1},
+                  {5, 2, 6},
+                  {7, 5, 6},
+                  {7, 2, 5},
+                  {2, 8, 6},
+                  {7, 6, 8},
+                  {7, 8, 2}}};
+  const Solid result = Solid(test::tetrahedron({0, 0, 0}, {3, 2, 0}, {3, 0, 0}, {3, 3, 3})) - Solid(two);
+  CHECK(strata::check(result.exact_mesh()).empty());
+}
+
 TEST_CASE("an edge on a face, from outside", "[csg][degenerate]") {
   const Solid a(box({0, 0, 0}, {4, 4, 4}));
   const Solid b(test::tetrahedron({1, 2, 4}, {3, 2, 4}, {2, 3, 5}, {2, 1, 5}));

@@ -95,7 +95,7 @@ class FaceMerger {
   void merge(SplitFace& face, Pool& pool) {
     if (!is_concerned(face)) return;
     gather_runs(face);
-    triangulate(face.face);
+    triangulate(face);
     collect();
     face.points = pool.keep(points_);
     face.triangles = pool.keep(triangles_);
@@ -151,15 +151,18 @@ class FaceMerger {
     }
   }
 
-  void triangulate(std::uint32_t face) {
-    triangulation_.start(face, Triangulation::Names::any);
+  /// Runs, and vertices in which other faces only touch this one.
+  void triangulate(const SplitFace& face) {
+    triangulation_.start(face.face, Triangulation::Names::any);
     ids_.clear();
     std::vector<std::pair<std::int32_t, std::int32_t>> ends;
     for (const Run& r : runs_) ends.push_back({add_point(r.from), add_point(r.to)});
+    for (const Id v : face.points)
+      if (!outlines_.is_redundant(v)) add_point(v);
     const std::int32_t points = triangulation_.points().size();
     for (std::size_t i = 0; i < ends.size(); ++i)
       triangulation_.add_segment(ends[i].first, ends[i].second, static_cast<std::int32_t>(i), {});
-    if (triangulation_.points().size() != points) fail("outlines of pieces cross", face);
+    if (triangulation_.points().size() != points) fail("outlines of pieces cross", face.face);
   }
 
   std::int32_t add_point(Id id) {
