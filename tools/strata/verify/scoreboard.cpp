@@ -15,7 +15,7 @@ constexpr const char* head = R"(<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>Exactness scoreboard</title><style>
 body{font:14px/1.4 system-ui,sans-serif;margin:2em auto;max-width:1200px;padding:0 1em;color:#222}
 table{border-collapse:collapse}td,th{padding:.25em .6em;border:1px solid #ccc;text-align:left;vertical-align:top}
-td.n{text-align:right}th{background:#f4f4f4}a{color:inherit}code{background:#f4f4f4}
+td.n{text-align:right;white-space:nowrap}th{background:#f4f4f4}a{color:inherit}code{background:#f4f4f4}
 .exact,.rounded{background:#d9f0d9}.rounded{background:#eef6d6}.wrong,.invalid{background:#f8d0d0}
 .refused,.not{background:#eee}.crashed,.timed,.oracle{background:#f6dcb8}
 section{border-top:1px solid #ccc;margin-top:1.2em}figure{display:inline-block;margin:.3em .8em .3em 0}
@@ -67,7 +67,11 @@ std::string cell(const Run& run, const std::string& tag, std::size_t engine) {
     right += is_right(o);
     exact += o == Outcome::exact;
   });
-  const char* look = all == exact ? "exact" : all == right ? "rounded" : 2 * right >= all ? "crashed" : "wrong";
+  const char* look = all == 0           ? "not"
+                     : all == exact     ? "exact"
+                     : all == right     ? "rounded"
+                     : 2 * right >= all ? "crashed"
+                                        : "wrong";
   return fmt::format("<td class=\"n {}\"><a href=\"#list-{}-{}\">{} of {}</a></td>", look, engine, tag, right, all);
 }
 
