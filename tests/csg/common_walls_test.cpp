@@ -5,6 +5,7 @@
 
 #include "strata/strata.h"
 #include "support/random.h"
+#include "support/rounds.h"
 #include "support/shapes.h"
 
 using namespace strata;
@@ -117,7 +118,7 @@ TEST_CASE("pieces of a sweep have walls in common, other neighbours have none", 
 
 // Catches: members that are united twice or lost, unions of what is no union, sources that name the wrong operand.
 TEST_CASE("operands that are united first give what all together give", "[csg][property]") {
-  for (std::uint64_t seed = 0; seed < 25; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::rounds(25); ++seed) {
     CAPTURE(seed);
     Random random(seed);
     std::vector<Mesh> meshes{test::box({-1, -3, -3}, {7, 3, 3})};
