@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "strata/csg/arena.h"
 #include "strata/csg/check.h"
 #include "strata/csg/common_walls.h"
+#include "strata/csg/crowds.h"
 #include "strata/csg/evaluate.h"
 #include "strata/csg/stopwatch.h"
 #include "strata/mesh/prepare.h"
@@ -104,16 +106,19 @@ BooleanResult combine_here(const Rule& rule, std::span<const Operand> given, con
   return result;
 }
 
-/// Operands of unions that have walls in common are united first: walls that the result does not have need not be met
-/// by anything else.
-class WithoutWalls {
+/// Some operands of unions are united first: where they have walls in common or crowd one another, what the result does
+/// not have need not be met by anything else.
+class EarlyUnions {
  public:
-  WithoutWalls(const Rule& rule, std::span<const Operand> given, const Options& options)
+  EarlyUnions(const Rule& rule, std::span<const Operand> given, const Options& options)
       : given_(given), operands_(given.begin(), given.end()), group_of_(given.size(), none) {
     constexpr std::size_t few = 4;
     if (given.size() < few || options.input != InputClass::solid) return;
-    for (const auto& united : rule.unions())
-      for (auto& group : groups_with_common_walls(given, united)) groups_.push_back(std::move(group));
+    for (const auto& united : rule.unions()) {
+      auto groups = groups_with_common_walls(given, united);
+      if (groups.empty()) groups = groups_in_crowds(given, united);
+      std::move(groups.begin(), groups.end(), std::back_inserter(groups_));
+    }
     if (!groups_.empty()) unite(options);
   }
 
@@ -166,13 +171,13 @@ class WithoutWalls {
   std::vector<std::size_t> group_of_;  ///< per operand: whose union is in its place
 };
 
-BooleanResult combine_without_walls(const Rule& rule, std::span<const Operand> given, const Options& options) {
+BooleanResult combine_in_stages(const Rule& rule, std::span<const Operand> given, const Options& options) {
   Profile profile;
   Stopwatch watch(profile);
-  const WithoutWalls without(rule, given, options);
-  watch.lap("walls");
-  BooleanResult result = combine_here(rule, without.operands(), options);
-  without.restore(result);
+  const EarlyUnions early(rule, given, options);
+  watch.lap("unions");
+  BooleanResult result = combine_here(rule, early.operands(), options);
+  early.restore(result);
   result.profile.seconds.insert(result.profile.seconds.begin(), profile.seconds.begin(), profile.seconds.end());
   return result;
 }
@@ -182,7 +187,7 @@ BooleanResult combine(const Rule& rule, std::span<const Operand> operands, const
   for (const Operand& o : operands) faces += o.mesh.triangles.size();
   tbb::task_arena arena = arena_for(options, faces);
   BooleanResult result;
-  arena.execute([&] { result = combine_without_walls(rule, operands, options); });
+  arena.execute([&] { result = combine_in_stages(rule, operands, options); });
   return result;
 }
 
