@@ -4,15 +4,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "strata/csg/arena.h"
 #include "strata/csg/check.h"
-#include "strata/csg/common_walls.h"
-#include "strata/csg/crowds.h"
+#include "strata/csg/early_unions.h"
 #include "strata/csg/evaluate.h"
 #include "strata/csg/stopwatch.h"
 #include "strata/mesh/prepare.h"
@@ -106,75 +104,10 @@ BooleanResult combine_here(const Rule& rule, std::span<const Operand> given, con
   return result;
 }
 
-/// Some operands of unions are united first: where they have walls in common or crowd one another, what the result does
-/// not have need not be met by anything else.
-class EarlyUnions {
- public:
-  EarlyUnions(const Rule& rule, std::span<const Operand> given, const Options& options)
-      : given_(given), operands_(given.begin(), given.end()), group_of_(given.size(), none) {
-    constexpr std::size_t few = 4;
-    if (given.size() < few || options.input != InputClass::solid) return;
-    for (const auto& united : rule.unions()) {
-      auto groups = groups_with_common_walls(given, united);
-      if (groups.empty()) groups = groups_in_crowds(given, united);
-      std::move(groups.begin(), groups.end(), std::back_inserter(groups_));
-    }
-    if (!groups_.empty()) unite(options);
-  }
-
-  [[nodiscard]] std::span<const Operand> operands() const { return operands_; }
-
-  /// From faces of unions to those of the caller.
-  void restore(BooleanResult& result) const {
-    if (groups_.empty()) return;
-    for (Source& s : result.sources)
-      if (const std::size_t g = group_of_[s.operand]; g != none) {
-        const Source of_member = unions_[g].sources[s.face];
-        s = {groups_[g][of_member.operand], of_member.face};
-      }
-    for (const BooleanResult& u : unions_) result.notes.insert(result.notes.end(), u.notes.begin(), u.notes.end());
-  }
-
- private:
-  static constexpr std::size_t none = ~std::size_t{0};
-
-  /// The union takes the place of its first member; the others become empty, which adds nothing to it. If an operand is
-  /// not what was declared, all stay as they are: the evaluation of all tells which one.
-  void unite(const Options& options) {
-    Options inner;
-    inner.cancel = options.cancel;
-    inner.exact_vertices = true;
-    unions_.resize(groups_.size());
-    try {
-      tbb::parallel_for(std::size_t{0}, groups_.size(), [&](std::size_t g) { unions_[g] = united(groups_[g], inner); });
-    } catch (const InputError&) {
-      groups_.clear();
-      unions_.clear();
-      return;
-    }
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-      for (const std::uint32_t o : groups_[g]) operands_[o] = {{}, {}, true};
-      operands_[groups_[g].front()] = {MeshView(unions_[g].mesh), unions_[g].exact, true};
-      group_of_[groups_[g].front()] = g;
-    }
-  }
-  [[nodiscard]] BooleanResult united(const std::vector<std::uint32_t>& group, const Options& options) const {
-    std::vector<Operand> members;
-    for (const std::uint32_t o : group) members.push_back(given_[o]);
-    return combine_here(Rule(Operation::unite, static_cast<std::uint32_t>(group.size())), members, options);
-  }
-
-  std::span<const Operand> given_;
-  std::vector<Operand> operands_;
-  std::vector<std::vector<std::uint32_t>> groups_;
-  std::vector<BooleanResult> unions_;  ///< per group
-  std::vector<std::size_t> group_of_;  ///< per operand: whose union is in its place
-};
-
 BooleanResult combine_in_stages(const Rule& rule, std::span<const Operand> given, const Options& options) {
   Profile profile;
   Stopwatch watch(profile);
-  const EarlyUnions early(rule, given, options);
+  const EarlyUnions early(rule, given, options, combine_here);
   watch.lap("unions");
   BooleanResult result = combine_here(rule, early.operands(), options);
   early.restore(result);

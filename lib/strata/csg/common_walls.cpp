@@ -6,7 +6,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "strata/kernel/box.h"
 #include "strata/kernel/disjoint_sets.h"
 
 namespace strata {
@@ -23,25 +22,17 @@ std::uint64_t hash_of(const Vertex& p) {
 }
 
 /// The operands of which another one's box is not apart.
-std::vector<std::uint32_t> with_neighbours(std::span<const Operand> operands, std::span<const std::uint32_t> united) {
-  struct Bounded {
-    Box box;
-    std::uint32_t operand = 0;
-    bool has_neighbour = false;
-  };
-  std::vector<Bounded> sorted;
-  for (const std::uint32_t o : united) {
-    sorted.push_back({{}, o, false});
-    for (const Vertex& v : operands[o].mesh.vertices) sorted.back().box.include(v);
-  }
+std::vector<std::uint32_t> with_neighbours(std::span<const OperandBox> united) {
+  std::vector<OperandBox> sorted(united.begin(), united.end());
   std::sort(sorted.begin(), sorted.end(),
-            [](const Bounded& a, const Bounded& b) { return a.box.lower[0] < b.box.lower[0]; });
+            [](const OperandBox& a, const OperandBox& b) { return a.box.lower[0] < b.box.lower[0]; });
+  std::vector<bool> has_neighbour(sorted.size());
   for (std::size_t i = 0; i < sorted.size(); ++i)
     for (std::size_t k = i + 1; k < sorted.size() && sorted[k].box.lower[0] <= sorted[i].box.upper[0]; ++k)
-      if (sorted[i].box.overlaps(sorted[k].box)) sorted[i].has_neighbour = sorted[k].has_neighbour = true;
+      if (sorted[i].box.overlaps(sorted[k].box)) has_neighbour[i] = has_neighbour[k] = true;
   std::vector<std::uint32_t> found;
-  for (const Bounded& b : sorted)
-    if (b.has_neighbour) found.push_back(b.operand);
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    if (has_neighbour[i]) found.push_back(sorted[i].operand);
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -115,8 +106,8 @@ class Walls {
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> groups_with_common_walls(std::span<const Operand> operands,
-                                                                 std::span<const std::uint32_t> united) {
-  const std::vector<std::uint32_t> near = with_neighbours(operands, united);
+                                                                 std::span<const OperandBox> united) {
+  const std::vector<std::uint32_t> near = with_neighbours(united);
   if (near.empty()) return {};
   Walls walls(operands, near);
   if (!walls.any()) return {};

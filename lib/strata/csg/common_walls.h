@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "strata/csg/combine.h"
+#include "strata/csg/operand_box.h"
 
 namespace strata {
 
@@ -12,6 +12,6 @@ namespace strata {
 /// of 2 to 32. A group that would be most of all operands is left out, since nothing is gained. Rational corners are
 /// compared by their doubles: groups are a matter of speed, not of the result. O(faces), expected.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> groups_with_common_walls(std::span<const Operand> operands,
-                                                                               std::span<const std::uint32_t> united);
+                                                                               std::span<const OperandBox> united);
 
 }  // namespace strata

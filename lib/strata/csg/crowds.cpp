@@ -14,27 +14,21 @@ constexpr std::size_t crowd = 16;
 constexpr std::size_t most_in_group = 13;
 constexpr std::size_t most_operands = 2000;
 
-struct Bounded {
-  Box box;
-  std::uint32_t operand = 0;
-
-  [[nodiscard]] double middle(std::size_t axis) const { return box.lower[axis] / 2 + box.upper[axis] / 2; }
-};
-
-std::vector<Bounded> crowded(const std::vector<Bounded>& all) {
-  std::vector<Bounded> found;
-  for (const Bounded& b : all) {
+std::vector<OperandBox> crowded(std::span<const OperandBox> all) {
+  std::vector<OperandBox> found;
+  for (const OperandBox& b : all) {
+    if (b.box.empty()) continue;
     const auto overlapping =
-        std::count_if(all.begin(), all.end(), [&](const Bounded& other) { return other.box.overlaps(b.box); });
+        std::count_if(all.begin(), all.end(), [&](const OperandBox& other) { return other.box.overlaps(b.box); });
     const auto others = static_cast<std::size_t>(overlapping) - 1;
     if (others >= crowd && 2 * others >= all.size()) found.push_back(b);
   }
   return found;
 }
 
-std::size_t longest_axis(std::span<const Bounded> group) {
+std::size_t longest_axis(std::span<const OperandBox> group) {
   Box middles;
-  for (const Bounded& b : group) middles.include(std::array{b.middle(0), b.middle(1), b.middle(2)});
+  for (const OperandBox& b : group) middles.include(std::array{b.middle(0), b.middle(1), b.middle(2)});
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 3; ++i)
     if (middles.upper[i] - middles.lower[i] > middles.upper[axis] - middles.lower[axis]) axis = i;
@@ -42,10 +36,10 @@ std::size_t longest_axis(std::span<const Bounded> group) {
 }
 
 /// Halves along the axis along which the boxes are spread most.
-void divide(std::span<Bounded> group, std::vector<std::vector<std::uint32_t>>& groups) {
+void divide(std::span<OperandBox> group, std::vector<std::vector<std::uint32_t>>& groups) {
   if (group.size() > most_in_group) {
     const std::size_t axis = longest_axis(group);
-    std::sort(group.begin(), group.end(), [&](const Bounded& a, const Bounded& b) {
+    std::sort(group.begin(), group.end(), [&](const OperandBox& a, const OperandBox& b) {
       return std::pair(a.middle(axis), a.operand) < std::pair(b.middle(axis), b.operand);
     });
     divide(group.first(group.size() / 2), groups);
@@ -53,23 +47,16 @@ void divide(std::span<Bounded> group, std::vector<std::vector<std::uint32_t>>& g
     return;
   }
   std::vector<std::uint32_t> members;
-  for (const Bounded& b : group) members.push_back(b.operand);
+  for (const OperandBox& b : group) members.push_back(b.operand);
   std::sort(members.begin(), members.end());
   groups.push_back(std::move(members));
 }
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> groups_in_crowds(std::span<const Operand> operands,
-                                                         std::span<const std::uint32_t> united) {
+std::vector<std::vector<std::uint32_t>> groups_in_crowds(std::span<const OperandBox> united) {
   if (united.size() <= crowd || united.size() > most_operands) return {};
-  std::vector<Bounded> all;
-  for (const std::uint32_t o : united) {
-    Box box;
-    for (const Vertex& v : operands[o].mesh.vertices) box.include(v);
-    if (!box.empty()) all.push_back({box, o});
-  }
-  std::vector<Bounded> found = crowded(all);
+  std::vector<OperandBox> found = crowded(united);
   std::vector<std::vector<std::uint32_t>> groups;
   if (found.size() > crowd) divide(found, groups);
   return groups;

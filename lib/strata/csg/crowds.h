@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "strata/csg/combine.h"
+#include "strata/csg/operand_box.h"
 
 namespace strata {
 
@@ -11,7 +11,6 @@ namespace strata {
 /// of their surfaces is hidden in some other one, yet in one arrangement everything meets everything. Returns groups of
 /// neighbours, of up to 13, to be united first; none where operands are spread. O(n^2) for n operands, of which there
 /// may be up to 2,000.
-[[nodiscard]] std::vector<std::vector<std::uint32_t>> groups_in_crowds(std::span<const Operand> operands,
-                                                                       std::span<const std::uint32_t> united);
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> groups_in_crowds(std::span<const OperandBox> united);
 
 }  // namespace strata
