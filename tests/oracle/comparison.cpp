@@ -16,20 +16,6 @@
 namespace strata::oracle {
 namespace {
 
-std::string_view operation_name(Operation operation) {
-  switch (operation) {
-    case Operation::unite:
-      return "union";
-    case Operation::intersect:
-      return "intersection";
-    case Operation::subtract:
-      return "difference";
-    case Operation::exclude:
-      return "xor";
-  }
-  return {};
-}
-
 /// The engine's answer, or why there is none.
 struct Answer {
   std::optional<CanonicalForm> form;
@@ -85,8 +71,8 @@ void report(const test::Operands& operands, std::uint64_t seed, Operation operat
     files +=
         ' ' + test::dump_off("seed-" + std::to_string(seed) + "-operand-" + std::to_string(i), {&operands.meshes[i]});
   }
-  FAIL_CHECK("seed " << seed << " (" << operands.kind << "), " << operation_name(operation) << ": " << problem
-                     << "\nwritten to" << files << meshes);
+  FAIL_CHECK("seed " << seed << " (" << operands.kind << "), " << name(operation) << ": " << problem << "\nwritten to"
+                     << files << meshes);
 }
 
 void compare_operation(Operation operation, const test::Operands& operands, std::uint64_t seed, Tally& tally) {
@@ -103,7 +89,7 @@ void compare_operation(Operation operation, const test::Operands& operands, std:
     return report(operands, seed, operation, problem);
   }
   if (verdict == Verdict::oracle_failed) {
-    std::cout << "oracle failed: seed " << seed << ", " << operation_name(operation) << '\n';
+    std::cout << "oracle failed: seed " << seed << ", " << name(operation) << '\n';
   }
   ++(verdict == Verdict::equal ? tally.equal : tally.oracle_failed);
 }
@@ -122,7 +108,7 @@ SeedRange seeds(SeedRange usual) {
 
 void compare_with_nef(const test::Operands& operands, std::uint64_t seed, Tally& tally) {
   CAPTURE(seed, operands.kind);
-  for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract, Operation::exclude}) {
+  for (const Operation operation : all_operations) {
     compare_operation(operation, operands, seed, tally);
   }
 }

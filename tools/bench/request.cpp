@@ -5,13 +5,9 @@
 namespace bench {
 namespace {
 
-using strata::Operation;
-
-const std::map<std::string, Operation>& operations() {
-  static const std::map<std::string, Operation> all = {{"union", Operation::unite},
-                                                       {"intersection", Operation::intersect},
-                                                       {"difference", Operation::subtract},
-                                                       {"xor", Operation::exclude}};
+std::map<std::string, strata::Operation> operations() {
+  std::map<std::string, strata::Operation> all;
+  for (const strata::Operation operation : strata::all_operations) all.emplace(name(operation), operation);
   return all;
 }
 
@@ -30,12 +26,6 @@ void add_options(CLI::App& app, Request& request) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_option("--result", request.result_file, "Write the result here, as a case file of one mesh");
-}
-
-std::string name(Operation operation) {
-  for (const auto& [text, value] : operations())
-    if (value == operation) return text;
-  return {};
 }
 
 }  // namespace bench

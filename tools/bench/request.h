@@ -20,7 +20,4 @@ struct Request {
 /// The same options for every program that measures.
 void add_options(CLI::App& app, Request& request);
 
-/// "union", "intersection", "difference" or "xor".
-[[nodiscard]] std::string name(strata::Operation operation);
-
 }  // namespace bench

@@ -6,6 +6,7 @@
 #include "files.h"
 #include "progress.h"
 #include "report.h"
+#include "reproduction.h"
 #include "result_file.h"
 #include "stopwatch.h"
 #include "strata/csg/combine.h"
@@ -26,6 +27,15 @@ strata::BooleanResult evaluate(strata::Operation operation, std::span<const Load
   std::vector<strata::Operand> views;
   for (const LoadedMesh& operand : operands) views.push_back({operand.mesh.mesh, operand.mesh.exact});
   return strata::combine(operation, std::span<const strata::Operand>(views), options);
+}
+
+/// What was asked, as a case.
+verify::NewCase asked(strata::Operation operation, std::span<const LoadedMesh> operands, const Settings& settings) {
+  verify::NewCase c;
+  c.expression = joined_expression(operation, operands.size());
+  c.input = settings.input;
+  for (std::size_t n = 0; n < operands.size(); ++n) c.operands.emplace_back(fmt::format("s{}", n), &operands[n].mesh);
+  return c;
 }
 
 // An operand was refused: the report says which defects it has.
@@ -64,7 +74,8 @@ ExitCode run_boolean(strata::Operation operation, const char* name, const Settin
   watch.on_stop(OnStop::ask);
   strata::BooleanResult result;
   try {
-    result = evaluate(operation, operands, format, settings, watch);
+    result = with_reproduction([&] { return asked(operation, operands, settings); }, name, settings,
+                               [&] { return evaluate(operation, operands, format, settings, watch); });
   } catch (const strata::InputError& error) {
     if (!settings.report.empty()) report_refusal(name, operands, error, settings);
     throw;

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
-#include <string_view>
 #include <utility>
 
+#include "json_choice.h"
 #include "json_matrix.h"
 #include "json_place.h"
 #include "strata/io/file.h"
@@ -31,12 +31,6 @@ std::string read_text(const std::string& path) {
   return text;
 }
 
-strata::InputClass read_input_class(const JsonPlace& place) {
-  constexpr std::array classes = {strata::InputClass::solid, strata::InputClass::overlapping,
-                                  strata::InputClass::repair};
-  return classes[place.choice("input class", {"solid", "overlapping", "repair"})];
-}
-
 strata::Placement read_placement(const JsonPlace& place) {
   constexpr std::array placements = {strata::Placement::exact, strata::Placement::rounded};
   return placements[place.choice("placement of transforms", {"exact", "rounded"})];
@@ -50,18 +44,16 @@ ChainOperand read_operand(const JsonPlace& place, const Defaults& defaults) {
   operand.input = defaults.input;
   operand.placement = defaults.placement;
   if (const auto label = place.find("label")) operand.label = label->text();
-  if (const auto input = place.find("input")) operand.input = read_input_class(*input);
+  if (const auto input = place.find("input"))
+    operand.input = read_choice(*input, "input class", strata::all_input_classes);
   if (const auto matrix = place.find("transform")) operand.transform = read_matrix(*matrix);
   return operand;
 }
 
 ChainStep read_step(const JsonPlace& place, const Defaults& defaults) {
-  using strata::Operation;
-  const std::vector<std::string_view> names = {"union", "intersection", "difference", "xor"};
-  constexpr std::array operations = {Operation::unite, Operation::intersect, Operation::subtract, Operation::exclude};
   place.expect_keys({"operation", "file", "transform", "input", "label"});
-  const std::size_t which = place.at("operation").choice("operation", names);
-  return {std::string(names[which]), operations[which], read_operand(place, defaults)};
+  const auto operation = read_choice(place.at("operation"), "operation", strata::all_operations);
+  return {operation, read_operand(place, defaults)};
 }
 
 std::optional<ChainOperand> read_start(const JsonPlace& place, const Defaults& defaults) {

@@ -21,7 +21,6 @@ struct ChainOperand {
 };
 
 struct ChainStep {
-  std::string operation_name;  ///< as the verb is called
   strata::Operation operation = strata::Operation::unite;
   ChainOperand operand;
 };

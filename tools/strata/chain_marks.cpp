@@ -14,18 +14,6 @@ namespace {
 
 constexpr const char* start_operation = "start";
 
-std::string_view name_of(strata::InputClass input) {
-  switch (input) {
-    case strata::InputClass::solid:
-      return "solid";
-    case strata::InputClass::overlapping:
-      return "overlapping";
-    case strata::InputClass::repair:
-      return "repair";
-  }
-  return {};
-}
-
 std::string text_of(const ChainOperand& operand) {
   if (operand.transform.is_identity()) return {};
   std::string text;
@@ -39,7 +27,7 @@ class Marker {
   explicit Marker(const std::string& document) : document_(document) {}
 
   ChainMark mark(const std::string& operation, const ChainOperand& operand) {
-    return {operation, digest(operand), std::string(name_of(operand.input)), text_of(operand)};
+    return {operation, digest(operand), name(operand.input), text_of(operand)};
   }
 
  private:
@@ -99,7 +87,7 @@ std::vector<ChainMark> marks_of(const ChainDocument& document) {
   std::vector<ChainMark> marks;
   marks.push_back(document.start ? marker.mark(start_operation, *document.start)
                                  : ChainMark{start_operation, {}, {}, {}});
-  for (const ChainStep& step : document.steps) marks.push_back(marker.mark(step.operation_name, step.operand));
+  for (const ChainStep& step : document.steps) marks.push_back(marker.mark(name(step.operation), step.operand));
   return marks;
 }
 

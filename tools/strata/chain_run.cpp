@@ -3,12 +3,21 @@
 #include <fmt/format.h>
 
 #include "progress.h"
+#include "reproduction.h"
 #include "stopwatch.h"
 #include "strata/mesh/defect.h"
 
 namespace {
 
 Json label_of(const ChainOperand& operand) { return operand.label.empty() ? Json(nullptr) : Json(operand.label); }
+
+/// A step as a case: the solid before it and its tool.
+verify::NewCase asked(const strata::Solid& before, const ChainStep& step, const strata::Solid& tool) {
+  verify::NewCase c;
+  c.expression = joined_expression(step.operation, 2);
+  c.operands = {{"s0", &before.exact_mesh()}, {"s1", &tool.exact_mesh()}};
+  return c;
+}
 
 }  // namespace
 
@@ -55,7 +64,10 @@ void ChainRun::finish(ChainOperands& operands) {
 void ChainRun::do_step(const ChainStep& step, ChainOperands& operands, const strata::Options& options) {
   watch_.on_stop(OnStop::ask);
   Stopwatch stopwatch;
-  workpiece_ = workpiece_.with(step.operation, operands.take(step.operand), options);
+  strata::Solid before;
+  const strata::Solid tool = operands.take(step.operand);
+  workpiece_ = with_reproduction([&] { return asked(before = workpiece_.solid(), step, tool); }, "chain", settings_,
+                                 [&] { return workpiece_.with(step.operation, tool, options); });
   const double seconds = stopwatch.lap();
   watch_.hold();
   ++done_;
@@ -64,7 +76,7 @@ void ChainRun::do_step(const ChainStep& step, ChainOperands& operands, const str
   if (!settings_.report.empty()) {
     rows_.push_back({{"index", done_ - 1},
                      {"label", label_of(step.operand)},
-                     {"operation", step.operation_name},
+                     {"operation", name(step.operation)},
                      {"file", step.operand.file},
                      {"seconds", seconds}});
     rows_.back().update(facts());

@@ -12,6 +12,7 @@
 #include "files.h"
 #include "progress.h"
 #include "report.h"
+#include "reproduction.h"
 #include "result_file.h"
 #include "scene_input.h"
 #include "stopwatch.h"
@@ -26,6 +27,7 @@ namespace {
 /// The expression, as the command line or a model file has it, and what the report says about its parts.
 struct Input {
   std::vector<LoadedMesh> operands;
+  std::vector<std::string> names;  ///< of the operands
   std::optional<strata::Expression> expression;
 };
 
@@ -77,7 +79,7 @@ Input read_model(const Settings& settings) {
     if (!settings.quiet)
       for (const std::string& note : model.notes)
         fmt::print(stderr, "strata: {}: note: {}\n", settings.expression, note);
-    return {{}, std::move(model.expression)};
+    return {{}, {}, std::move(model.expression)};
   } catch (const strata::CsgError& error) {
     throw strata::IoError(error.file(), {error.line(), {}},
                           fmt::format("column {}: {}", error.column(), error.reason()));
@@ -91,7 +93,7 @@ Input read_expression(Settings& settings) {
   settings.operands.clear();
   for (const std::string& name : names) settings.operands.push_back(paths.at(name));
   check_streams(settings);
-  Input input{read_operands(settings), {}};
+  Input input{read_operands(settings), names, {}};
   std::map<std::string, strata::Solid> solids;
   for (std::size_t k = 0; k < names.size(); ++k) solids[names[k]] = make_solid(input.operands, k, settings.input);
   input.expression =
@@ -135,6 +137,16 @@ strata::Solid evaluate(const strata::Expression& expression, const Settings& set
   }
 }
 
+/// What was asked, as a case.
+verify::NewCase asked(const Input& input, const Settings& settings) {
+  if (input.operands.empty()) throw std::runtime_error("a model is its own reproduction: " + settings.expression);
+  verify::NewCase c;
+  c.expression = settings.expression;
+  c.input = settings.input;
+  for (std::size_t k = 0; k < input.names.size(); ++k) c.operands.emplace_back(input.names[k], &input.operands[k].mesh);
+  return c;
+}
+
 }  // namespace
 
 ExitCode run_eval(Settings& settings) {
@@ -148,7 +160,8 @@ ExitCode run_eval(Settings& settings) {
   watch.on_stop(OnStop::ask);
   strata::Solid solid;
   try {
-    solid = evaluate(*input.expression, settings, watch);
+    solid = with_reproduction([&] { return asked(input, settings); }, "eval", settings,
+                              [&] { return evaluate(*input.expression, settings, watch); });
   } catch (const strata::Cancelled&) {
     watch.on_stop(OnStop::leave);  // says why
     throw;

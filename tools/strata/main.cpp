@@ -11,6 +11,7 @@
 #include "chain.h"
 #include "draw.h"
 #include "exit_code.h"
+#include "fuzz/fuzz.h"
 #include "settings.h"
 #include "strata/io/mesh_file.h"
 #include "strata/mesh/defect.h"
@@ -219,6 +220,24 @@ void add_verify(CLI::App& app, Settings& settings, VerifySettings& verify_settin
   verb->callback([&] { action = [&] { return run_verify(verify_settings, settings); }; });
 }
 
+void add_fuzz(CLI::App& app, Settings& settings, FuzzSettings& fuzz_settings, Action& action) {
+  CLI::App* verb = app.add_subcommand("fuzz", "Random search for broken laws, in this engine or in others");
+  add_fuzz_options(*verb, fuzz_settings, settings);
+  verb->footer(fmt::format(
+      R"(Rounds are questions about solids that touch, of which laws are known: volumes of union and intersection add up, operands
+commute, images of results are results of images, ... What does not hold is made small and kept as a case.
+
+Examples:
+  strata fuzz --seed 1 --minutes 10
+  strata fuzz --seed 1 --rounds 50 --engine manifold3d --engine "mine=./my-engine --boolean"
+  strata fuzz --seed 1 --round 17
+  strata fuzz --case strata-fuzz-findings/fuzz-volumes-1-17 --engine manifold3d
+
+{})",
+      exit_codes));
+  verb->callback([&] { action = [&] { return run_fuzz(fuzz_settings, settings); }; });
+}
+
 ExitCode complain(ExitCode code, const std::string& message) {
   std::fputs(("strata: " + message + "\n").c_str(), stderr);
   return code;
@@ -263,6 +282,7 @@ int main(int argc, char** argv) {
   DrawSettings draw_settings;
   ChainSettings chain_settings;
   VerifySettings verify_settings;
+  FuzzSettings fuzz_settings;
   Action action;
   CLI::App app("Exact Booleans of meshes, on the doubles in the files", "strata");
   app.set_version_flag("--version", "strata " STRATA_VERSION);
@@ -276,6 +296,7 @@ int main(int argc, char** argv) {
   add_locate(app, settings, action);
   add_ray(app, settings, action);
   add_verify(app, settings, verify_settings, action);
+  add_fuzz(app, settings, fuzz_settings, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <atomic>
+#include <cstddef>
 #include <functional>
 
 #include "strata/select/operation.h"
@@ -12,6 +14,14 @@ enum class InputClass {
   overlapping,  ///< closed, may cross itself: resolved completely; inside is winding number > 0
   repair,       ///< a soup: weld equal vertices, drop duplicate and degenerate faces, orient; then as overlapping
 };
+
+inline constexpr std::array all_input_classes{InputClass::solid, InputClass::overlapping, InputClass::repair};
+
+/// As it is written in files and on the command line: solid, overlapping, repair.
+[[nodiscard]] constexpr const char* name(InputClass input) {
+  constexpr std::array names{"solid", "overlapping", "repair"};
+  return names[static_cast<std::size_t>(input)];
+}
 
 struct Options {
   InputClass input = InputClass::solid;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -66,7 +67,12 @@ double radius_of(const Arguments& arguments, std::string_view diameter, std::str
 }
 
 bool is_too_small(double radius) { return radius != 0 && radius < least_radius; }
-constexpr const char* too_small = "a radius below 1e-290 is too small for doubles";
+
+std::string too_small() {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), least_radius).ptr;
+  return "a radius below " + std::string(digits.data(), end) + " is too small for doubles";
+}
 
 }  // namespace
 
@@ -108,7 +114,7 @@ std::optional<Solid> Primitives::sphere(const SyntaxNode& node) {
   const Resolution resolution = resolution_of(arguments);
   if (!std::isfinite(radius)) return nothing(node, "that is not finite");
   if (radius <= 0) return nothing(node, "without volume");
-  if (is_too_small(radius)) report_.fail(node.place, too_small);
+  if (is_too_small(radius)) report_.fail(node.place, too_small());
   const std::uint32_t sides = sides_of_circle(radius, resolution), count = (sides + 1) / 2;
   require_corners(node, sides, count);
   return shared({1, radius, static_cast<double>(sides)}, [&] {
@@ -133,7 +139,7 @@ std::optional<Solid> Primitives::cylinder(const SyntaxNode& node) {
   if (lower.radius < 0 || upper.radius < 0) return nothing(node, "of a negative radius");
   const double widest = std::max(lower.radius, upper.radius);
   if (!(lower.z < upper.z) || widest == 0) return nothing(node, "without volume");
-  if (is_too_small(lower.radius) || is_too_small(upper.radius)) report_.fail(node.place, too_small);
+  if (is_too_small(lower.radius) || is_too_small(upper.radius)) report_.fail(node.place, too_small());
   const std::uint32_t sides = sides_of_circle(widest, resolution);
   require_corners(node, sides, 2);
   return shared({2, lower.radius, upper.radius, lower.z, upper.z, static_cast<double>(sides)}, [&] {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "json_choice.h"
 #include "strata/csg/expression.h"
 #include "strata/io/file.h"
 #include "strata/io/mesh_file.h"
@@ -76,18 +77,6 @@ void check_names(const Case& c, const JsonPlace& root) {
 
 }  // namespace
 
-const char* name(InputClass input) {
-  switch (input) {
-    case InputClass::solid:
-      return "solid";
-    case InputClass::overlapping:
-      return "overlapping";
-    case InputClass::repair:
-      return "repair";
-  }
-  throw std::invalid_argument("no input class");
-}
-
 bool Case::has_tag(const std::string& tag) const { return std::find(tags.begin(), tags.end(), tag) != tags.end(); }
 
 Case read_case(const fs::path& folder) {
@@ -102,9 +91,7 @@ Case read_case(const fs::path& folder) {
   c.steps = read_steps(root.at("expression"));
   c.why = root.at("why").text();
   for (const JsonPlace& tag : root.at("tags").items()) c.tags.push_back(tag.text());
-  constexpr std::array classes = {InputClass::solid, InputClass::overlapping, InputClass::repair};
-  if (const auto input = root.find("input"))
-    c.input = classes[input->choice("input class", {"solid", "overlapping", "repair"})];
+  if (const auto input = root.find("input")) c.input = read_choice(*input, "input class", strata::all_input_classes);
   if (const auto known = root.find("known")) c.known = read_known(*known);
   const JsonPlace operands = root.at("operands");
   if (!operands.value().is_object()) operands.fail_expected("an object");

@@ -48,7 +48,4 @@ struct Case {
 /// The folders with a case.json directly under `root`, sorted. Throws strata::IoError if there is none.
 [[nodiscard]] std::vector<std::filesystem::path> find_cases(const std::filesystem::path& root);
 
-/// solid, overlapping or repair.
-[[nodiscard]] const char* name(strata::InputClass input);
-
 }  // namespace verify

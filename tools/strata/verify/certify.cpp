@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "files.h"
+#include "scratch.h"
 #include "stopwatch.h"
 #include "strata/csg/check.h"
 #include "strata/io/file.h"
@@ -14,7 +15,6 @@
 #include "strata/mesh/measure.h"
 #include "verify/decimal.h"
 #include "verify/jobs.h"
-#include "verify/scratch.h"
 #include "verify/strata_engine.h"
 
 namespace verify {

@@ -53,7 +53,7 @@ class CommandEngine : public Engine {
       Limits left = limits;
       left.seconds = std::max(limits.seconds - answer.seconds, 0.0);
       std::vector<std::string> command = command_;
-      command.insert(command.end(), {verify::name(step.operation), files[step.first].string(),
+      command.insert(command.end(), {strata::name(step.operation), files[step.first].string(),
                                      files[step.second].string(), files.back().string()});
       const ChildEnd end = run_child(command, left, folder);
       answer.seconds += end.seconds;

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "scratch.h"
 #include "verify/command_engine.h"
-#include "verify/scratch.h"
 #include "verify/strata_engine.h"
 
 namespace verify {

@@ -4,10 +4,10 @@
 #include <mutex>
 #include <utility>
 
+#include "scratch.h"
 #include "stopwatch.h"
 #include "verify/jobs.h"
 #include "verify/judge.h"
-#include "verify/scratch.h"
 #include "verify/sketch.h"
 
 namespace verify {

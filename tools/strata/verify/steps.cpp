@@ -63,18 +63,4 @@ Steps steps_of(std::string_view expression) {
   return steps;
 }
 
-const char* name(Operation operation) {
-  switch (operation) {
-    case Operation::unite:
-      return "union";
-    case Operation::intersect:
-      return "intersection";
-    case Operation::subtract:
-      return "difference";
-    case Operation::exclude:
-      return "xor";
-  }
-  throw std::invalid_argument("no operation");
-}
-
 }  // namespace verify

@@ -25,7 +25,4 @@ struct Steps {
 /// ~a | ~b is ~(a & b). Throws strata::ParseError, and std::invalid_argument where the result is a complement.
 [[nodiscard]] Steps steps_of(std::string_view expression);
 
-/// union, intersection, difference, xor.
-[[nodiscard]] const char* name(strata::Operation operation);
-
 }  // namespace verify

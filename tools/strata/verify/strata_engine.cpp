@@ -30,7 +30,7 @@ class StrataEngine : public Engine {
     std::vector<std::string> command = {program_, "eval", c.expression};
     for (std::string& binding : bindings_of(c, folder)) command.push_back(std::move(binding));
     for (const std::string& word :
-         {std::string("-o"), answer.file.string(), std::string("--input"), std::string(verify::name(c.input)),
+         {std::string("-o"), answer.file.string(), std::string("--input"), std::string(strata::name(c.input)),
           std::string("-j"), std::string("1"), std::string("-q")})
       command.push_back(word);
     const ChildEnd end = run_child(command, limits, folder);
