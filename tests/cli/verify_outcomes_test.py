@@ -1,7 +1,7 @@
 """strata verify: every outcome, by engines that misbehave on purpose."""
 import unittest
 
-from tool import NEGATIVE
+from tool import NEGATIVE, OK, USAGE, cube
 from verify_case import VerifyTest
 
 
@@ -100,6 +100,18 @@ while True: pass""", "--seconds", "1.5")
         self.verify("--certify", "--case", "rational")
         self.assertEqual(self.findings("--case", "rational")[0]["outcome"], "exact")
         self.expect_outcome("not applicable", "rational", "right()", slug="rational")
+
+    def test_a_result_that_brings_the_judge_down_ends_its_case_alone(self):
+        self.expect_outcome("oracle failed", "the judge failed: out of memory", "os.symlink('/dev/zero', out)",
+                            "--memory", 400)
+
+    def test_results_that_are_there_already(self):
+        self.run_tool("union", self.file("wrong.off", cube()), self.file("b.off", cube(1)), "-o", "right.off")
+        (found,), (wrong,) = (self.findings("--case", "boxes", "--result", self.path(name), expect=expect)
+                              for name, expect in (("right.off", OK), ("wrong.off", NEGATIVE)))
+        self.assertEqual((found["engine"], found["outcome"], wrong["outcome"]), ("result", "exact", "wrong"))
+        self.verify("--result", self.path("right.off"), expect=USAGE)
+        self.verify("--case", "boxes", "--result", self.path("right.off"), "--engine", "strata", expect=USAGE)
 
     def test_a_case_without_expectation(self):
         self.case("new", certified=False)

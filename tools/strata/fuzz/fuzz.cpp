@@ -106,7 +106,7 @@ class Search {
       engines_.push_back(found_from_anywhere(engine));
       (void)evaluator_of(f, engine);  // says at once if there is no such engine
     }
-    asking_.program = fs::read_symlink("/proc/self/exe").string();
+    asking_.program = verify::own_program().string();
     asking_.limits = {f.seconds, f.megabytes << 20};
     asking_.words = {
         "--seconds", fmt::format("{}", f.seconds), "--memory",  std::to_string(f.megabytes),

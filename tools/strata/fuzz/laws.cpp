@@ -12,7 +12,6 @@
 #include "fuzz/step_text.h"
 #include "json_place.h"
 #include "scratch.h"
-#include "strata/csg/check.h"
 #include "strata/csg/solid.h"
 #include "strata/exact/failure.h"
 #include "strata/io/file.h"
@@ -23,6 +22,7 @@
 #include "verify/child.h"
 #include "verify/decimal.h"
 #include "verify/facts.h"
+#include "verify/first_error.h"
 #include "verify/judge.h"
 #include "verify/strata_engine.h"
 
@@ -39,16 +39,6 @@ strata::Options one_thread() {
   strata::Options options;
   options.threads = 1;
   return options;
-}
-
-/// The first error that the complete check finds; empty if there is none.
-std::string defect_of(const ExactMesh& mesh) {
-  if (mesh.mesh.triangles.empty()) return {};
-  const auto defects = mesh.exact.empty() ? strata::check(strata::MeshView(mesh.mesh), one_thread())
-                                          : strata::check(strata::ExactMeshView(mesh), one_thread());
-  for (const strata::Defect& d : defects)
-    if (d.severity == strata::Severity::error) return strata::describe(d);
-  return {};
 }
 
 /// Vertices and triangles backwards, triangles from another corner on.
@@ -100,7 +90,7 @@ class Laws {
   void embedded() {
     if (!engine_.is_exact()) return;
     for (const std::string& text : {whole_, joint('|'), joint('&'), joint('-'), joint('^')})
-      if (const std::string why = defect_of(value(text)); !why.empty())
+      if (const std::string why = verify::first_error(value(text)); !why.empty())
         throw Broken("embedded", fmt::format("{}: {}", text, why));
   }
 
@@ -329,7 +319,7 @@ const std::vector<std::string>& check_names() {
 
 void ensure_laws(const verify::Case& c, const Evaluator& engine, const Oracle& oracle, const std::string& only) {
   for (const CaseOperand& o : c.operands)
-    if (const std::string why = defect_of(o.mesh); !why.empty())
+    if (const std::string why = verify::first_error(o.mesh); !why.empty())
       throw NoQuestion(fmt::format("{} is no solid: {}", o.name, why));
   const auto& names = check_names();
   const bool all = std::find(names.begin(), names.end(), only) == names.end();

@@ -9,11 +9,11 @@
 #include "files.h"
 #include "scratch.h"
 #include "stopwatch.h"
-#include "strata/csg/check.h"
 #include "strata/io/file.h"
 #include "strata/io/mesh_file.h"
 #include "strata/mesh/measure.h"
 #include "verify/decimal.h"
+#include "verify/first_error.h"
 #include "verify/jobs.h"
 #include "verify/strata_engine.h"
 
@@ -47,19 +47,8 @@ std::string contradiction(const Known& known, const Facts& facts) {
 
 bool is_known(const Known& k) { return k.volume || k.area || k.components || k.euler || k.facets || k.edges; }
 
-/// Why a result cannot be the right one, whatever that is.
-std::string fault(const strata::ExactMesh& mesh) {
-  if (mesh.mesh.triangles.empty()) return {};
-  strata::Options options;
-  options.threads = 1;
-  for (const strata::Defect& d : mesh.exact.empty() ? strata::check(strata::MeshView(mesh.mesh), options)
-                                                    : strata::check(strata::ExactMeshView(mesh), options))
-    if (d.severity == strata::Severity::error) return strata::describe(d);
-  return {};
-}
-
 Verdict settle(const Case& c, const strata::ExactMesh& mesh) {
-  if (const std::string why = fault(mesh); !why.empty()) return {Outcome::invalid, why};
+  if (const std::string why = first_error(mesh); !why.empty()) return {Outcome::invalid, why};
   const Facts facts = facts_of(mesh);
   if (const std::string why = contradiction(c.known, facts); !why.empty()) return {Outcome::wrong, why};
   Expectation found = expectation_of(facts);

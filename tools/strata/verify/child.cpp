@@ -83,6 +83,8 @@ std::string end_of_file(const std::filesystem::path& path) {
 
 }  // namespace
 
+std::filesystem::path own_program() { return std::filesystem::read_symlink("/proc/self/exe"); }
+
 ChildEnd run_child(const std::vector<std::string>& command, const Limits& limits, const std::filesystem::path& folder) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));

@@ -22,6 +22,9 @@ struct ChildEnd {
   std::uint64_t peak_bytes = 0;
 };
 
+/// Where this program is, to be run as a child. Throws std::filesystem::filesystem_error. Linux.
+[[nodiscard]] std::filesystem::path own_program();
+
 /// Runs a command to its end, in a process group of its own, which is killed when time is over, and with the caller.
 /// Nothing on standard input; standard output is thrown away. `folder` is where it runs; a file for standard error is
 /// made there. A command that cannot be started exits with 127. Safe to call from many threads. POSIX.

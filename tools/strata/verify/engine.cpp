@@ -6,6 +6,7 @@
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "scratch.h"
 #include "verify/command_engine.h"
@@ -44,6 +45,24 @@ std::string last_line(const std::string& text) {
   return start == std::string::npos ? text : text.substr(start + 1);
 }
 
+class GivenResult : public Engine {
+ public:
+  GivenResult(std::filesystem::path file, double unit_roundoff)
+      : file_(std::move(file)), unit_roundoff_(unit_roundoff) {}
+
+  [[nodiscard]] std::string name() const override { return "result"; }
+  [[nodiscard]] double unit_roundoff() const override { return unit_roundoff_; }
+  [[nodiscard]] Answer ask(const Case&, const std::filesystem::path&, const Limits&) const override {
+    Answer answer;
+    answer.file = file_;
+    return answer;
+  }
+
+ private:
+  std::filesystem::path file_;
+  double unit_roundoff_;
+};
+
 }  // namespace
 
 std::unique_ptr<Engine> make_engine(const std::string& text, const EngineFolders& folders) {
@@ -56,6 +75,10 @@ std::unique_ptr<Engine> make_engine(const std::string& text, const EngineFolders
   if (command.empty()) throw std::runtime_error(fmt::format("'{}' is no command", text));
   const std::string name = is_named ? text.substr(0, equals) : std::filesystem::path(command.front()).stem().string();
   return make_command_engine(name, command, 0x1p-53);
+}
+
+std::unique_ptr<Engine> make_given_result(const std::filesystem::path& file, double unit_roundoff) {
+  return std::make_unique<GivenResult>(file, unit_roundoff);
 }
 
 Verdict verdict_of(const ChildEnd& end) {

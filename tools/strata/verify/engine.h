@@ -42,6 +42,9 @@ struct EngineFolders {
 /// operation. Throws std::runtime_error where there is no such script, or it says that it cannot run.
 [[nodiscard]] std::unique_ptr<Engine> make_engine(const std::string& name, const EngineFolders& folders);
 
+/// "result": the answer is this file, whatever is asked.
+[[nodiscard]] std::unique_ptr<Engine> make_given_result(const std::filesystem::path& file, double unit_roundoff);
+
 /// What the end of a process means for programs that keep the rule: 0 done, 3 refused with the reason on standard
 /// error, all else crashed. `exact` for 0.
 [[nodiscard]] Verdict verdict_of(const ChildEnd& end);

@@ -7,10 +7,10 @@
 #include <exception>
 #include <optional>
 
-#include "strata/csg/check.h"
 #include "strata/io/mesh_file.h"
 #include "strata/mesh/measure.h"
 #include "verify/decimal.h"
+#include "verify/first_error.h"
 
 namespace verify {
 namespace {
@@ -18,15 +18,10 @@ namespace {
 using strata::ExactMesh;
 using strata::Rational;
 
-/// Faces that cross or coincide, and shells the wrong way round, by the library's complete check.
 std::optional<Verdict> crossing(const ExactMesh& mesh) {
-  strata::Options options;
-  options.threads = 1;
-  const auto defects = mesh.exact.empty() ? strata::check(strata::MeshView(mesh.mesh), options)
-                                          : strata::check(strata::ExactMeshView(mesh), options);
-  for (const strata::Defect& d : defects)
-    if (d.severity == strata::Severity::error) return Verdict{Outcome::invalid, strata::describe(d)};
-  return {};
+  const std::string error = first_error(mesh);
+  if (error.empty()) return {};
+  return Verdict{Outcome::invalid, error};
 }
 
 bool near(const Rational& a, const Rational& b, const Rational& tolerance) { return abs(Rational(a - b)) <= tolerance; }
@@ -96,7 +91,8 @@ Verdict judge(const ExactMesh& result, const Case& c, const Yardstick& yardstick
   return {};
 }
 
-Verdict judge_file(const std::filesystem::path& file, const Case& c, const Yardstick& yardstick, ExactMesh& mesh) {
+Verdict judge_file(const std::filesystem::path& file, const Case& c, const Yardstick& yardstick) {
+  ExactMesh mesh;
   try {
     strata::MeshFile read = strata::read_mesh(file);
     mesh = {std::move(read.mesh), std::move(read.exact)};

@@ -25,8 +25,7 @@ struct Yardstick {
 /// be where touching sheets are listed apart (NonManifold); no faces cross. Requires `c.expected`.
 [[nodiscard]] Verdict judge(const strata::ExactMesh& result, const Case& c, const Yardstick& yardstick);
 
-/// The same for a file; one that cannot be read is invalid. `mesh` receives what was read.
-[[nodiscard]] Verdict judge_file(const std::filesystem::path& file, const Case& c, const Yardstick& yardstick,
-                                 strata::ExactMesh& mesh);
+/// The same for a file; one that cannot be read is invalid.
+[[nodiscard]] Verdict judge_file(const std::filesystem::path& file, const Case& c, const Yardstick& yardstick);
 
 }  // namespace verify

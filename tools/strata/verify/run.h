@@ -33,15 +33,13 @@ struct RunOptions {
   Limits limits;
   unsigned jobs = 0;  ///< 0: as many as there are cores
   bool pictures = false;
+  bool judge_apart = true;               ///< in a process for each result; else in this one
   std::function<void(double)> progress;  ///< called with a fraction, never concurrently
 };
 
 /// Asks every engine for every case, and judges. Cases without expectation are `oracle_failed`.
 [[nodiscard]] Run run_cases(std::vector<Case> cases, const std::vector<std::unique_ptr<Engine>>& engines,
                             const RunOptions& options);
-
-/// One case alone; `mesh` receives the result, if there is one that can be read.
-[[nodiscard]] Finding run_case(const Case& c, const Engine& engine, const Limits& limits, strata::ExactMesh& mesh);
 
 /// Findings of an engine with an outcome.
 [[nodiscard]] std::size_t count(const Run& run, std::size_t engine, Outcome outcome);

@@ -20,7 +20,7 @@ Verdict verdict(const ChildEnd& end) {
 
 class StrataEngine : public Engine {
  public:
-  explicit StrataEngine(bool doubles) : doubles_(doubles), program_(fs::read_symlink("/proc/self/exe").string()) {}
+  explicit StrataEngine(bool doubles) : doubles_(doubles), program_(own_program().string()) {}
 
   [[nodiscard]] std::string name() const override { return doubles_ ? "strata-doubles" : "strata"; }
 

@@ -87,12 +87,23 @@ std::vector<std::unique_ptr<verify::Engine>> make_engines(const VerifySettings& 
   return engines;
 }
 
+/// A result that is there already, judged in this process.
+verify::Run judge_result(const VerifySettings& settings, std::vector<verify::Case> cases) {
+  if (settings.slugs.size() != 1) throw UsageError("--result needs the one --case whose result it is");
+  std::vector<std::unique_ptr<verify::Engine>> engines;
+  engines.push_back(verify::make_given_result(settings.result, settings.roundoff));
+  verify::RunOptions options;
+  options.judge_apart = false;
+  return verify::run_cases(std::move(cases), engines, options);
+}
+
 verify::Run run(const VerifySettings& settings, const verify::RunOptions& options) {
   std::vector<verify::Case> cases = read_cases(settings);
   if (settings.recertify)
     return verify::recertify(std::move(cases), from_environment(settings.oracle, "STRATA_ORACLE", "strata-oracle"),
                              options);
   if (settings.certify && settings.engines.empty()) return verify::certify(std::move(cases), options);
+  if (!settings.result.empty()) return judge_result(settings, std::move(cases));
   const auto engines = make_engines(settings);
   verify::Run result = verify::run_cases(std::move(cases), engines, options);
   if (settings.certify)
@@ -132,6 +143,13 @@ void add_verify_options(CLI::App& verb, VerifySettings& v, Settings& settings) {
                   "strata, strata-doubles, manifold3d, trueform, meshlib, libigl, or a command that is called as\n"
                   "COMMAND union|intersection|difference|xor A.off B.off OUT.off; may be given several times")
       ->type_name("NAME|[NAME=]COMMAND");
+  auto* engines = verb.get_option("--engine");
+  verb.add_option("--result", v.result, "Judge this file as the result of the one --case; no engine is asked")
+      ->type_name("FILE")
+      ->excludes(engines);
+  verb.add_option("--roundoff", v.roundoff, "With --result: unit roundoff of the coordinates, if not exact")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   verb.add_option("--report", v.reports, "Where reports go: .json, .xml (JUnit) or .html; - is JSON")
       ->type_name("FILE");
   verb.add_option("--jobs", v.jobs, "Cases at a time; all cores unless told")->type_name("N");

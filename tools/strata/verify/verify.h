@@ -23,6 +23,8 @@ struct VerifySettings {
   unsigned jobs = 0;
   double seconds = 20;
   std::uint64_t megabytes = default_megabytes;
+  std::string result;         ///< a file to be judged as the result of a case; no engine is asked
+  double roundoff = 0x1p-53;  ///< of the engine that made it
   bool certify = false, recertify = false;
   std::string oracle;   ///< program; empty: $STRATA_ORACLE, else strata-oracle in the path
   std::string python;   ///< program; empty: $STRATA_PYTHON, else python3
