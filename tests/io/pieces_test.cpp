@@ -205,6 +205,16 @@ TEST_CASE("Binary PLY records of equal and of different sizes are read alike in 
   check_all_sizes(equal, Format::ply);
 }
 
+TEST_CASE("PLY counts that overflow when they are added up are refused alike in pieces", "[io][pieces][ply]") {
+  // Catches readers that take the sum for the number of lines and then make room for 2^63 - 1 vertices.
+  const std::string huge = "9223372036854775807";
+  const std::string text = "ply\nformat ascii 1.0\nelement vertex " + huge +
+                           "\nproperty float x\nproperty float y\nproperty float z\nelement a " + huge +
+                           "\nproperty int i\nelement b 6\nproperty int i\nend_header\n1 2 3\n4\n5\n6\n7\n";
+  CHECK(outcome(text, Format::ply, whole).error.find("room for") != std::string::npos);
+  check_all_sizes(text, Format::ply);
+}
+
 TEST_CASE("Text STL of several solids, and with words where none are expected, is read alike in pieces",
           "[io][pieces][stl]") {
   const std::string facet =

@@ -77,3 +77,12 @@ TEST_CASE("Malformed PLY is refused with its line or byte", "[io][ply]") {
   CHECK(refusal(bytes.substr(0, bytes.size() - 1), Format::ply).find(": byte ") != std::string::npos);
   CHECK(refusal(bytes.substr(0, bytes.size() - 60), Format::ply).find(": byte ") != std::string::npos);
 }
+
+TEST_CASE("PLY vertices without coordinates are refused, whatever faces say of them", "[io][ply]") {
+  // Catches readers that check indices against the header's count of vertices that they never read.
+  for (const char* face : {"3 0 1 2\n", "4 0 1 2 3\n"}) {
+    const std::string list = "element face 1\nproperty list uchar int vertex_indices\n";
+    for (const std::string& vertices : {std::string("element vertex 4\n"), "element vertex 4\n" + xyz.substr(17)})
+      CHECK(refusal(header("ascii", vertices + list) + face, Format::ply).find("a property x") != std::string::npos);
+  }
+}

@@ -103,7 +103,11 @@ class TextPieces {
 
   MeshFile read(std::size_t size) {
     std::uint64_t count = 0;
-    for (const PlyElementPlan& p : plan_.elements) count += p.element->count;
+    for (const PlyElementPlan& p : plan_.elements) {
+      // Before they are added up: counts may be anything.
+      if (p.element->count > input_.data.size()) fail("more records than bytes");
+      count += p.element->count;
+    }
     const auto pieces = divide_records(input_, offset_, count, {}, size);
     if (pieces.size() == 1) fail("one piece, which may have fewer lines than records");
     for (const PlyElementPlan& p : plan_.elements)
