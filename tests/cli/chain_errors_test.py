@@ -70,6 +70,12 @@ class Errors(ChainTest):
             with self.subTest(message=message):
                 self.refused(document, message)
 
+    def test_documents_nested_too_deeply_are_refused(self):
+        # Catches values that are copied or shown by recursion: the stack has room for some ten thousand.
+        for depth, message in ((99, "start: expected an object"), (100, "nested more than 100 deep"),
+                               (1_000_000, "nested more than 100 deep")):
+            self.refused('{"start": ' + "[" * depth + "]" * depth + ', "steps": []}', message)
+
     def test_matrices_are_checked(self):
         wrong = "expected a number or a string with an integer or a quotient of integers"
         for step, message in (

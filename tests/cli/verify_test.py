@@ -45,6 +45,13 @@ class Cases(VerifyTest):
                 (put_b(generate="box", lower=[0, 0], upper=[1, 1, 1]), "operands.b.lower: expected 3 numbers, found 2"),
                 (put_b(generate="box", lower=[0, 0, 0]), "operands.b: 'upper' is missing"),
                 (put_b(generate="sphere", centre=[0, 0, 0], radius=1, level=99), "operands.b.level: expected an integer"),
+                (put_b(generate="grid", count=[400, 400, 400], lower=[0, 0, 0], pitch=[2, 2, 2], size=[1, 1, 1]),
+                 "operands.b.count: at most 80000 cells, these are 64000000"),
+                (put("operands", {f"s{n}": {"generate": "sphere", "centre": [0, 0, 0], "radius": 1, "level": 7}
+                                  for n in range(4)}), "operands.s3: more than 1000000 triangles are generated"),
+                (put("known", {"euler": 2**64 - 1}), "known.euler: expected an integer"),
+                (put("known", {"volume": ".+5"}), "known.volume: expected a number as a string"),
+                (put("known", {"volume": "1.-5"}), "known.volume: expected a number as a string"),
                 (lambda d: d.pop("tags"), "'tags' is missing")):
             with self.subTest(message=message):
                 self.refused(change, message)

@@ -67,9 +67,13 @@ std::optional<ChainOperand> read_start(const JsonPlace& place, const Defaults& d
 std::string ChainOperand::title() const { return label.empty() ? place : fmt::format("{} ({})", place, label); }
 
 ChainDocument read_chain_document(const std::string& path, const Settings& settings) {
+  return parse_chain_document(read_text(path), path, settings);
+}
+
+ChainDocument parse_chain_document(std::string_view text, const std::string& path, const Settings& settings) {
   ChainDocument document;
   document.name = path == "-" ? "standard input" : path;
-  const Json json = parse_json(read_text(path), document.name);
+  const Json json = parse_json(text, document.name);
   const JsonPlace root(json, document.name);
   root.expect_keys({"transforms", "start", "steps"});
   Defaults defaults{path == "-" ? fs::path() : fs::path(path).parent_path(), settings.input, settings.placement};

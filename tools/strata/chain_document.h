@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "settings.h"
@@ -36,3 +37,7 @@ struct ChainDocument {
 /// about input classes and the placement of transforms is as in the settings. Reads no operand. Throws strata::IoError
 /// with line and column, or with the place in the document; of several errors the first.
 [[nodiscard]] ChainDocument read_chain_document(const std::string& path, const Settings& settings);
+
+/// The same for the text of the document; `path` says where its operands are looked for, and stands for it in messages.
+[[nodiscard]] ChainDocument parse_chain_document(std::string_view text, const std::string& path,
+                                                 const Settings& settings);

@@ -15,7 +15,8 @@ std::string member_path(const std::string& path, std::string_view key) {
   return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
 }
 
-/// Watches a text being parsed for keys that an object has twice, of which only the last would be seen.
+/// Watches a text being parsed for keys that an object has twice, of which only the last would be seen, and for nesting
+/// that is too deep: copies and texts of values are made by recursion.
 class KeyWatch {
  public:
   explicit KeyWatch(const std::string& file) : file_(file) {}
@@ -26,6 +27,8 @@ class KeyWatch {
       case Event::object_start:
       case Event::array_start:
         begin_item();
+        if (open_.size() == deepest)
+          throw strata::IoError(file_, {}, fmt::format("arrays and objects are nested more than {} deep", deepest));
         open_.push_back({event == Event::array_start, 0, {}, {}});
         break;
       case Event::object_end:
@@ -45,6 +48,7 @@ class KeyWatch {
   }
 
  private:
+  static constexpr std::size_t deepest = 100;
   struct Open {
     bool is_array;
     std::size_t items;  ///< of an array, begun so far

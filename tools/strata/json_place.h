@@ -9,7 +9,7 @@
 #include "report.h"
 
 /// Parses a JSON text. `file` stands for it in messages. Throws strata::IoError with line and column for what is no
-/// JSON, and with the place for a key that an object has twice.
+/// JSON, with the place for a key that an object has twice, and for arrays and objects nested more than 100 deep.
 [[nodiscard]] Json parse_json(std::string_view text, const std::string& file);
 
 /// A value in a JSON document that knows where it stands: "steps[3].operation". Whatever is not as asked for is a

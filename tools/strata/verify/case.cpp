@@ -34,6 +34,20 @@ CaseOperand read_operand(const std::string& name, const JsonPlace& place, const 
   }
 }
 
+/// What is generated is bounded: a short line may ask for much.
+std::vector<CaseOperand> read_operands(const JsonPlace& place, const fs::path& folder) {
+  constexpr std::size_t most = 1'000'000;
+  std::vector<CaseOperand> operands;
+  std::size_t generated = 0;
+  for (const auto& [name, value] : place.value().items()) {
+    const JsonPlace own = place.at(name);
+    operands.push_back(read_operand(name, own, folder));
+    if (operands.back().file.empty()) generated += operands.back().mesh.mesh.triangles.size();
+    if (generated > most) own.fail(fmt::format("more than {} triangles are generated", most));
+  }
+  return operands;
+}
+
 std::optional<strata::Rational> rational_in(const JsonPlace& place, const char* key) {
   const auto member = place.find(key);
   if (!member) return {};
@@ -80,9 +94,16 @@ void check_names(const Case& c, const JsonPlace& root) {
 bool Case::has_tag(const std::string& tag) const { return std::find(tags.begin(), tags.end(), tag) != tags.end(); }
 
 Case read_case(const fs::path& folder) {
-  const fs::path path = folder / "case.json";
-  const Json json = parse_json(strata::io::FileBytes(strata::io::File(path)).view(), path.string());
-  const JsonPlace root(json, path.string());
+  const strata::io::FileBytes bytes(strata::io::File(folder / "case.json"));
+  Case c = parse_case(bytes.view(), folder);
+  if (fs::exists(folder / "expected.json")) c.expected = read_expectation(folder / "expected.json");
+  return c;
+}
+
+Case parse_case(std::string_view text, const fs::path& folder) {
+  const std::string file = (folder / "case.json").string();
+  const Json json = parse_json(text, file);
+  const JsonPlace root(json, file);
   root.expect_keys({"operands", "expression", "tags", "why", "input", "known"});
   Case c;
   c.slug = folder.filename().string();
@@ -95,10 +116,8 @@ Case read_case(const fs::path& folder) {
   if (const auto known = root.find("known")) c.known = read_known(*known);
   const JsonPlace operands = root.at("operands");
   if (!operands.value().is_object()) operands.fail_expected("an object");
-  for (const auto& [name, value] : operands.value().items())
-    c.operands.push_back(read_operand(name, operands.at(name), folder));
+  c.operands = read_operands(operands, folder);
   check_names(c, root);
-  if (fs::exists(folder / "expected.json")) c.expected = read_expectation(folder / "expected.json");
   return c;
 }
 

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "json_place.h"
@@ -44,6 +45,9 @@ struct Case {
 /// Reads case.json, the operands and expected.json, if there is one. Throws strata::IoError, which names file and
 /// field.
 [[nodiscard]] Case read_case(const std::filesystem::path& folder);
+
+/// The same for the text of case.json, without expected.json.
+[[nodiscard]] Case parse_case(std::string_view text, const std::filesystem::path& folder);
 
 /// The folders with a case.json directly under `root`, sorted. Throws strata::IoError if there is none.
 [[nodiscard]] std::vector<std::filesystem::path> find_cases(const std::filesystem::path& root);

@@ -12,6 +12,7 @@ using strata::Integer;
 using strata::Rational;
 
 constexpr int digit_count = 15;
+constexpr long largest_exponent = 999'999;  // of the first digit: what is read can be written and read again
 
 Rational power_of_ten(long exponent) {
   const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::labs(exponent)));
@@ -50,7 +51,7 @@ std::optional<Rational> parse_decimal(std::string_view text) {
   long exponent = 0;
   if (e != text.npos) {
     const std::string_view digits = text.substr(e + 1);
-    if (!is_integer(digits) || digits.size() > 6) return {};
+    if (!is_integer(digits) || digits.size() > 8) return {};
     exponent = std::strtol(std::string(digits).c_str(), nullptr, 10);
     text = text.substr(0, e);
   }
@@ -58,8 +59,13 @@ std::optional<Rational> parse_decimal(std::string_view text) {
   if (const std::size_t point = mantissa.find('.'); point != mantissa.npos) {
     exponent -= static_cast<long>(mantissa.size() - point - 1);
     mantissa.erase(point, 1);
+    if (text.find_first_of("+-", point) != text.npos) return {};
   }
   if (!is_integer(mantissa)) return {};
+  const std::size_t first = mantissa.find_first_of("123456789");
+  if (first == mantissa.npos) return Rational(0);
+  const long leading = exponent + static_cast<long>(mantissa.size() - first) - 1;
+  if (std::labs(leading) >= largest_exponent) return {};
   return Rational(integer_of(mantissa)) * power_of_ten(exponent);
 }
 

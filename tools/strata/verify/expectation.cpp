@@ -43,8 +43,12 @@ Expectation expectation_of(const Facts& facts) {
 }
 
 Expectation read_expectation(const std::filesystem::path& path) {
-  const Json json = parse_json(strata::io::FileBytes(strata::io::File(path)).view(), path.string());
-  const JsonPlace root(json, path.string());
+  return parse_expectation(strata::io::FileBytes(strata::io::File(path)).view(), path.string());
+}
+
+Expectation parse_expectation(std::string_view text, const std::string& file) {
+  const Json json = parse_json(text, file);
+  const JsonPlace root(json, file);
   root.expect_keys({"volume", "volume_near", "area", "edge_length", "vertices", "edges", "facets", "components",
                     "euler", "non_manifold_edges", "non_manifold_vertices", "split", "hash", "origin"});
   Expectation e;

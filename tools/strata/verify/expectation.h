@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "json_place.h"
@@ -27,6 +28,8 @@ struct Expectation {
 
 /// Throws strata::IoError, which names file and field.
 [[nodiscard]] Expectation read_expectation(const std::filesystem::path& path);
+/// The same for a text, for which `file` stands in messages.
+[[nodiscard]] Expectation parse_expectation(std::string_view text, const std::string& file);
 [[nodiscard]] Json to_json(const Expectation& expectation);
 
 /// What differs, as a sentence; nothing if only `origin` may.

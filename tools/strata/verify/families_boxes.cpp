@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -36,18 +38,21 @@ void add_box(Mesh& mesh, const Vertex& lower, const Vertex& upper) {
   for (const Triangle& t : faces) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
-Cell counts(const JsonPlace& place, int most) {
+Cell counts(const JsonPlace& place) {
+  constexpr int most = 400, most_cells = 80'000;
   const std::vector<JsonPlace> items = place.items();
   if (items.size() != 3) place.fail_expected("three integers");
   Cell cell{};
   for (std::size_t i = 0; i < 3; ++i) cell[i] = static_cast<int>(integer(items[i], 1, most));
+  const int cells = cell[0] * cell[1] * cell[2];
+  if (cells > most_cells) place.fail(fmt::format("at most {} cells, these are {}", most_cells, cells));
   return cell;
 }
 
 /// Which cells of a block are filled; false outside of it.
 class Pattern {
  public:
-  explicit Pattern(const JsonPlace& line) : count_(counts(line.at("count"), 400)) {
+  explicit Pattern(const JsonPlace& line) : count_(counts(line.at("count"))) {
     const JsonPlace place = line.at("pattern");
     constexpr std::array makers = {&Pattern::full, &Pattern::checkerboard, &Pattern::menger, &Pattern::holes,
                                    &Pattern::frame};
@@ -143,7 +148,7 @@ Mesh make_grid(const JsonPlace& line) {
   line.expect_keys({"generate", "count", "lower", "pitch", "size"});
   const Vertex lower = point(line.at("lower")), pitch = point(line.at("pitch")), size = point(line.at("size"));
   Mesh mesh;
-  for_each_cell(counts(line.at("count"), 400), [&](const Cell& c) {
+  for_each_cell(counts(line.at("count")), [&](const Cell& c) {
     Vertex from{}, to{};
     for (std::size_t i = 0; i < 3; ++i) {
       from[i] = lower[i] + c[i] * pitch[i];

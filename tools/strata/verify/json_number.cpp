@@ -11,8 +11,11 @@ double number(const JsonPlace& place) {
 
 std::int64_t integer(const JsonPlace& place, std::int64_t least, std::int64_t most) {
   if (!place.value().is_number_integer()) place.fail_expected("an integer");
-  const auto value = place.value().get<std::int64_t>();
-  if (value < least || value > most) place.fail_expected(fmt::format("an integer from {} to {}", least, most));
+  // What is not negative has an unsigned type, and may be beyond the signed one.
+  const bool is_too_large = place.value().is_number_unsigned() && place.value().get<std::uint64_t>() > INT64_MAX;
+  const auto value = is_too_large ? INT64_MAX : place.value().get<std::int64_t>();
+  if (is_too_large || value < least || value > most)
+    place.fail_expected(fmt::format("an integer from {} to {}", least, most));
   return value;
 }
 

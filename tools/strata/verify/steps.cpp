@@ -1,6 +1,6 @@
 #include "verify/steps.h"
 
-#include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include "strata/csg/expression_grammar.h"
@@ -44,11 +44,11 @@ Value operator^(const Value& a, const Value& b) {
 
 Steps steps_of(std::string_view expression) {
   Steps steps;
-  const auto leaf = [&steps](const std::string& name) {
-    const auto found = std::find(steps.names.begin(), steps.names.end(), name);
-    const auto number = static_cast<std::size_t>(found - steps.names.begin());
-    if (found == steps.names.end()) steps.names.push_back(name);
-    return Value{&steps, number | is_name, false};
+  std::map<std::string, std::size_t> numbers;
+  const auto leaf = [&steps, &numbers](const std::string& name) {
+    const auto [at, is_new] = numbers.try_emplace(name, steps.names.size());
+    if (is_new) steps.names.push_back(name);
+    return Value{&steps, at->second | is_name, false};
   };
   const Value result = strata::ExpressionGrammar<Value, decltype(leaf)>(expression, leaf).parse();
   if (result.is_complement) throw std::invalid_argument("the expression is not bounded");
