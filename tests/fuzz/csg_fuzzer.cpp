@@ -1,0 +1,85 @@
+// The .csg reader. It makes the primitives and evaluates nothing; models that ask for much are passed over, since a
+// short text may ask for millions of corners.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fuzz.h"
+#include "strata/openscad/csg_file.h"
+#include "strata/openscad/model.h"
+#include "strata/openscad/syntax.h"
+
+namespace strata::fuzz {
+namespace {
+
+using openscad::SyntaxNode;
+constexpr const char* file_name = "fuzz.csg";
+
+bool is_costly(const openscad::Argument& a) {
+  constexpr double most_sides = 48;
+  const openscad::Value& v = a.value;
+  if (a.name == "$fn") return v.number > most_sides;
+  if (a.name == "$fa") return v.number < 360 / most_sides;
+  return false;
+}
+
+/// Primitives of many corners, or very many of them, or very deep transforms: slow, as documented.
+bool is_costly(const std::vector<SyntaxNode>& nodes) {
+  constexpr std::ptrdiff_t most_round = 16, most_maps = 64;
+  const auto is_round = [](const SyntaxNode& n) { return n.name == "sphere" || n.name == "cylinder"; };
+  const auto is_map = [](const SyntaxNode& n) { return n.name == "multmatrix"; };
+  const auto asks_much = [](const SyntaxNode& n) {
+    return std::any_of(n.arguments.begin(), n.arguments.end(), [](const auto& a) { return is_costly(a); });
+  };
+  return std::count_if(nodes.begin(), nodes.end(), is_round) > most_round ||
+         std::count_if(nodes.begin(), nodes.end(), is_map) > most_maps ||
+         std::any_of(nodes.begin(), nodes.end(), asks_much);
+}
+
+void check(const CsgError& error, std::string_view text) {
+  const auto lines =
+      static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }));
+  require(error.file() == file_name, "errors name the file");
+  require(!error.reason().empty(), "errors have a reason");
+  require(error.line() >= 1 && error.line() <= lines + 1, "errors have a line of the text");
+  require(error.column() >= 1 && error.column() <= text.size() + 1, "errors have a column");
+}
+
+/// The nodes are well nested, or there are none.
+std::optional<std::vector<SyntaxNode>> parse(std::string_view text) {
+  try {
+    const openscad::Report report(file_name);
+    auto nodes = openscad::parse(text, report);
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+      require(nodes[n].end > n && nodes[n].end <= nodes.size(), "nodes end behind their start");
+    return nodes;
+  } catch (const CsgError& error) {
+    check(error, text);
+    return std::nullopt;
+  }
+}
+
+void check(std::string_view text) {
+  const auto nodes = parse(text);
+  if (!nodes || is_costly(*nodes)) return;
+  try {
+    const CsgModel model = read_csg(text, file_name);
+    require(model.expression.size() <= nodes->size(), "solids are nodes");
+    require(!model.expression.text().empty(), "models have a text");
+    for (const auto& primitive : model.expression.primitives()) {
+      require(!primitive.name.empty(), "primitives have names");
+      require(primitive.solid.volume() > 0, "primitives are solids");
+    }
+  } catch (const CsgError& error) {
+    check(error, text);
+  }
+}
+
+}  // namespace
+}  // namespace strata::fuzz
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return strata::fuzz::run(data, size, [](std::string_view text) { strata::fuzz::check(text); });
+}
