@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "fuzz.h"
-#include "strata/io/io_error.h"
+#include "io_error_law.h"
 #include "truth.h"
 #include "verify/case.h"
 
@@ -46,8 +46,7 @@ void check(std::string_view text) {
         for (const std::uint32_t v : t) require(v < operand.mesh.mesh.vertices.size(), "indices are in range");
     check_steps(c);
   } catch (const IoError& error) {
-    require(error.path() == std::string(folder) + "/case.json", "errors name the file");
-    require(!error.reason().empty(), "errors have a reason");
+    fuzz::check(error, std::string(folder) + "/case.json");
   }
 }
 

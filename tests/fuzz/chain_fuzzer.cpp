@@ -1,7 +1,7 @@
 // Documents of `strata chain`.
 #include "chain_document.h"
 #include "fuzz.h"
-#include "strata/io/io_error.h"
+#include "io_error_law.h"
 
 namespace strata::fuzz {
 namespace {
@@ -21,8 +21,7 @@ void check(std::string_view text) {
     if (document.start) check(*document.start);
     for (const ChainStep& step : document.steps) check(step.operand);
   } catch (const IoError& error) {
-    require(error.path() == file_name, "errors name the file");
-    require(!error.reason().empty(), "errors have a reason");
+    fuzz::check(error, file_name);
   }
 }
 

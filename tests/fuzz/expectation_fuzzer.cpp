@@ -2,7 +2,7 @@
 #include <string>
 
 #include "fuzz.h"
-#include "strata/io/io_error.h"
+#include "io_error_law.h"
 #include "verify/expectation.h"
 
 namespace strata::fuzz {
@@ -25,8 +25,7 @@ void check(std::string_view text) {
       require(verify::to_json(expectation)[key].dump() == json[key].dump(), "integers are what the text says");
     check_written(expectation);
   } catch (const IoError& error) {
-    require(error.path() == file_name, "errors name the file");
-    require(!error.reason().empty(), "errors have a reason");
+    fuzz::check(error, file_name);
   }
 }
 

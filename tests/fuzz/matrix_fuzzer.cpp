@@ -3,8 +3,8 @@
 #include <string>
 
 #include "fuzz.h"
+#include "io_error_law.h"
 #include "json_matrix.h"
-#include "strata/io/io_error.h"
 
 namespace strata::fuzz {
 namespace {
@@ -15,8 +15,7 @@ Transform parse(std::string_view text) {
     const Json json = parse_json(text, file_name);
     return read_matrix(JsonPlace(json, file_name, "transform"));
   } catch (const IoError& error) {
-    require(error.path() == file_name, "errors name the file");
-    require(!error.reason().empty(), "errors have a reason");
+    fuzz::check(error, file_name);
     throw;
   }
 }

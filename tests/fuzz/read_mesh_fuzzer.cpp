@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fuzz.h"
+#include "io_error_law.h"
 #include "strata/io/readers.h"
 
 namespace strata::fuzz {
@@ -81,8 +82,7 @@ Outcome read(std::string_view text, std::size_t piece) {
   try {
     return {io::read({file_name, text, piece}, tested), {}};
   } catch (const IoError& error) {
-    require(error.path() == file_name, "errors name the file");
-    require(!error.reason().empty(), "errors have a reason");
+    fuzz::check(error, file_name);
     return {std::nullopt, error.what()};
   }
 }

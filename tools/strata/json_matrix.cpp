@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string_view>
+#include <string>
 #include <utility>
+
+#include "rational_text.h"
 
 using strata::Integer;
 using strata::Rational;
@@ -12,28 +14,12 @@ namespace {
 
 constexpr const char* coefficient = "a number or a string with an integer or a quotient of integers, like \"-1/3\"";
 
-bool is_digits(std::string_view word) {
-  return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-Integer to_integer(std::string_view digits) {
-  Integer integer;
-  mpz_set_str(integer.backend().data(), std::string(digits).c_str(), 10);
-  return integer;
-}
-
 Rational read_quotient(const JsonPlace& place) {
   const std::string text = place.text();
-  std::string_view word = text;
-  const bool is_negative = word[0] == '-';
-  if (is_negative || word[0] == '+') word.remove_prefix(1);
-  const std::size_t slash = word.find('/');
-  const std::string_view denominator = slash == word.npos ? "1" : word.substr(slash + 1);
-  word = word.substr(0, slash);
-  if (!is_digits(word) || !is_digits(denominator)) place.fail_expected(coefficient);
-  if (denominator.find_first_not_of('0') == denominator.npos) place.fail("the denominator is 0");
-  const Rational size(to_integer(word), to_integer(denominator));
-  return is_negative ? Rational(-size) : size;
+  if (const auto value = parse_quotient(text)) return *value;
+  const std::size_t slash = text.find('/');
+  if (slash != text.npos && parse_integer(text.substr(slash + 1)) == Integer(0)) place.fail("the denominator is 0");
+  place.fail_expected(coefficient);
 }
 
 Rational read_coefficient(const JsonPlace& place) {

@@ -23,20 +23,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string from_environment(const std::string& option, const char* variable, const char* otherwise) {
-  if (!option.empty()) return option;
-  const char* value = std::getenv(variable);
-  return value != nullptr && *value != '\0' ? value : otherwise;
-}
-
 /// The oracle asked for, or the one in the path; empty if there is none.
 fs::path oracle_of(const FuzzSettings& f) {
-  const std::string asked = from_environment(f.oracle, "STRATA_ORACLE", "");
+  const std::string asked = f.named_oracle();
   if (!asked.empty()) {
     if (!fs::exists(asked)) throw UsageError(fmt::format("there is no oracle {}", asked));
     return fs::absolute(asked);
   }
-  std::string path = from_environment("", "PATH", "");
+  const char* variable = std::getenv("PATH");
+  const std::string path = variable == nullptr ? "" : variable;
   for (std::size_t start = 0; start < path.size();) {
     const std::size_t end = std::min(path.find(':', start), path.size());
     if (const fs::path p = fs::path(path.substr(start, end - start)) / "strata-oracle"; fs::is_regular_file(p))
@@ -46,11 +41,6 @@ fs::path oracle_of(const FuzzSettings& f) {
   return {};
 }
 
-verify::EngineFolders folders_of(const FuzzSettings& f) {
-  return {from_environment(f.python, "STRATA_PYTHON", "python3"),
-          f.scripts.empty() ? fs::path(STRATA_SOURCE_DIR) / "tools/engines" : fs::path(f.scripts)};
-}
-
 std::vector<std::string> engines_of(const FuzzSettings& f) {
   return f.engines.empty() ? std::vector<std::string>{"strata"} : f.engines;
 }
@@ -58,7 +48,7 @@ std::vector<std::string> engines_of(const FuzzSettings& f) {
 std::unique_ptr<fuzz::Evaluator> evaluator_of(const FuzzSettings& f, const std::string& engine) {
   if (engine == "strata") return fuzz::library_evaluator();
   try {
-    return fuzz::engine_evaluator(engine, folders_of(f), {f.seconds, f.megabytes << 20});
+    return fuzz::engine_evaluator(engine, f.folders(), f.limits());
   } catch (const std::runtime_error& error) {
     throw UsageError(error.what());
   }
@@ -107,10 +97,10 @@ class Search {
       (void)evaluator_of(f, engine);  // says at once if there is no such engine
     }
     asking_.program = verify::own_program().string();
-    asking_.limits = {f.seconds, f.megabytes << 20};
+    asking_.limits = f.limits();
     asking_.words = {
         "--seconds", fmt::format("{}", f.seconds), "--memory",  std::to_string(f.megabytes),
-        "--python",  folders_of(f).python,         "--scripts", fs::absolute(folders_of(f).scripts).string()};
+        "--python",  f.folders().python,           "--scripts", fs::absolute(f.folders().scripts).string()};
     if (!oracle_.empty()) asking_.words.insert(asking_.words.end(), {"--oracle", oracle_.string()});
   }
 
@@ -197,27 +187,12 @@ void add_fuzz_options(CLI::App& verb, FuzzSettings& f, Settings& settings) {
   minutes->excludes(round);
   verb.add_option("--case", f.replay, "No rounds: the checks of this case")->type_name("FOLDER")->excludes(round);
   verb.add_option("--check", f.check, "With --case: this check alone")->type_name("NAME");
-  verb.add_option("--engine", f.engines,
-                  "strata, manifold3d, ..., or a command, as `strata verify` has them; may be given several times")
-      ->type_name("NAME|[NAME=]COMMAND");
+  add_engine_options(verb, f, "Rounds", "Time for a round; for other engines, for an expression");
   verb.add_option("--keep", f.keep, "Where findings go as cases")->type_name("FOLDER")->capture_default_str();
   verb.add_option("--questions", f.questions, "Write every round as a case, whatever comes of it")->type_name("FOLDER");
-  verb.add_option("--jobs", f.jobs, "Rounds at a time; all cores unless told")->type_name("N");
-  verb.add_option("--seconds", f.seconds, "Time for a round; for other engines, for an expression")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
   verb.add_option("--shrink-seconds", f.shrink_seconds, "Time to make a finding small; 0: leave it as it is")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  verb.add_option("--memory", f.megabytes, "Address space for a process; 0: no limit")
-      ->type_name("MB")
-      ->capture_default_str();
-  verb.add_option("--oracle", f.oracle,
-                  "Asked about small rounds; $STRATA_ORACLE or strata-oracle in the path, if there")
-      ->type_name("PROGRAM");
-  verb.add_option("--python", f.python, "Runs the engines that are scripts, unless $STRATA_PYTHON or python3")
-      ->type_name("PROGRAM");
-  verb.add_option("--scripts", f.scripts, "Where the engines are that are scripts")->type_name("FOLDER");
   verb.add_flag("-q,--quiet", settings.quiet, "No summary");
 }
 

@@ -3,14 +3,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "exit_code.h"
 #include "settings.h"
-#include "verify/verify.h"
+#include "verify/engine_settings.h"
 
-/// What `strata fuzz` asks for.
-struct FuzzSettings {
+/// What `strata fuzz` asks for. `seconds` are for a round; of other engines, for an expression.
+struct FuzzSettings : EngineSettings {
   std::uint64_t seed = 0;
   std::uint64_t rounds = 100;
   double minutes = 0;                 ///< 0: by rounds
@@ -18,15 +17,8 @@ struct FuzzSettings {
   std::string replay;                 ///< folder of a case whose checks are made, in this process
   std::string check;                  ///< of a replay: only this check
   std::string questions;              ///< folder where every round is written as a case; empty: none
-  std::vector<std::string> engines;   ///< empty: strata
   std::string keep = "strata-fuzz-findings";
-  unsigned jobs = 0;
-  double seconds = 20;  ///< for a round; of other engines, for an expression
   double shrink_seconds = 60;
-  std::uint64_t megabytes = default_megabytes;
-  std::string oracle;   ///< program; empty: $STRATA_ORACLE, else strata-oracle in the path, else none
-  std::string python;   ///< program; empty: $STRATA_PYTHON, else python3
-  std::string scripts;  ///< folder of the engines that are scripts
 };
 
 void add_fuzz_options(CLI::App& verb, FuzzSettings& fuzz, Settings& settings);

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cstdlib>
+
+#include "rational_text.h"
 
 namespace verify {
 namespace {
@@ -28,31 +29,14 @@ long decimal_exponent(const Rational& q) {
   return exponent;
 }
 
-bool is_integer(std::string_view text) {
-  if (!text.empty() && (text[0] == '-' || text[0] == '+')) text.remove_prefix(1);
-  if (text.empty()) return false;
-  for (const char c : text)
-    if (std::isdigit(static_cast<unsigned char>(c)) == 0) return false;
-  return true;
-}
-
-/// Without a sign "+", which GMP does not read.
-Integer integer_of(std::string_view text) {
-  if (text[0] == '+') text.remove_prefix(1);
-  const bool negative = text[0] == '-';
-  if (negative) text.remove_prefix(1);
-  const std::size_t first = text.find_first_not_of('0');  // a leading 0 would mean octal
-  const Integer magnitude = first == text.npos ? Integer(0) : Integer(std::string(text.substr(first)));
-  return negative ? Integer(-magnitude) : magnitude;
-}
-
 std::optional<Rational> parse_decimal(std::string_view text) {
   const std::size_t e = text.find_first_of("eE");
   long exponent = 0;
   if (e != text.npos) {
     const std::string_view digits = text.substr(e + 1);
-    if (!is_integer(digits) || digits.size() > 8) return {};
-    exponent = std::strtol(std::string(digits).c_str(), nullptr, 10);
+    const auto value = parse_integer(digits);
+    if (!value || digits.size() > 8) return {};
+    exponent = value->convert_to<long>();
     text = text.substr(0, e);
   }
   std::string mantissa(text);
@@ -61,12 +45,13 @@ std::optional<Rational> parse_decimal(std::string_view text) {
     mantissa.erase(point, 1);
     if (text.find_first_of("+-", point) != text.npos) return {};
   }
-  if (!is_integer(mantissa)) return {};
+  const auto digits = parse_integer(mantissa);
+  if (!digits) return {};
   const std::size_t first = mantissa.find_first_of("123456789");
   if (first == mantissa.npos) return Rational(0);
   const long leading = exponent + static_cast<long>(mantissa.size() - first) - 1;
   if (std::labs(leading) >= largest_exponent) return {};
-  return Rational(integer_of(mantissa)) * power_of_ten(exponent);
+  return Rational(*digits) * power_of_ten(exponent);
 }
 
 }  // namespace
@@ -92,11 +77,8 @@ std::string decimal(const Rational& q) {
 }
 
 std::optional<Rational> parse_rational(std::string_view text) {
-  const std::size_t slash = text.find('/');
-  if (slash == text.npos) return parse_decimal(text);
-  const std::string_view above = text.substr(0, slash), below = text.substr(slash + 1);
-  if (!is_integer(above) || !is_integer(below) || integer_of(below) <= 0) return {};
-  return Rational(integer_of(above), integer_of(below));
+  if (const auto quotient = parse_quotient(text)) return quotient;
+  return parse_decimal(text);
 }
 
 }  // namespace verify

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -20,12 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using verify::Outcome;
-
-std::string from_environment(const std::string& option, const char* variable, const char* otherwise) {
-  if (!option.empty()) return option;
-  const char* value = std::getenv(variable);
-  return value != nullptr && *value != '\0' ? value : otherwise;
-}
 
 fs::path folder_of_cases(const VerifySettings& settings) {
   const fs::path here = "data/cases";
@@ -74,9 +67,7 @@ void write_reports(const verify::Run& run, const VerifySettings& settings) {
 }
 
 std::vector<std::unique_ptr<verify::Engine>> make_engines(const VerifySettings& settings) {
-  const verify::EngineFolders folders = {
-      from_environment(settings.python, "STRATA_PYTHON", "python3"),
-      settings.scripts.empty() ? fs::path(STRATA_SOURCE_DIR) / "tools/engines" : fs::path(settings.scripts)};
+  const verify::EngineFolders folders = settings.folders();
   std::vector<std::unique_ptr<verify::Engine>> engines;
   try {
     for (const std::string& name : settings.engines) engines.push_back(verify::make_engine(name, folders));
@@ -99,9 +90,10 @@ verify::Run judge_result(const VerifySettings& settings, std::vector<verify::Cas
 
 verify::Run run(const VerifySettings& settings, const verify::RunOptions& options) {
   std::vector<verify::Case> cases = read_cases(settings);
-  if (settings.recertify)
-    return verify::recertify(std::move(cases), from_environment(settings.oracle, "STRATA_ORACLE", "strata-oracle"),
-                             options);
+  if (settings.recertify) {
+    const std::string oracle = settings.named_oracle();
+    return verify::recertify(std::move(cases), oracle.empty() ? "strata-oracle" : oracle, options);
+  }
   if (settings.certify && settings.engines.empty()) return verify::certify(std::move(cases), options);
   if (!settings.result.empty()) return judge_result(settings, std::move(cases));
   const auto engines = make_engines(settings);
@@ -139,35 +131,19 @@ void report_mended(const verify::Run& run) {
 void add_verify_options(CLI::App& verb, VerifySettings& v, Settings& settings) {
   verb.add_option("--case", v.slugs, "Only this case; may be given several times")->type_name("SLUG");
   verb.add_option("--tag", v.tags, "Only cases with this tag; may be given several times")->type_name("TAG");
-  verb.add_option("--engine", v.engines,
-                  "strata, strata-doubles, manifold3d, trueform, meshlib, libigl, or a command that is called as\n"
-                  "COMMAND union|intersection|difference|xor A.off B.off OUT.off; may be given several times")
-      ->type_name("NAME|[NAME=]COMMAND");
-  auto* engines = verb.get_option("--engine");
+  add_engine_options(verb, v, "Cases", "Time for a case, by the clock");
   verb.add_option("--result", v.result, "Judge this file as the result of the one --case; no engine is asked")
       ->type_name("FILE")
-      ->excludes(engines);
+      ->excludes("--engine");
   verb.add_option("--roundoff", v.roundoff, "With --result: unit roundoff of the coordinates, if not exact")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   verb.add_option("--report", v.reports, "Where reports go: .json, .xml (JUnit) or .html; - is JSON")
       ->type_name("FILE");
-  verb.add_option("--jobs", v.jobs, "Cases at a time; all cores unless told")->type_name("N");
-  verb.add_option("--seconds", v.seconds, "Time for a case, by the clock")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  verb.add_option("--memory", v.megabytes, "Address space for a process; 0: no limit")
-      ->type_name("MB")
-      ->capture_default_str();
   verb.add_option("--cases", v.cases, "Where the cases are, unless in data/cases")->type_name("FOLDER");
   verb.add_flag("--certify", v.certify,
                 "Complete expected.json of new cases; with --engine, note that these engines say the same");
   verb.add_flag("--recertify", v.recertify, "Have the oracle say what is right, and note where it agrees");
-  verb.add_option("--oracle", v.oracle, "The oracle, unless $STRATA_ORACLE or strata-oracle in the path")
-      ->type_name("PROGRAM");
-  verb.add_option("--python", v.python, "Runs the engines that are scripts, unless $STRATA_PYTHON or python3")
-      ->type_name("PROGRAM");
-  verb.add_option("--scripts", v.scripts, "Where the engines are that are scripts")->type_name("FOLDER");
   verb.add_flag("--progress", settings.progress, "Show progress at once, also when not on a terminal");
   verb.add_flag("-q,--quiet", settings.quiet, "No summary");
 }
@@ -176,7 +152,7 @@ ExitCode run_verify(const VerifySettings& v, const Settings& settings) {
   check_reports(v);
   ProgressBar bar(settings.progress, settings.quiet);
   verify::RunOptions options;
-  options.limits = {v.seconds, v.megabytes << 20};
+  options.limits = v.limits();
   options.jobs = v.jobs;
   options.pictures = wants_pictures(v);
   options.progress = [&bar](double fraction) { bar.show(fraction); };

@@ -1,0 +1,15 @@
+#pragma once
+#include <string_view>
+
+#include "fuzz.h"
+#include "strata/io/io_error.h"
+
+namespace strata::fuzz {
+
+/// What every error about a file says.
+inline void check(const IoError& error, std::string_view file) {
+  require(error.path() == file, "errors name the file");
+  require(!error.reason().empty(), "errors have a reason");
+}
+
+}  // namespace strata::fuzz

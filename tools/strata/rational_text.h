@@ -1,0 +1,11 @@
+#pragma once
+#include <optional>
+#include <string_view>
+
+#include "strata/exact/rational.h"
+
+/// The value of decimal digits, with a sign or without; nothing for other texts. Any length.
+[[nodiscard]] std::optional<strata::Integer> parse_integer(std::string_view text);
+
+/// The value of "7", "-7" or "-7/6": an integer, or its quotient by digits that are not 0; nothing for other texts.
+[[nodiscard]] std::optional<strata::Rational> parse_quotient(std::string_view text);
