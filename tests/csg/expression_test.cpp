@@ -118,6 +118,19 @@ TEST_CASE("primitives tell how they occur", "[csg]") {
   CHECK((a - (b ^ c)).disjunctive_form().text() == "a - b - c | a & b & c");
 }
 
+// Catches: a pair of parentheses for every second operator, and texts that are copied for every operator.
+TEST_CASE("sums are written as they are read, of any length", "[csg]") {
+  const auto written = [](const std::string& text) {
+    return parse_expression(text, [](const std::string&) { return Solid(); }).text();
+  };
+  for (const char* text : {"a - b + c - d + e", "a - b + ~c - d", "(a | b) - c + d", "a - b | c & d",
+                           "(a - b | c & d) - e", "a & b - c + d", "a - (b - c + d)", "a - b | c - d", "~(a - b + c)"})
+    CHECK(written(text) == text);
+  std::string sum = "a";
+  for (int n = 0; n < 50'000; ++n) sum += n % 2 == 0 ? " - b" : " + c";
+  CHECK(written(sum) == sum);
+}
+
 TEST_CASE("forms beyond a size are refused", "[csg]") {
   std::vector<Expression> terms;
   for (int i = 0; i < 40; ++i) terms.emplace_back(unit(i * .5), std::string("s").append(std::to_string(i)));

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "strata/csg/expression.h"
 #include "strata/csg/expression_grammar.h"
@@ -19,33 +20,44 @@ struct Text {
   bool is_complement = false;  ///< of `text`, whose binding it is
 };
 
-std::string enclosed(const Text& t, Binding least) {
-  if (!t.is_complement) return t.binding >= least ? t.text : "(" + t.text + ")";
-  const std::string text = std::string("~").append(enclosed({t.text, t.binding, false}, Binding::complement));
-  return Binding::complement >= least ? text : "(" + text + ")";
+std::string enclosed(Text t, Binding least) {
+  if (t.is_complement) {
+    t.text = "~" + enclosed({std::move(t.text), t.binding, false}, Binding::complement);
+    t.binding = Binding::complement;
+  }
+  return t.binding >= least ? std::move(t.text) : "(" + t.text + ")";
 }
 
-std::string joined(const std::vector<Text>& terms, const char* between, Binding least) {
-  std::string text;
-  for (const Text& t : terms) {
-    if (&t != terms.data()) text += between;
-    text += enclosed(t, least);
-  }
+/// The first term may be long, as in chains: nothing is copied of it.
+std::string joined(std::vector<Text> terms, const char* between, Binding first, Binding others) {
+  std::string text = enclosed(std::move(terms.front()), first);
+  for (auto t = terms.begin() + 1; t != terms.end(); ++t) text += between + enclosed(std::move(*t), others);
   return text;
 }
 
-Text text_of(Kind kind, const std::vector<Text>& terms) {
+bool are_complements(std::vector<Text>::const_iterator first, std::vector<Text>::const_iterator last) {
+  return std::all_of(first, last, [](const Text& t) { return t.is_complement; });
+}
+
+/// A difference and names: a - b + c, which may go on without parentheses.
+bool goes_on(const std::vector<Text>& terms) {
+  return terms.front().binding == Binding::subtract && !terms.front().is_complement &&
+         std::all_of(terms.begin() + 1, terms.end(), [](const Text& t) { return t.binding >= Binding::complement; });
+}
+
+Text text_of(Kind kind, std::vector<Text> terms) {
   if (terms.empty()) return {kind == Kind::all ? "everything" : "nothing", Binding::atom, false};
-  if (terms.size() == 1) return terms.front();
-  if (kind == Kind::any) return {joined(terms, " | ", Binding::exclude), Binding::unite, false};
-  if (kind == Kind::odd) return {joined(terms, " ^ ", Binding::intersect), Binding::exclude, false};
-  const bool subtracts = !terms.front().is_complement &&
-                         std::all_of(terms.begin() + 1, terms.end(), [](const Text& t) { return t.is_complement; });
-  if (!subtracts) return {joined(terms, " & ", Binding::subtract), Binding::intersect, false};
-  std::string text = enclosed(terms.front(), Binding::subtract);
-  for (auto t = terms.begin() + 1; t != terms.end(); ++t)
-    text += " - " + enclosed({t->text, t->binding, false}, Binding::complement);
-  return {text, Binding::subtract, false};
+  if (terms.size() == 1) return std::move(terms.front());
+  if (kind == Kind::any && goes_on(terms))
+    return {joined(std::move(terms), " + ", Binding::subtract, Binding::complement), Binding::subtract, false};
+  if (kind == Kind::any)
+    return {joined(std::move(terms), " | ", Binding::exclude, Binding::exclude), Binding::unite, false};
+  if (kind == Kind::odd)
+    return {joined(std::move(terms), " ^ ", Binding::intersect, Binding::intersect), Binding::exclude, false};
+  if (terms.front().is_complement || !are_complements(terms.begin() + 1, terms.end()))
+    return {joined(std::move(terms), " & ", Binding::subtract, Binding::subtract), Binding::intersect, false};
+  for (auto t = terms.begin() + 1; t != terms.end(); ++t) t->is_complement = false;
+  return {joined(std::move(terms), " - ", Binding::subtract, Binding::complement), Binding::subtract, false};
 }
 
 }  // namespace
@@ -59,18 +71,17 @@ Expression parse_expression(std::string_view text, const std::function<Solid(con
 }
 
 std::string Expression::text() const {
-  const Text t = fold<Text>(
+  Text t = fold<Text>(
       *node_,
       [](const Occurrence& o) {
         return Text{o.leaf->name.empty() ? "?" : o.leaf->name, Binding::atom, false};
       },
       [](Text inner) {
-        if (inner.is_complement) return Text{inner.text, inner.binding, false};
-        inner.is_complement = true;
+        inner.is_complement = !inner.is_complement;
         return inner;
       },
-      [](Kind kind, const std::vector<Text>& terms) { return text_of(kind, terms); });
-  return enclosed(t, Binding::unite);
+      [](Kind kind, std::vector<Text> terms) { return text_of(kind, std::move(terms)); });
+  return enclosed(std::move(t), Binding::unite);
 }
 
 }  // namespace strata
