@@ -1,7 +1,7 @@
 """The verdicts of check, compare and --certify, and what Booleans of refused operands say."""
 import unittest
 
-from tool import DATA, INVALID, NEGATIVE, ToolTest, cube, off, open_cube
+from tool import DATA, INVALID, NEGATIVE, ToolTest, cube, open_cube, two_cubes
 
 
 def turned(text):
@@ -9,14 +9,6 @@ def turned(text):
     lines = text.splitlines()
     faces = [" ".join(["3", *reversed(line.split()[1:])]) for line in lines[10:]]
     return "\n".join(lines[:10] + faces) + "\n"
-
-
-def two_cubes(x):
-    """Two cubes in one file, the second one moved by x."""
-    first, second = cube().splitlines(), cube(x, x, x).splitlines()
-    vertices = [tuple(map(float, line.split())) for line in first[2:10] + second[2:10]]
-    faces = [tuple(map(int, line.split()[1:])) for line in first[10:]]
-    return off(vertices, faces + [tuple(8 + v for v in face) for face in faces])
 
 
 class Answers(ToolTest):

@@ -3,7 +3,7 @@ import json
 import os
 import unittest
 
-from tool import NOT_CERTIFIED, ToolTest, cube
+from tool import NOT_CERTIFIED, ToolTest, cube, two_cubes
 
 
 class Reproduction(ToolTest):
@@ -69,6 +69,15 @@ class Reproduction(ToolTest):
         said = self.fails("union", "a.off", "b.off", STRATA_REPRODUCTIONS=str(self.path("a.off")))
         self.assertIn("please report it: an error that a test asked for", said)
         self.assertIn("could not be kept", said)
+
+    def test_an_exact_result_that_crosses_itself_is_kept(self):
+        self.file("crossing.off", two_cubes(0.5))
+        said = self.run_tool("union", "crossing.off", self.file("far.off", cube(9)), "-o", "out.xoff", "--certify",
+                             expect=NOT_CERTIFIED).stderr.decode()
+        self.assertIn("an operand crosses itself (`strata check` tells)", said)
+        self.assertIn("strata-reproduction-1", said)
+        self.assertEqual(self.case("strata-reproduction-1")["expression"], "s0 | s1")
+        self.assertTrue(self.path("out.xoff").exists())
 
     def test_without_an_error_nothing_is_kept(self):
         self.run_tool("union", "a.off", "b.off", "-o", "out.off")

@@ -30,6 +30,14 @@ def open_cube():
     return off([tuple(map(float, line.split())) for line in cube().splitlines()[2:10]], CUBE_FACES[:-1])
 
 
+def two_cubes(x):
+    """Two cubes in one file, the second one moved by x."""
+    first, second = cube().splitlines(), cube(x, x, x).splitlines()
+    vertices = [tuple(map(float, line.split())) for line in first[2:10] + second[2:10]]
+    faces = [tuple(map(int, line.split()[1:])) for line in first[10:]]
+    return off(vertices, faces + [tuple(8 + v for v in face) for face in faces])
+
+
 class ToolTest(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

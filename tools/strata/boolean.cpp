@@ -72,9 +72,10 @@ ExitCode run_boolean(strata::Operation operation, const char* name, const Settin
   report["seconds"]["read"] = stopwatch.lap();
 
   watch.on_stop(OnStop::ask);
+  const Asked question = [&] { return asked(operation, operands, settings); };
   strata::BooleanResult result;
   try {
-    result = with_reproduction([&] { return asked(operation, operands, settings); }, name, settings,
+    result = with_reproduction(question, name, settings,
                                [&] { return evaluate(operation, operands, format, settings, watch); });
   } catch (const strata::InputError& error) {
     if (!settings.report.empty()) report_refusal(name, operands, error, settings);
@@ -90,5 +91,6 @@ ExitCode run_boolean(strata::Operation operation, const char* name, const Settin
   watch.on_stop(OnStop::leave);
   add_profile(report, result.profile);
   if (!settings.report.empty()) report["operands"] = operand_reports(operands, settings.input);
-  return write_result({std::move(result.mesh), std::move(result.exact)}, format, std::move(report), settings, watch);
+  return write_result({std::move(result.mesh), std::move(result.exact)}, format, std::move(report), settings, watch,
+                      name, question);
 }

@@ -158,10 +158,10 @@ ExitCode run_eval(Settings& settings) {
   report["seconds"]["read"] = stopwatch.lap();
 
   watch.on_stop(OnStop::ask);
+  const Asked question = [&] { return asked(input, settings); };
   strata::Solid solid;
   try {
-    solid = with_reproduction([&] { return asked(input, settings); }, "eval", settings,
-                              [&] { return evaluate(*input.expression, settings, watch); });
+    solid = with_reproduction(question, "eval", settings, [&] { return evaluate(*input.expression, settings, watch); });
   } catch (const strata::Cancelled&) {
     watch.on_stop(OnStop::leave);  // says why
     throw;
@@ -172,5 +172,5 @@ ExitCode run_eval(Settings& settings) {
     report["expression"] = expression_report(*input.expression);
     report["operands"] = operand_reports(input.operands, settings.input);
   }
-  return write_result(solid.exact_mesh(), format, std::move(report), settings, watch);
+  return write_result(solid.exact_mesh(), format, std::move(report), settings, watch, "eval", question);
 }

@@ -21,10 +21,17 @@ bool certify(const strata::ExactMesh& mesh, strata::Format format, const Setting
   return strata::is_embedded(strata::read_mesh(std::string_view(bytes), format, settings.output).mesh, options);
 }
 
+/// Exact results of solids are solids.
+std::string crossing_for_no_rounding(const char* verb, const Asked& asked, const Settings& settings) {
+  constexpr const char* error = "faces of the exact result cross";
+  return fmt::format("{}: an operand crosses itself (`strata check` tells), or this is an error of the program. {}",
+                     error, keep_reproduction(asked, verb, error, settings));
+}
+
 }  // namespace
 
 ExitCode write_result(const strata::ExactMesh& result, strata::Format format, Json report, const Settings& settings,
-                      Watch& watch) {
+                      Watch& watch, const char* verb, const Asked& asked) {
   Stopwatch stopwatch;
   std::optional<bool> rounded_valid;
   if (settings.certify) {
@@ -39,6 +46,8 @@ ExitCode write_result(const strata::ExactMesh& result, strata::Format format, Js
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.report.empty()) write_report(settings.report, std::move(report));
   if (rounded_valid != false) return ExitCode::ok;
-  fmt::print(stderr, "strata: not certified: faces of the result cross after rounding; it was written all the same\n");
+  const std::string why = format != strata::Format::xoff ? "faces of the result cross after rounding"
+                                                         : crossing_for_no_rounding(verb, asked, settings);
+  fmt::print(stderr, "strata: not certified: {}; it was written all the same\n", why);
   return ExitCode::not_certified;
 }

@@ -4,11 +4,13 @@
 #include "exit_code.h"
 #include "files.h"
 #include "report.h"
+#include "reproduction.h"
 #include "settings.h"
 #include "strata/mesh/exact_mesh.h"
 #include "watch.h"
 
 /// What all verbs that make a mesh do with it: checks it where asked to, completes the report with the result and the
-/// times, writes both. Not certified: says so and tells by the exit code.
+/// times, writes both. Not certified: says so and tells by the exit code. If that was no matter
+/// of rounding, what `verb` asked is kept as a reproduction.
 [[nodiscard]] ExitCode write_result(const strata::ExactMesh& result, strata::Format format, Json report,
-                                    const Settings& settings, Watch& watch);
+                                    const Settings& settings, Watch& watch, const char* verb, const Asked& asked);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "fuzz/membership.h"
 #include "fuzz/step_text.h"
 #include "json_place.h"
 #include "scratch.h"
@@ -145,6 +146,12 @@ class Laws {
   void translation() {
     const Rational s = power_of_two(exponent_of(case_.operands));
     expect_mapped("translation", {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {s, Rational(-2 * s), Rational(3 * s)}}}});
+  }
+
+  void membership() {
+    if (!engine_.is_exact()) return;
+    if (const std::string why = misplaced_point(case_, value(whole_)); !why.empty())
+      throw Broken("membership", fmt::format("{}: {}", whole_, why));
   }
 
   void threads() {
@@ -289,7 +296,7 @@ class Laws {
 };
 
 using Law = void (Laws::*)();
-constexpr std::array<std::pair<const char*, Law>, 15> all_laws{{{"embedded", &Laws::embedded},
+constexpr std::array<std::pair<const char*, Law>, 16> all_laws{{{"embedded", &Laws::embedded},
                                                                 {"volumes", &Laws::volumes},
                                                                 {"commutativity", &Laws::commutativity},
                                                                 {"idempotence", &Laws::idempotence},
@@ -301,6 +308,7 @@ constexpr std::array<std::pair<const char*, Law>, 15> all_laws{{{"embedded", &La
                                                                 {"axes", &Laws::axes},
                                                                 {"scaling", &Laws::scaling},
                                                                 {"translation", &Laws::translation},
+                                                                {"membership", &Laws::membership},
                                                                 {"threads", &Laws::threads},
                                                                 {"workpiece", &Laws::workpiece},
                                                                 {"reload", &Laws::reload}}};

@@ -22,6 +22,7 @@ struct Oracle {
 /// steps: one arrangement = step by step (exact engines).
 /// operand-order, face-order, axes, scaling, translation: the same solid for operands listed otherwise; the image of
 /// the solid for mapped operands.
+/// membership: points off the operands are in or out of the result as the expression says (exact engines).
 /// threads: the same bytes from two threads (exact engines).
 /// workpiece: steps on a Workpiece are the same solids, and two xors with b undo each other (exact engines).
 /// reload: the same after a and b were written to files and read again (exact engines).
