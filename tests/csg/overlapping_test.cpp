@@ -46,7 +46,7 @@ TEST_CASE("meshes that cross themselves are operands like their unions", "[csg][
     const auto a = test::touching_pair(seed), b = test::touching_pair(seed + 1000);
     const Mesh first = joined(a.meshes), second = joined(b.meshes);
     const std::vector<MeshView> views{first, second};
-    for (const Operation op : {Operation::unite, Operation::intersect, Operation::subtract, Operation::exclude}) {
+    for (const Operation op : all_operations) {
       BooleanResult r =
           combine(op, std::span<const MeshView>(views), {.input = InputClass::overlapping, .exact_vertices = true});
       const Solid operands[] = {united(a.meshes), united(b.meshes)};

@@ -41,7 +41,7 @@ TEST_CASE("the same bytes for any number of threads", "[csg][property]") {
   const Mesh a = test::icosphere({0, 0, 0}, 1, 4), b = test::icosphere({.3, .2, .1}, 1, 4),
              c = box({-.5, -.5, -.5}, {.75, .5, .5});
   const std::vector<MeshView> operands{a, b, c};
-  for (const Operation op : {Operation::unite, Operation::intersect, Operation::subtract, Operation::exclude}) {
+  for (const Operation op : all_operations) {
     const BooleanResult one = combine(op, std::span<const MeshView>(operands), {.threads = 1});
     for (const unsigned threads : {2u, 8u}) {
       const BooleanResult many = combine(op, std::span<const MeshView>(operands), {.threads = threads});

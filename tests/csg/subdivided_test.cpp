@@ -10,9 +10,6 @@ using namespace strata;
 
 namespace {
 
-constexpr Operation all_operations[] = {Operation::unite, Operation::intersect, Operation::subtract,
-                                        Operation::exclude};
-
 /// The exact result on these meshes, in canonical form.
 CanonicalForm result_of(Operation op, const std::vector<Mesh>& meshes) {
   const std::vector<MeshView> views(meshes.begin(), meshes.end());

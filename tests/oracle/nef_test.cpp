@@ -67,7 +67,7 @@ TEST_CASE("all ways of the oracle come to the same", "[oracle][property]") {
     std::vector<ExactMesh> operands;
     for (const Mesh& mesh : test::touching_pair(seed).meshes) operands.push_back(test::exact(mesh));
     for (const Operation operation :
-         {Operation::unite, Operation::intersect, Operation::subtract, Operation::exclude}) {
+         all_operations) {
       const CanonicalForm expected = nef_boolean(operation, operands);
       for (const Way way : {Way::regularized, Way::backwards, Way::other_formula}) {
         CHECK(nef_boolean(operation, operands, way) == expected);

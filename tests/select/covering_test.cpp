@@ -107,9 +107,6 @@ class Scene {
   std::vector<Constraint> constraints_;
 };
 
-constexpr Operation all_operations[] = {Operation::unite, Operation::intersect, Operation::subtract,
-                                        Operation::exclude};
-
 }  // namespace
 
 // Catches: above and below mixed up, operands without a cover taken for known, a face in part covered taken for hidden,
