@@ -127,18 +127,18 @@ TEST_CASE("pieces of a sweep have walls in common, other neighbours have none", 
   for (std::size_t i = 8; i < meshes.size(); ++i)
     for (Vertex& v : meshes[i].vertices) v[2] += 100;
   const std::vector<Operand> operands = operands_of(meshes);
-  const auto groups = groups_with_common_walls(operands, numbers(meshes.size()));
+  const auto groups = groups_with_common_walls(operands, boxes_of(operands, numbers(meshes.size())));
   REQUIRE(groups.size() == 2);  // what is more than half of all is not grouped: 32 of 48 are not, the rest of them are
   CHECK(groups[0] == std::vector<std::uint32_t>{0, 1, 2, 3, 4});
   CHECK(groups[1].size() == 8);
-  CHECK(groups_with_common_walls(operands, std::vector<std::uint32_t>{0, 2, 4, 6}).empty());
+  CHECK(groups_with_common_walls(operands, boxes_of(operands, std::vector<std::uint32_t>{0, 2, 4, 6})).empty());
 }
 
 TEST_CASE("only operands that overlap most others are a crowd", "[csg]") {
   std::vector<Mesh> meshes;
   for (int i = 0; i < 30; ++i) meshes.push_back(test::box({i + 0., 0, 0}, {i + 40., 1, 1}));  // all over x = 30
-  CHECK(groups_in_crowds(operands_of(meshes), numbers(16)).empty());
-  const auto groups = groups_in_crowds(operands_of(meshes), numbers(30));
+  CHECK(groups_in_crowds(boxes_of(operands_of(meshes), numbers(16))).empty());
+  const auto groups = groups_in_crowds(boxes_of(operands_of(meshes), numbers(30)));
   REQUIRE(groups.size() == 4);
   std::vector<std::uint32_t> members;
   for (const auto& group : groups) {
@@ -150,7 +150,7 @@ TEST_CASE("only operands that overlap most others are a crowd", "[csg]") {
   std::sort(members.begin(), members.end());
   CHECK(members == numbers(30));
   for (int i = 0; i < 40; ++i) meshes.push_back(test::box({2 * i + 100., 0, 0}, {2 * i + 101., 1, 1}));  // apart
-  CHECK(groups_in_crowds(operands_of(meshes), numbers(70)).empty());
+  CHECK(groups_in_crowds(boxes_of(operands_of(meshes), numbers(70))).empty());
 }
 
 // Catches: members that are united twice or lost, unions of what is no union, sources that name the wrong operand.

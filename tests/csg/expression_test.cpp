@@ -168,7 +168,7 @@ TEST_CASE("chains of any length are made, read, evaluated and forgotten", "[csg]
   for (int i = 0; i < 1000; ++i) chain = chain - Expression(unit(2 * i, .5), "b");
   CHECK(chain.evaluate().volume() == 1500);
   Expression long_chain(unit(0), "a");
-  for (int i = 0; i < 300'000; ++i) long_chain = long_chain | long_chain.transformed(Transform()) - long_chain;
+  for (int i = 0; i < 300'000; ++i) long_chain = long_chain | (long_chain.transformed(Transform()) - long_chain);
   CHECK(long_chain.size() == ~std::size_t{0});
   CHECK_THROWS_AS(long_chain.evaluate(), std::length_error);
 }

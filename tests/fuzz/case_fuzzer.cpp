@@ -46,7 +46,7 @@ void check(std::string_view text) {
         for (const std::uint32_t v : t) require(v < operand.mesh.mesh.vertices.size(), "indices are in range");
     check_steps(c);
   } catch (const IoError& error) {
-    fuzz::check(error, std::string(folder) + "/case.json");
+    check_error(error, std::string(folder) + "/case.json");
   }
 }
 

@@ -21,7 +21,7 @@ void check(std::string_view text) {
     if (document.start) check(*document.start);
     for (const ChainStep& step : document.steps) check(step.operand);
   } catch (const IoError& error) {
-    fuzz::check(error, file_name);
+    check_error(error, file_name);
   }
 }
 

@@ -25,7 +25,7 @@ void check(std::string_view text) {
       require(verify::to_json(expectation)[key].dump() == json[key].dump(), "integers are what the text says");
     check_written(expectation);
   } catch (const IoError& error) {
-    fuzz::check(error, file_name);
+    check_error(error, file_name);
   }
 }
 

@@ -7,7 +7,7 @@
 namespace strata::fuzz {
 
 /// What every error about a file says.
-inline void check(const IoError& error, std::string_view file) {
+inline void check_error(const IoError& error, std::string_view file) {
   require(error.path() == file, "errors name the file");
   require(!error.reason().empty(), "errors have a reason");
 }

@@ -15,7 +15,7 @@ Transform parse(std::string_view text) {
     const Json json = parse_json(text, file_name);
     return read_matrix(JsonPlace(json, file_name, "transform"));
   } catch (const IoError& error) {
-    fuzz::check(error, file_name);
+    check_error(error, file_name);
     throw;
   }
 }

@@ -82,7 +82,7 @@ Outcome read(std::string_view text, std::size_t piece) {
   try {
     return {io::read({file_name, text, piece}, tested), {}};
   } catch (const IoError& error) {
-    fuzz::check(error, file_name);
+    check_error(error, file_name);
     return {std::nullopt, error.what()};
   }
 }

@@ -66,8 +66,7 @@ TEST_CASE("all ways of the oracle come to the same", "[oracle][property]") {
     CAPTURE(seed);
     std::vector<ExactMesh> operands;
     for (const Mesh& mesh : test::touching_pair(seed).meshes) operands.push_back(test::exact(mesh));
-    for (const Operation operation :
-         all_operations) {
+    for (const Operation operation : all_operations) {
       const CanonicalForm expected = nef_boolean(operation, operands);
       for (const Way way : {Way::regularized, Way::backwards, Way::other_formula}) {
         CHECK(nef_boolean(operation, operands, way) == expected);
