@@ -1,5 +1,6 @@
 #include "chain.h"
 
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <stdexcept>
 #include <utility>

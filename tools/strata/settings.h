@@ -1,5 +1,4 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -7,6 +6,10 @@
 
 #include "strata/csg/options.h"
 #include "strata/csg/transform.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 /// What the command line asked for. Each verb uses the part that it has options for.
 struct Settings {

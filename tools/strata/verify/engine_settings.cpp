@@ -1,5 +1,6 @@
 #include "verify/engine_settings.h"
 
+#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <filesystem>
 

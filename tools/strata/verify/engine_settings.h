@@ -1,11 +1,14 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "verify/child.h"
 #include "verify/engine.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 /// Megabytes of address space for a process. Programs with a sanitizer reserve all there is.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
