@@ -1,10 +1,12 @@
 """strata fuzz: broken engines are found and shrunk, ours holds, rounds can be asked again."""
 import json
+import signal
+import subprocess
 import sys
 import time
 import unittest
 
-from tool import INVALID, NEGATIVE, OK, TOOL, USAGE
+from tool import INVALID, NEGATIVE, OK, STOPPED, TOOL, USAGE
 from verify_case import VerifyTest
 
 # The intersection without its smallest part, where it has more than one; all else is right.
@@ -145,6 +147,16 @@ json.dump({{key: e[key] for key in ("volume", "vertices", "edges", "facets", "ha
         text = (folder / "a.off").read_text()
         (folder / "a.off").write_text(text.replace("1 1 1\n", "-3 -3 -3\n"))
         self.assertIn("is no solid", self.run_tool("fuzz", "--case", folder, expect=INVALID).stderr.decode())
+
+    def test_an_interrupted_search_says_how_far_it_came(self):
+        for signal_sent in (signal.SIGTERM, signal.SIGINT):
+            running = subprocess.Popen([TOOL, "fuzz", "--seed", "1", "--minutes", "10"], stdout=subprocess.PIPE,
+                                       cwd=self.path("."))
+            time.sleep(2)
+            running.send_signal(signal_sent)
+            said = running.communicate(timeout=30)[0].decode()
+            self.assertRegex(said, r"seed 1: [1-9]\d* rounds asked, \d+ passed over, 0 findings, .* s, interrupted")
+            self.assertEqual(running.returncode, STOPPED)
 
     def test_usage(self):
         self.fuzz("--rounds", 3, "--minutes", 1, expect=USAGE)

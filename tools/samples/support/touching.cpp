@@ -164,20 +164,6 @@ Operands awkward_pair(Random& random) {
   }
 }
 
-/// Slivers and scales: the same axis of both solids stretched, or both made huge or tiny.
-void stretch(Random& random, Operands& operands) {
-  if (!random.once_in(4)) return;
-  std::array<int, 3> exponents{};
-  if (random.once_in(2)) {
-    exponents[random.below(3)] = random.between(-40, 40);
-    operands.kind += ", slivers";
-  } else {
-    exponents.fill(random.once_in(2) ? random.between(-300, -100) : random.between(100, 300));
-    operands.kind += ", scaled";
-  }
-  for (Mesh& mesh : operands.meshes) mesh = scaled(std::move(mesh), exponents);
-}
-
 Operands unscaled_pair(Random& random) {
   const Mesh a = turned(lattice_solid(random), random.between(0, 47));
   switch (random.below(9)) {
@@ -244,6 +230,19 @@ Operands touching_operands(std::uint64_t seed) {
   if (random.once_in(6)) operands.meshes.push_back(operands.meshes[random.below(operands.meshes.size())]);
   stretch(random, operands);
   return operands;
+}
+
+void stretch(Random& random, Operands& operands) {
+  if (!random.once_in(4)) return;
+  std::array<int, 3> exponents{};
+  if (random.once_in(2)) {
+    exponents[random.below(3)] = random.between(-40, 40);
+    operands.kind += ", slivers";
+  } else {
+    exponents.fill(random.once_in(2) ? random.between(-300, -100) : random.between(100, 300));
+    operands.kind += ", scaled";
+  }
+  for (Mesh& mesh : operands.meshes) mesh = scaled(std::move(mesh), exponents);
 }
 
 }  // namespace strata::test

@@ -19,6 +19,7 @@
 #include "fuzz/laws.h"
 #include "stopwatch.h"
 #include "verify/jobs.h"
+#include "watch.h"
 
 namespace {
 
@@ -106,6 +107,7 @@ class Search {
   }
 
   [[nodiscard]] ExitCode run() {
+    watch_.hold();  // rounds that have begun end, and what was found is said
     if (f_.only) {
       run_batch(*f_.only, 1);
     } else if (f_.minutes > 0) {
@@ -115,13 +117,15 @@ class Search {
       run_batch(0, f_.rounds);
     }
     if (!settings_.quiet)
-      fmt::print("seed {}: {} rounds asked, {} passed over, {} findings, {:.1f} s\n", f_.seed, asked_.load(),
-                 passed_over_.load(), findings_, stopwatch_.lap());
-    return findings_ == 0 ? ExitCode::ok : ExitCode::negative;
+      fmt::print("seed {}: {} rounds asked, {} passed over, {} findings, {:.1f} s{}\n", f_.seed, asked_.load(),
+                 passed_over_.load(), findings_, stopwatch_.lap(), watch_.token() ? ", interrupted" : "");
+    if (findings_ != 0) return ExitCode::negative;
+    return watch_.token() ? ExitCode::stopped : ExitCode::ok;
   }
 
  private:
   [[nodiscard]] bool has_time() const {
+    if (watch_.token()) return false;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
     return f_.minutes == 0 || passed.count() < 60 * f_.minutes;
   }
@@ -174,6 +178,7 @@ class Search {
   std::set<std::pair<std::string, std::string>> known_;  ///< engines and checks
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Stopwatch stopwatch_;
+  Watch watch_{0};
 };
 
 }  // namespace

@@ -28,10 +28,10 @@ std::uint64_t mixed(const Round& round) {
   return second.next();
 }
 
-std::vector<ExactMesh> exact(const std::vector<Mesh>& meshes) {
+std::pair<std::vector<ExactMesh>, std::string> exact(const strata::test::Operands& operands) {
   std::vector<ExactMesh> solids;
-  for (const Mesh& mesh : meshes) solids.push_back({mesh, {}});
-  return solids;
+  for (const Mesh& mesh : operands.meshes) solids.push_back({mesh, {}});
+  return {std::move(solids), operands.kind};
 }
 
 /// One value of a coordinate becomes its neighbour, in all vertices that have it: planes stay planes, and a contact
@@ -82,48 +82,31 @@ void disturb(Random& random, Question& q) {
   q.kind += ", neighbours";
 }
 
-/// Tiny, huge, or all slivers; the same for all solids.
-void scale(Random& random, Question& q) {
-  std::array<int, 3> exponents{};
-  if (random.once_in(2)) {
-    exponents[random.below(3)] = random.between(-40, 40);
-    q.kind += ", slivers";
-  } else {
-    exponents.fill(random.once_in(2) ? random.between(-300, -20) : random.between(20, 300));
-    q.kind += ", scaled";
-  }
-  for (ExactMesh& solid : q.recipe.solids)
-    if (solid.exact.empty()) solid.mesh = strata::test::scaled(std::move(solid.mesh), exponents);
-}
-
 /// Solids of unit cells: many parts, holes, and edges and vertices where they only touch; whole or half cells apart.
-std::vector<ExactMesh> blocks(Random& random) {
-  std::vector<Mesh> meshes;
+strata::test::Operands blocks(Random& random) {
+  strata::test::Operands operands{"blocks", {}};
   for (std::size_t i = 2 + random.below(2); i > 0; --i) {
     strata::test::CellGrid grid(random.between(1, 4), random.between(1, 3), random.between(1, 3), false);
     for (std::size_t n = 0; n < grid.filled.size(); ++n) grid.filled[n] = random.once_in(2);
     grid.filled[random.below(grid.filled.size())] = true;
     const double step = random.once_in(3) ? 0.5 : 1;
     const Vertex by{random.between(-1, 1) * step, random.between(-1, 1) * step, random.between(-1, 1) * step};
-    meshes.push_back(strata::test::translated(strata::test::cell_solid(grid), by));
+    operands.meshes.push_back(strata::test::translated(strata::test::cell_solid(grid), by));
   }
-  return exact(meshes);
+  strata::test::stretch(random, operands);
+  return operands;
 }
 
 std::pair<std::vector<ExactMesh>, std::string> solids_of(Random& random) {
   const std::uint64_t seed = random.next();
   switch (random.below(5)) {
     case 0:
-    case 1: {
-      auto pair = strata::test::touching_pair(seed);
-      return {exact(pair.meshes), pair.kind};
-    }
-    case 2: {
-      auto several = strata::test::touching_operands(seed);
-      return {exact(several.meshes), several.kind};
-    }
+    case 1:
+      return exact(strata::test::touching_pair(seed));
+    case 2:
+      return exact(strata::test::touching_operands(seed));
     case 3:
-      return {blocks(random), "blocks"};
+      return exact(blocks(random));
     default:
       return {strata::test::touching_family(random, 2 + random.below(5)), "family"};
   }
@@ -157,7 +140,6 @@ Question question_of(const Round& round) {
       std::all_of(q.recipe.solids.begin(), q.recipe.solids.end(), [](const ExactMesh& s) { return s.exact.empty(); });
   if (is_doubles && random.once_in(4)) turn_roughly(random, q);
   if (random.once_in(4)) disturb(random, q);
-  if (is_doubles && random.once_in(6)) scale(random, q);
   return q;
 }
 
