@@ -1,0 +1,22 @@
+#pragma once
+#include "strata/bsp/partition.h"
+#include "strata/mesh/canonical.h"
+#include "strata/mesh/exact_mesh.h"
+
+namespace strata::bsp {
+
+/// The region that a closed mesh bounds, whose winding numbers are 0 and 1; a mesh turned inside out bounds all else.
+/// Triangles without area do not count. Requires that the mesh does not cross itself (`check` tells).
+/// Expected O(n log^2 n); `built` has the choice of cuts.
+[[nodiscard]] Partition<3> partition_of(ExactMeshView mesh);
+
+/// The boundary as a closed triangle mesh with outward normals: facets in one plane are merged and divided anew, and
+/// every vertex on an edge is a corner of all triangles there. Vertices in lexicographic order, coordinates rounded to
+/// nearest doubles, exact places beside them. O(n log n) beside `boundary()`.
+/// Throws std::domain_error when the boundary is not bounded.
+[[nodiscard]] ExactMesh exact_mesh_of(const Partition<3>& region);
+
+/// The boundary's one description; `canonical_form` of the mesh.
+[[nodiscard]] CanonicalForm canonical_form_of(const Partition<3>& region);
+
+}  // namespace strata::bsp

@@ -1,0 +1,124 @@
+#include "strata/kernel/hyperplane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "strata/exact/sign.h"
+
+namespace strata {
+namespace {
+
+int bits(const Integer& x) { return x == 0 ? 0 : static_cast<int>(msb(abs(x))) + 1; }
+
+/// x * 2^exponent. What is lost to rounding and to underflow is in the bound.
+Twofold scaled(const Integer& x, int exponent) {
+  constexpr int kept = 120, smallest = -900;
+  const int size = bits(x), lost = std::max(0, size - kept);
+  const Integer top = x >> static_cast<unsigned>(lost);  // rounded down
+  const double high = top.convert_to<double>();
+  const Integer rest = top - Integer(high);
+  const double low = rest.convert_to<double>();
+  double error = rest == Integer(low) ? 0 : std::abs(low) * Bounded::rounding;
+  if (lost != 0) error += 1;
+  const double value = high + low;
+  const int shift = lost + exponent;
+  Twofold r(std::ldexp(value, shift), std::ldexp(low - (value - high), shift), std::ldexp(error, shift));
+  if (!std::isfinite(r.value)) r.error = HUGE_VAL;
+  if (x != 0 && size + exponent < smallest) r.error += Bounded::underflow;
+  return r;
+}
+
+template <int D>
+bool looks_to_plus(const std::array<Integer, D + 1>& coefficients) {
+  for (std::size_t i = 0; i < D; ++i)
+    if (coefficients[i] != 0) return coefficients[i] > 0;
+  return true;
+}
+
+template <std::size_t N>
+std::array<Integer, N> integers(const std::array<Rational, N>& x) {
+  Integer w = 1;
+  for (const Rational& q : x) w = lcm(w, denominator(q));
+  std::array<Integer, N> r;
+  for (std::size_t i = 0; i < N; ++i) r[i] = numerator(x[i]) * (w / denominator(x[i]));
+  return r;
+}
+
+}  // namespace
+
+template <int D>
+Hyperplane<D>::Hyperplane(Coefficients coefficients) : exact_(std::move(coefficients)) {
+  Integer factor = 0;
+  for (const Integer& x : exact_) factor = gcd(factor, x);
+  if (!looks_to_plus<D>(exact_)) factor = -factor;
+  if (factor != 1)
+    for (Integer& x : exact_) x /= factor;
+  int largest = 0;
+  for (std::size_t i = 0; i < D; ++i) largest = std::max(largest, bits(exact_[i]));
+  for (std::size_t i = 0; i <= D; ++i) {
+    fine_[i] = scaled(exact_[i], -largest);
+    bounded_[i] = fine_[i].bounded();
+  }
+}
+
+template <int D>
+std::size_t Hyperplane<D>::hash() const {
+  std::size_t h = 0;
+  for (const Integer& x : exact_) {
+    const std::size_t low = mpz_get_ui(x.backend().data()) + static_cast<std::size_t>(x.sign());
+    h = (h ^ low) * 0x9e3779b97f4a7c15U;
+    h ^= h >> 32U;
+  }
+  return h;
+}
+
+template <int D>
+OrientedHyperplane<D> oriented_hyperplane(const std::array<Integer, D + 1>& coefficients) {
+  return {Hyperplane<D>(coefficients), !looks_to_plus<D>(coefficients)};
+}
+
+template <int D>
+OrientedHyperplane<D> oriented_hyperplane(const std::array<Rational, D + 1>& coefficients) {
+  return oriented_hyperplane<D>(integers(coefficients));
+}
+
+OrientedHyperplane<3> plane_through(const RationalVector<3>& p, const RationalVector<3>& q,
+                                    const RationalVector<3>& r) {
+  const auto [x, y, z, ux, uy, uz, vx, vy, vz] =
+      integers(std::array<Rational, 9>{p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2]});
+  // On the lattice of all nine coordinates; the unit comes back with c.
+  Integer unit = 1;
+  for (const RationalVector<3>* v : {&p, &q, &r})
+    for (const Rational& k : *v) unit = lcm(unit, denominator(k));
+  const Integer ax = ux - x, ay = uy - y, az = uz - z, bx = vx - x, by = vy - y, bz = vz - z;
+  const Integer a = ay * bz - az * by, b = az * bx - ax * bz, c = ax * by - ay * bx;
+  return oriented_hyperplane<3>(std::array<Integer, 4>{a * unit, b * unit, c * unit, -(a * x + b * y + c * z)});
+}
+
+OrientedHyperplane<2> line_through(const RationalVector<2>& p, const RationalVector<2>& q) {
+  const Rational a = p[1] - q[1], b = q[0] - p[0];
+  return oriented_hyperplane<2>(std::array<Rational, 3>{a, b, -(a * p[0] + b * p[1])});
+}
+
+template <int D>
+Hyperplane<D> axis_hyperplane(std::size_t axis, const Rational& value) {
+  std::array<Integer, D + 1> coefficients{};
+  coefficients[axis] = denominator(value);
+  coefficients[D] = -numerator(value);
+  return Hyperplane<D>(std::move(coefficients));
+}
+
+template class Hyperplane<1>;
+template class Hyperplane<2>;
+template class Hyperplane<3>;
+#define STRATA_INSTANTIATE(D)                                                                                 \
+  template OrientedHyperplane<D> oriented_hyperplane<D>(const std::array<Integer, D + 1>&);                   \
+  template OrientedHyperplane<D> oriented_hyperplane<D>(const std::array<Rational, D + 1>&);                  \
+  template Hyperplane<D> axis_hyperplane<D>(std::size_t, const Rational&);
+STRATA_INSTANTIATE(1)
+STRATA_INSTANTIATE(2)
+STRATA_INSTANTIATE(3)
+#undef STRATA_INSTANTIATE
+
+}  // namespace strata

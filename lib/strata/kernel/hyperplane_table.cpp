@@ -1,0 +1,257 @@
+#include "strata/kernel/hyperplane_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "strata/exact/lattice.h"
+#include "strata/kernel/nearest.h"
+
+namespace strata {
+namespace {
+
+/// What is orthogonal to all rows: the point where D hyperplanes meet, in homogeneous coordinates, w last.
+template <class Number>
+std::array<Number, 2> meet_of_rows(const std::array<std::array<Number, 2>, 1>& r) {
+  return {Number(-r[0][1]), r[0][0]};
+}
+
+template <class Number>
+std::array<Number, 3> meet_of_rows(const std::array<std::array<Number, 3>, 2>& r) {
+  const auto minor = [&](std::size_t i, std::size_t j) { return Number(r[0][i] * r[1][j] - r[0][j] * r[1][i]); };
+  return {minor(1, 2), minor(2, 0), minor(0, 1)};
+}
+
+template <class Number>
+std::array<Number, 4> meet_of_rows(const std::array<std::array<Number, 4>, 3>& r) {
+  const auto cross = [&](std::size_t p, std::size_t q) {
+    const auto minor = [&](std::size_t i, std::size_t j) { return Number(r[p][i] * r[q][j] - r[p][j] * r[q][i]); };
+    return std::array<Number, 3>{minor(1, 2), minor(2, 0), minor(0, 1)};
+  };
+  const std::array<std::array<Number, 3>, 3> across{cross(1, 2), cross(2, 0), cross(0, 1)};
+  std::array<Number, 4> x;
+  for (std::size_t i = 0; i < 3; ++i)
+    x[i] = -(r[0][3] * across[0][i] + r[1][3] * across[1][i] + r[2][3] * across[2][i]);
+  x[3] = r[0][0] * across[0][0] + r[0][1] * across[0][1] + r[0][2] * across[0][2];
+  return x;
+}
+
+template <class Number, std::size_t D>
+Number linear(const std::array<Number, D + 1>& form, const std::array<Number, D>& x) {
+  Number sum = form[0] * x[0];
+  for (std::size_t i = 1; i < D; ++i) sum = sum + form[i] * x[i];
+  return sum;
+}
+
+/// The quotients, or nothing where they are not known to some forty bits.
+template <class Number, std::size_t D>
+std::optional<std::array<Bounded, D>> quotients(const std::array<Number, D>& x, const Number& w) {
+  std::array<Bounded, D> r;
+  double size = 0;
+  for (std::size_t i = 0; i < D; ++i) {
+    const Number q = x[i] / w;
+    if constexpr (std::is_same_v<Number, Twofold>) {
+      r[i] = q.bounded();
+    } else {
+      r[i] = q;
+    }
+    size = std::max(size, std::abs(r[i].value));
+  }
+  for (const Bounded& q : r)
+    if (!(std::isfinite(q.value) && q.error <= size * 0x1p-40)) return std::nullopt;
+  return r;
+}
+
+Bounded nearest(const Rational& x) { return nearest_twofold(x).bounded(); }
+
+Rational quotient(const Integer& x, const Integer& w) { return w < 0 ? Rational(-x, -w) : Rational(x, w); }
+
+std::optional<Sign> sign_of_bounded(const Twofold& x) { return x.bounded().sign(); }
+
+}  // namespace
+
+template <int D>
+std::uint32_t HyperplaneTable<D>::add(Shared hyperplane) {
+  const std::size_t hash = hyperplane->hash();
+  const auto [first, last] = numbers_.equal_range(hash);
+  for (auto at = first; at != last; ++at)
+    if (*hyperplanes_[at->second] == *hyperplane) return at->second;
+  const std::uint32_t number = size();
+  hyperplanes_.push_back(std::move(hyperplane));
+  numbers_.emplace(hash, number);
+  return number;
+}
+
+/// The form of a hyperplane for the near part of a meet, where the frame goes through 0, or for the far part, where all
+/// others do, and the frame is at distance 1.
+template <int D>
+template <class Number>
+std::array<Number, D + 1> HyperplaneTable<D>::row(std::uint32_t h, bool is_far) const {
+  std::array<Number, D + 1> r{};
+  if (is_frame(h)) {
+    const std::uint32_t k = h - first_of_frame;
+    r[k / 2] = Number(k % 2 == 1 ? 1.0 : -1.0);
+    r[D] = Number(is_far ? -1.0 : 0.0);
+    return r;
+  }
+  const Hyperplane<D>& plane = *hyperplanes_[h];
+  for (std::size_t i = 0; i <= D; ++i) {
+    if constexpr (std::is_same_v<Number, Integer>) {
+      r[i] = plane.exact()[i];
+    } else if constexpr (std::is_same_v<Number, Twofold>) {
+      r[i] = plane.fine()[i];
+    } else {
+      r[i] = plane.bounded()[i];
+    }
+  }
+  if (is_far) r[D] = Number(0.0);
+  return r;
+}
+
+template <int D>
+template <class Number>
+auto HyperplaneTable<D>::evaluate(const std::array<std::uint32_t, D>& names, bool is_far) const -> Homogeneous<Number> {
+  const auto part = [&](bool far) {
+    std::array<std::array<Number, D + 1>, D> rows;
+    for (std::size_t i = 0; i < D; ++i) rows[i] = row<Number>(names[i], far);
+    return meet_of_rows(rows);
+  };
+  Homogeneous<Number> r{};
+  const auto near = part(false);
+  std::copy_n(near.begin(), D, r.near.begin());
+  r.w = near[D];
+  if (is_far) {
+    const auto far = part(true);
+    std::copy_n(far.begin(), D, r.far.begin());
+  }
+  return r;
+}
+
+template <int D>
+Corner<D> HyperplaneTable<D>::meet(const std::array<std::uint32_t, D>& names) const {
+  Corner<D> corner{names, std::any_of(names.begin(), names.end(), is_frame), {}};
+  const auto place = [&](const auto& h) { return quotients(corner.is_far ? h.far : h.near, h.w); };
+  auto at = place(evaluate<Bounded>(names, corner.is_far));
+  if (!at) at = place(evaluate<Twofold>(names, corner.is_far));
+  if (at) {
+    corner.at = *at;
+    return corner;
+  }
+  const Homogeneous<Integer> exact = evaluate<Integer>(names, corner.is_far);
+  for (std::size_t i = 0; i < D; ++i)
+    corner.at[i] = nearest(quotient(corner.is_far ? exact.far[i] : exact.near[i], exact.w));
+  return corner;
+}
+
+template <int D>
+Corner<D> HyperplaneTable<D>::given(const std::array<std::uint32_t, D>& names, const std::array<double, D>& place) {
+  Corner<D> corner{names, false, {}};
+  for (std::size_t i = 0; i < D; ++i) corner.at[i] = place[i];
+  return corner;
+}
+
+template <int D>
+Sign HyperplaneTable<D>::side(std::uint32_t h, const Corner<D>& corner) const {
+  if (std::find(corner.names.begin(), corner.names.end(), h) != corner.names.end()) return Sign::zero;
+  const Hyperplane<D>& plane = *hyperplanes_[h];
+  if (corner.is_far) {
+    if (const auto sign = linear<Bounded, D>(plane.bounded(), corner.at).sign(); sign && *sign != Sign::zero)
+      return *sign;
+    return exact_side(h, corner);
+  }
+  if (const auto sign = Bounded(linear<Bounded, D>(plane.bounded(), corner.at) + plane.bounded()[D]).sign())
+    return *sign;
+  if (!corner.is_given()) {
+    const Homogeneous<Twofold> fine = evaluate<Twofold>(corner.names, false);
+    const auto value = sign_of_bounded(linear<Twofold, D>(plane.fine(), fine.near) + plane.fine()[D] * fine.w);
+    const auto weight = sign_of_bounded(fine.w);
+    if (value && weight && *weight != Sign::zero) return *value * *weight;
+  }
+  return exact_side(h, corner);
+}
+
+template <int D>
+Sign HyperplaneTable<D>::side(std::uint32_t h, const std::array<double, D>& p) const {
+  const Hyperplane<D>& plane = *hyperplanes_[h];
+  double value = plane.bounded()[D].value, size = std::abs(value);
+  for (std::size_t i = 0; i < D; ++i) {
+    const double product = plane.bounded()[i].value * p[i];
+    value += product;
+    size += std::abs(product);
+  }
+  // Every coefficient is within 2^-51 of itself, or 2^-118 of the longest; each of D sums and products adds 2^-53.
+  double reach = 0;
+  for (const double x : p) reach += std::abs(x);
+  const double bound = size * 0x1p-48 + reach * 0x1p-110 + 0x1p-990;
+  if (value > bound) return Sign::positive;
+  if (-value > bound) return Sign::negative;
+  std::array<Twofold, D> x;
+  std::copy(p.begin(), p.end(), x.begin());
+  if (const auto sign = sign_of_bounded(linear<Twofold, D>(plane.fine(), x) + plane.fine()[D])) return *sign;
+  return exact_side(h, p);
+}
+
+template <int D>
+Sign HyperplaneTable<D>::side(std::uint32_t h, const RationalVector<D>& p) const {
+  const auto& plane = hyperplanes_[h]->exact();
+  Rational sum = plane[D];
+  for (std::size_t i = 0; i < D; ++i) sum += plane[i] * p[i];
+  return sign_of(sum);
+}
+
+template <int D>
+Sign HyperplaneTable<D>::exact_side(std::uint32_t h, const std::array<double, D>& p) const {
+  Lattice lattice;
+  for (const double x : p) lattice.add(x);
+  const auto& plane = hyperplanes_[h]->exact();
+  Integer sum = 0;
+  for (std::size_t i = 0; i < D; ++i) sum += plane[i] * lattice.integer<Integer>(p[i]);
+  Integer offset = plane[D];
+  if (lattice.unit() < 0) offset <<= static_cast<unsigned>(-lattice.unit());
+  if (lattice.unit() > 0) sum <<= static_cast<unsigned>(lattice.unit());
+  return sign_of_integer(Integer(sum + offset));
+}
+
+template <int D>
+Sign HyperplaneTable<D>::exact_side(std::uint32_t h, const Corner<D>& corner) const {
+  if (corner.is_given()) {
+    std::array<double, D> p;
+    for (std::size_t i = 0; i < D; ++i) p[i] = corner.at[i].value;
+    return exact_side(h, p);
+  }
+  const auto& plane = hyperplanes_[h]->exact();
+  const Homogeneous<Integer> place = evaluate<Integer>(corner.names, corner.is_far);
+  const Sign weight = sign_of_integer(place.w);
+  if (corner.is_far)
+    if (const Sign far = sign_of_integer(linear<Integer, D>(plane, place.far)); far != Sign::zero) return far * weight;
+  return sign_of_integer(Integer(linear<Integer, D>(plane, place.near) + plane[D] * place.w)) * weight;
+}
+
+template <int D>
+RationalVector<D> HyperplaneTable<D>::position(const Corner<D>& corner) const {
+  RationalVector<D> r;
+  if (corner.is_given()) {
+    for (std::size_t i = 0; i < D; ++i) r[i] = to_rational(corner.at[i].value);
+    return r;
+  }
+  const Homogeneous<Integer> place = evaluate<Integer>(corner.names, false);
+  for (std::size_t i = 0; i < D; ++i) r[i] = quotient(place.near[i], place.w);
+  return r;
+}
+
+template <int D>
+std::size_t HyperplaneTable<D>::bytes() const {
+  std::size_t sum = 0;
+  for (const Shared& plane : hyperplanes_) {
+    sum += sizeof *plane + 64;  // its entry in the hash table
+    for (const Integer& x : plane->exact()) sum += 8 * mpz_size(x.backend().data());
+  }
+  return sum;
+}
+
+template class HyperplaneTable<1>;
+template class HyperplaneTable<2>;
+template class HyperplaneTable<3>;
+
+}  // namespace strata

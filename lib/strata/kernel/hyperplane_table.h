@@ -1,0 +1,98 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "strata/exact/sign.h"
+#include "strata/kernel/hyperplane.h"
+
+namespace strata {
+
+/// The place where D hyperplanes of a table meet. What it lies in by name needs no arithmetic.
+///
+/// Hyperplanes of the frame, x_i = W and x_i = -W, are never far enough away: W is larger than any number. With them the
+/// parts of hyperplanes that are not bounded have corners, too, and need no cases of their own. Source of the idea: the
+/// infimaximal frames of Seel and Mehlhorn.
+template <int D>
+struct Corner {
+  std::array<std::uint32_t, D> names{};
+  bool is_far = false;            ///< a hyperplane of the frame is among the names
+  std::array<Bounded, D> at{};    ///< the place; when far, the direction in which it lies: its part that grows with W
+
+  /// The coordinates are the doubles, exactly.
+  [[nodiscard]] bool is_given() const {
+    if (is_far) return false;
+    for (const Bounded& x : at)
+      if (x.error != 0) return false;
+    return true;
+  }
+};
+
+/// Hyperplanes by number, each once, and what is decided about them. Every answer is the sign of a determinant of
+/// coefficients of at most D + 1 of them, exact: first in doubles with bounds, then in pairs of doubles, then in
+/// integers. kernel/theory.md, "Hyperplanes".
+template <int D>
+class HyperplaneTable {
+ public:
+  using Shared = std::shared_ptr<const Hyperplane<D>>;  ///< tables share what they have in common
+
+  /// The number of a hyperplane, a new one if it is not in the table. O(1) expected.
+  std::uint32_t add(Hyperplane<D> hyperplane) { return add(std::make_shared<const Hyperplane<D>>(std::move(hyperplane))); }
+  std::uint32_t add(Shared hyperplane);
+
+  [[nodiscard]] const Hyperplane<D>& operator[](std::uint32_t h) const { return *hyperplanes_[h]; }
+  [[nodiscard]] const Shared& shared(std::uint32_t h) const { return hyperplanes_[h]; }
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(hyperplanes_.size()); }
+
+  /// x_axis = W, or x_axis = -W, where W is larger than any number.
+  [[nodiscard]] static constexpr std::uint32_t frame(std::size_t axis, bool is_upper) {
+    return first_of_frame + static_cast<std::uint32_t>(2 * axis) + (is_upper ? 1 : 0);
+  }
+  [[nodiscard]] static constexpr bool is_frame(std::uint32_t h) { return h >= first_of_frame; }
+
+  /// Requires that the hyperplanes meet in one point.
+  [[nodiscard]] Corner<D> meet(const std::array<std::uint32_t, D>& names) const;
+  /// The same, for a point that is known: its doubles are exact.
+  [[nodiscard]] static Corner<D> given(const std::array<std::uint32_t, D>& names, const std::array<double, D>& place);
+
+  /// Which side of a hyperplane, none of the frame, a corner is on.
+  [[nodiscard]] Sign side(std::uint32_t h, const Corner<D>& corner) const;
+  /// The same for points that are not of the table.
+  [[nodiscard]] Sign side(std::uint32_t h, const std::array<double, D>& p) const;
+  [[nodiscard]] Sign side(std::uint32_t h, const RationalVector<D>& p) const;
+
+  /// The place of a corner that is not far.
+  [[nodiscard]] RationalVector<D> position(const Corner<D>& corner) const;
+
+  /// Bytes held, roughly.
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  static constexpr std::uint32_t first_of_frame = 0xffff'fff0;
+
+  /// Homogeneous coordinates of a meet: (near + W far) / w, w not zero.
+  template <class Number>
+  struct Homogeneous {
+    std::array<Number, D> near, far;
+    Number w;
+  };
+
+  template <class Number>
+  [[nodiscard]] std::array<Number, D + 1> row(std::uint32_t h, bool is_far) const;
+  template <class Number>
+  [[nodiscard]] Homogeneous<Number> evaluate(const std::array<std::uint32_t, D>& names, bool is_far) const;
+  [[nodiscard]] Sign exact_side(std::uint32_t h, const Corner<D>& corner) const;
+  [[nodiscard]] Sign exact_side(std::uint32_t h, const std::array<double, D>& p) const;
+
+  std::vector<Shared> hyperplanes_;
+  std::unordered_multimap<std::size_t, std::uint32_t> numbers_;  ///< by hash
+};
+
+extern template class HyperplaneTable<1>;
+extern template class HyperplaneTable<2>;
+extern template class HyperplaneTable<3>;
+
+}  // namespace strata
