@@ -105,7 +105,7 @@ class Builder {
       const std::uint32_t candidate = facets[k].piece.hyperplane;
       Count count;
       for_some(facets.size(), most_asked,
-               [&](std::size_t i) { count.add(lie_of(table_, facets[i].piece, candidate)); });
+               [&](std::size_t i) { count.add(estimated_lie(facets[i].piece, candidate)); });
       if (const double cost = count.cost(each); cost < lowest) {
         lowest = cost;
         best = candidate;
@@ -120,6 +120,30 @@ class Builder {
       best = table_.add(axis_hyperplane<D>(axis, to_rational(middle)));
     }
     return best;
+  }
+
+  /// Where a piece seems to lie, by doubles that may be rounded: corners that are nearly in a hyperplane count as in it.
+  [[nodiscard]] Lie estimated_lie(const Piece<D>& piece, std::uint32_t candidate) const {
+    if (piece.hyperplane == candidate) return Lie::on;
+    const auto& form = table_[candidate].bounded();
+    bool minus = false, plus = false;
+    for (const Corner<D>& c : piece.corners) {
+      double value = c.is_far ? 0 : form[D].value, size = std::abs(value);
+      for (std::size_t i = 0; i < D; ++i) {
+        const double product = form[i].value * c.at[i].value;
+        value += product;
+        size += std::abs(product);
+      }
+      constexpr double nearly = 0x1p-40;
+      minus |= value < -size * nearly;
+      plus |= value > size * nearly;
+    }
+    return lie(minus, plus);
+  }
+
+  static Lie lie(bool minus, bool plus) {
+    if (minus && plus) return Lie::both;
+    return minus ? Lie::minus : plus ? Lie::plus : Lie::on;
   }
 
   static double median(const Facets& facets, std::size_t axis) {
@@ -144,7 +168,7 @@ class Builder {
         minus |= c.is_far ? x < 0 : x < value;
         plus |= c.is_far ? x > 0 : x > value;
       }
-      count.add(minus && plus ? Lie::both : minus ? Lie::minus : plus ? Lie::plus : Lie::on);
+      count.add(lie(minus, plus));
     });
     return count;
   }

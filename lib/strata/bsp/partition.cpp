@@ -116,7 +116,7 @@ Where Partition<D>::classify(const std::array<double, D>& p) const {
 }
 
 template <int D>
-Where Partition<D>::classify(const RationalVector<D>& p) const {
+Where Partition<D>::classify_exact(const RationalVector<D>& p) const {
   return classify_in(table(), tree().nodes, tree().root, p);
 }
 

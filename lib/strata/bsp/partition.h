@@ -41,7 +41,7 @@ class Partition {
 
   /// Descends from the root; on a hyperplane both sides are asked. Exact. O(depth) for most points.
   [[nodiscard]] Where classify(const std::array<double, D>& p) const;
-  [[nodiscard]] Where classify(const RationalVector<D>& p) const;
+  [[nodiscard]] Where classify_exact(const RationalVector<D>& p) const;  ///< the same for rationals
 
   /// Convex facets with their interiors apart; `table()` has their corners.
   [[nodiscard]] std::vector<Facet<D>> boundary() const;
