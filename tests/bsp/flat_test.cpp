@@ -92,7 +92,8 @@ Partition<2> region_of(const Polygons& polygons) {
   std::vector<PolygonLoop> loops;
   const auto add = [&](const auto& ring) {
     PolygonLoop loop;
-    for (const Point& p : ring) loop.push_back({Rational(static_cast<long>(p.x())), Rational(static_cast<long>(p.y()))});
+    for (const Point& p : ring)
+      loop.push_back({Rational(static_cast<long>(p.x())), Rational(static_cast<long>(p.y()))});
     loops.push_back(loop);
   };
   for (const Polygon& p : polygons) {
@@ -106,9 +107,10 @@ Partition<2> region_of(const Polygons& polygons) {
 Partition<2> random_triangle(Random& random) {
   while (true) {
     PolygonLoop loop;
-    for (int i = 0; i < 3; ++i) loop.push_back({Rational(random.between(0, 6), random.between(1, 2)), random.between(0, 4)});
-    const Rational turn = (loop[1][0] - loop[0][0]) * (loop[2][1] - loop[0][1]) -
-                          (loop[1][1] - loop[0][1]) * (loop[2][0] - loop[0][0]);
+    for (int i = 0; i < 3; ++i)
+      loop.push_back({Rational(random.between(0, 6), random.between(1, 2)), random.between(0, 4)});
+    const Rational turn =
+        (loop[1][0] - loop[0][0]) * (loop[2][1] - loop[0][1]) - (loop[1][1] - loop[0][1]) * (loop[2][0] - loop[0][0]);
     if (turn == 0) continue;
     if (turn < 0) std::swap(loop[1], loop[2]);
     return partition_of(std::vector<PolygonLoop>{loop});

@@ -133,8 +133,7 @@ TEST_CASE("laws of sets hold for regions that touch, bounded or not", "[bsp][pro
     CHECK(a.contains(rest));
     CHECK(rebuilt(odd) == odd);
     const auto volume_of = [](const Partition<3>& r) { return size(r); };
-    if (a.is_bounded() && b.is_bounded())
-      CHECK(*volume_of(a) + *volume_of(b) == *volume_of(any) + *volume_of(both));
+    if (a.is_bounded() && b.is_bounded()) CHECK(*volume_of(a) + *volume_of(b) == *volume_of(any) + *volume_of(both));
   }
 }
 
@@ -175,7 +174,8 @@ TEST_CASE("wedges that meet very far away meet", "[bsp]") {
   // z <= 0 and z >= x / 2^200 - 1 overlap for x < 2^200 only.
   const Integer steep = Integer(1) << 200;
   const auto below = Partition<3>::half_space({axis_hyperplane<3>(2, 0), false});
-  const auto wedge = below & Partition<3>::half_space(oriented_hyperplane<3>(std::array<Integer, 4>{1, 0, -steep, -steep}));
+  const auto wedge =
+      below & Partition<3>::half_space(oriented_hyperplane<3>(std::array<Integer, 4>{1, 0, -steep, -steep}));
   CHECK_FALSE(wedge.is_empty());
   const auto beyond = Partition<3>::half_space({axis_hyperplane<3>(0, Rational(steep)), true});
   CHECK((wedge & beyond).is_empty());
@@ -262,8 +262,8 @@ TEST_CASE("nodes are shown front to back: none is hidden by a later one", "[bsp]
 TEST_CASE("part of a plane inside a region", "[bsp]") {
   const Partition<3> r = unit_cube() | region(test::box({2, 0, 0}, {3, 1, 1}));
   HyperplaneTable<3> table = r.table();
-  const std::uint32_t middle = table.add(axis_hyperplane<3>(2, Rational(1, 2))), top = table.add(axis_hyperplane<3>(2, 1)),
-                      above = table.add(axis_hyperplane<3>(2, 2));
+  const std::uint32_t middle = table.add(axis_hyperplane<3>(2, Rational(1, 2))),
+                      top = table.add(axis_hyperplane<3>(2, 1)), above = table.add(axis_hyperplane<3>(2, 2));
   const auto same = Partition<3>::of(table, r.tree());
   CHECK(same.part_inside(whole(table, middle)).size() == 2);
   CHECK(same.part_inside(whole(table, top)).size() == 2);  // in the boundary

@@ -20,6 +20,7 @@ strata::BooleanResult evaluate(strata::Operation operation, std::span<const Load
   ProgressBar bar(settings.progress, settings.quiet);
   strata::Options options;
   options.input = settings.input;
+  options.engine = settings.engine;
   options.threads = settings.threads;
   options.exact_vertices = !settings.report.empty() || format == strata::Format::xoff;
   options.progress = [&bar](double fraction) { bar.show(fraction); };

@@ -47,6 +47,7 @@ void add_boolean(CLI::App& app, Settings& settings, Action& action, strata::Oper
   CLI::App* verb = app.add_subcommand(name, what);
   add_common_options(*verb, settings, 2, 0);
   add_input_class(*verb, settings);
+  add_engine(*verb, settings);
   add_output_options(*verb, settings);
   verb->footer(fmt::format("Example:\n  strata {} A.stl B.stl -o OUT.stl\n\n{}", name, exit_codes));
   verb->callback(

@@ -23,6 +23,18 @@ void add_run_options(CLI::App& verb, Settings& settings) {
   verb.add_flag("-q,--quiet", settings.quiet, "Errors only");
 }
 
+void add_engine(CLI::App& verb, Settings& settings) {
+  std::map<std::string, strata::Engine> engines;
+  for (const strata::Engine e : strata::all_engines) engines.emplace(name(e), e);
+  verb.add_option_function<std::string>(
+          "--engine", [&settings, engines](const std::string& word) { settings.engine = engines.at(word); },
+          "What computes the result: arrangement, for all sizes, or bsp, by merging binary space partitions; the "
+          "solid is the same")
+      ->type_name("ENGINE")
+      ->check(CLI::IsMember(engines))
+      ->default_str("arrangement");
+}
+
 void add_input_class(CLI::App& verb, Settings& settings) {
   const std::map<std::string, strata::InputClass> classes = {
       {"solid", strata::InputClass::solid},

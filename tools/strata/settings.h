@@ -19,6 +19,7 @@ struct Settings {
   strata::Placement placement = strata::Placement::exact;  ///< of what a model transforms
   std::string input_format;                                ///< of all operands; empty: by extension
   strata::InputClass input = strata::InputClass::solid;
+  strata::Engine engine = strata::Engine::arrangement;
   std::string output;         ///< path; "-" is stdout
   std::string output_format;  ///< empty: by extension
   std::string report;         ///< path of the JSON report; "-" is stdout; empty: none
@@ -49,6 +50,9 @@ void add_common_options(CLI::App& verb, Settings& settings, int least, int most)
 
 /// --input solid|overlapping|repair.
 void add_input_class(CLI::App& verb, Settings& settings);
+
+/// --engine arrangement|bsp.
+void add_engine(CLI::App& verb, Settings& settings);
 
 /// -o and what goes with making a mesh.
 void add_output_options(CLI::App& verb, Settings& settings);

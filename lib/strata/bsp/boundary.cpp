@@ -75,10 +75,10 @@ bool reaches_infinity(const HyperplaneTable<D>& table, const Tree& tree) {
   return found;
 }
 
-#define STRATA_INSTANTIATE(D)                                                                      \
-  template void for_each_part(const HyperplaneTable<D>&, const Tree&, Link, const Piece<D>&,       \
-                              const std::function<void(Link, const Piece<D>&)>&);                  \
-  template std::vector<Facet<D>> boundary(const HyperplaneTable<D>&, const Tree&);                 \
+#define STRATA_INSTANTIATE(D)                                                                \
+  template void for_each_part(const HyperplaneTable<D>&, const Tree&, Link, const Piece<D>&, \
+                              const std::function<void(Link, const Piece<D>&)>&);            \
+  template std::vector<Facet<D>> boundary(const HyperplaneTable<D>&, const Tree&);           \
   template bool reaches_infinity(const HyperplaneTable<D>&, const Tree&);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)

@@ -10,7 +10,8 @@ namespace strata::bsp {
 
 /// The boundary of a tree's region: for every node the parts of its hyperplane that have the inside on one side and the
 /// outside on the other, as convex facets with their interiors apart. Facets may meet in the middle of sides.
-/// In the order of the nodes from the root, minus sides first. O(sum over nodes of depth and of leaves next to the node).
+/// In the order of the nodes from the root, minus sides first. O(sum over nodes of depth and of leaves next to the
+/// node).
 template <int D>
 [[nodiscard]] std::vector<Facet<D>> boundary(const HyperplaneTable<D>& table, const Tree& tree);
 

@@ -40,7 +40,7 @@ struct Count {
 template <int D>
 class Builder {
  public:
-  explicit Builder(HyperplaneTable<D>& table) : table_(table) {}
+  Builder(HyperplaneTable<D>& table, const Monitor& monitor) : table_(table), monitor_(monitor) {}
 
   Tree build(std::vector<Facet<D>> facets) {
     if (facets.empty()) return {};
@@ -58,6 +58,7 @@ class Builder {
   };
 
   Link part(Facets facets) {
+    monitor_.check();
     std::uint32_t cut = best_cut(facets);
     Sides sides = divide(facets, cut);
     if (!sides.faces_plus && (sides.minus.empty() || sides.plus.empty())) {  // this cut is for nothing
@@ -104,8 +105,7 @@ class Builder {
     for_some(facets.size(), most_candidates, [&](std::size_t k) {
       const std::uint32_t candidate = facets[k].piece.hyperplane;
       Count count;
-      for_some(facets.size(), most_asked,
-               [&](std::size_t i) { count.add(estimated_lie(facets[i].piece, candidate)); });
+      for_some(facets.size(), most_asked, [&](std::size_t i) { count.add(estimated_lie(facets[i].piece, candidate)); });
       if (const double cost = count.cost(each); cost < lowest) {
         lowest = cost;
         best = candidate;
@@ -122,7 +122,8 @@ class Builder {
     return best;
   }
 
-  /// Where a piece seems to lie, by doubles that may be rounded: corners that are nearly in a hyperplane count as in it.
+  /// Where a piece seems to lie, by doubles that may be rounded: corners that are nearly in a hyperplane count as in
+  /// it.
   [[nodiscard]] Lie estimated_lie(const Piece<D>& piece, std::uint32_t candidate) const {
     if (piece.hyperplane == candidate) return Lie::on;
     const auto& form = table_[candidate].bounded();
@@ -174,18 +175,19 @@ class Builder {
   }
 
   HyperplaneTable<D>& table_;
+  const Monitor& monitor_;
   std::vector<Node> nodes_;
 };
 
 }  // namespace
 
 template <int D>
-Tree built(HyperplaneTable<D>& table, std::vector<Facet<D>> facets) {
-  return Builder<D>(table).build(std::move(facets));
+Tree built(HyperplaneTable<D>& table, std::vector<Facet<D>> facets, const Monitor& monitor) {
+  return Builder<D>(table, monitor).build(std::move(facets));
 }
 
-template Tree built(HyperplaneTable<1>&, std::vector<Facet<1>>);
-template Tree built(HyperplaneTable<2>&, std::vector<Facet<2>>);
-template Tree built(HyperplaneTable<3>&, std::vector<Facet<3>>);
+template Tree built(HyperplaneTable<1>&, std::vector<Facet<1>>, const Monitor&);
+template Tree built(HyperplaneTable<2>&, std::vector<Facet<2>>, const Monitor&);
+template Tree built(HyperplaneTable<3>&, std::vector<Facet<3>>, const Monitor&);
 
 }  // namespace strata::bsp

@@ -3,6 +3,7 @@
 
 #include "strata/bsp/piece.h"
 #include "strata/bsp/tree.h"
+#include "strata/mesh/monitor.h"
 
 namespace strata::bsp {
 
@@ -21,7 +22,8 @@ struct Facet {
 /// facets and those that are divided count on both sides. So divisions are avoided first, and then sides are balanced;
 /// a convex solid, where every facet has all others on one side, gets a tree and no list.
 /// Expected O(n log^2 n) for n facets of which few are divided; theory.md, "Choice of cuts", has the bad cases.
+/// Throws Cancelled.
 template <int D>
-[[nodiscard]] Tree built(HyperplaneTable<D>& table, std::vector<Facet<D>> facets);
+[[nodiscard]] Tree built(HyperplaneTable<D>& table, std::vector<Facet<D>> facets, const Monitor& monitor = {});
 
 }  // namespace strata::bsp

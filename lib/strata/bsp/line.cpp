@@ -105,8 +105,8 @@ std::vector<Interval> ray_intersection(const Partition<D>& region, const Paramet
   return LineCutter<D>(region, ray).cut({Rational(0), std::nullopt});
 }
 
-#define STRATA_INSTANTIATE(D)                                                                           \
-  template std::vector<Interval> intersection(const Partition<D>&, const ParametricLine<D>&);           \
+#define STRATA_INSTANTIATE(D)                                                                 \
+  template std::vector<Interval> intersection(const Partition<D>&, const ParametricLine<D>&); \
   template std::vector<Interval> ray_intersection(const Partition<D>&, const ParametricLine<D>&);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)

@@ -24,9 +24,9 @@ struct ParametricLine {
 /// The components of a region of the line, in increasing order.
 [[nodiscard]] std::vector<Interval> intervals_of(const Partition<1>& region);
 
-/// Where a line is in the closed region: intervals of t, apart, in increasing order. Where it lies in the boundary it is
-/// in; where it meets the region in a point only, the interval is this point. Requires d != 0.
-/// O(nodes that the line meets * depth); the numbers are rationals of bounded size over the region's hyperplanes.
+/// Where a line is in the closed region: intervals of t, apart, in increasing order. Where it lies in the boundary it
+/// is in; where it meets the region in a point only, the interval is this point. Requires d != 0. O(nodes that the line
+/// meets * depth); the numbers are rationals of bounded size over the region's hyperplanes.
 template <int D>
 [[nodiscard]] std::vector<Interval> intersection(const Partition<D>& region, const ParametricLine<D>& line);
 

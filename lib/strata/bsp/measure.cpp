@@ -69,7 +69,8 @@ double size_of(const Simplex<3>& s) {
   std::array<double, 3> normal{};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    normal[i] = to_nearest_double((s[1][j] - s[0][j]) * (s[2][k] - s[0][k]) - (s[1][k] - s[0][k]) * (s[2][j] - s[0][j]));
+    normal[i] =
+        to_nearest_double((s[1][j] - s[0][j]) * (s[2][k] - s[0][k]) - (s[1][k] - s[0][k]) * (s[2][j] - s[0][j]));
   }
   return length(normal) / 2;
 }
@@ -108,9 +109,9 @@ double boundary_size(const Partition<D>& region) {
   return sum;
 }
 
-#define STRATA_INSTANTIATE(D)                                                        \
-  template std::optional<Rational> size(const Partition<D>&);                        \
-  template std::optional<RationalVector<D>> barycentre<D>(const Partition<D>&);         \
+#define STRATA_INSTANTIATE(D)                                                   \
+  template std::optional<Rational> size(const Partition<D>&);                   \
+  template std::optional<RationalVector<D>> barycentre<D>(const Partition<D>&); \
   template double boundary_size(const Partition<D>&);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)

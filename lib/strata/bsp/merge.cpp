@@ -31,13 +31,14 @@ Effect effect_of(Operation operation, Link leaf, bool is_first) {
 template <int D>
 class Merger {
  public:
-  Merger(const HyperplaneTable<D>& table, std::vector<Node>& nodes, Operation operation)
-      : table_(table), nodes_(nodes), operation_(operation) {}
+  Merger(const HyperplaneTable<D>& table, std::vector<Node>& nodes, Operation operation, const Monitor& monitor)
+      : table_(table), nodes_(nodes), operation_(operation), monitor_(monitor) {}
 
   /// Of two trees that divide the part of space at the end of the path.
   Link merge(Link a, Link b) {
     if (is_leaf(a)) return changed(b, effect_of(operation_, a, true));
     if (is_leaf(b)) return changed(a, effect_of(operation_, b, false));
+    monitor_.check();
     const Node cut = nodes_[a];
     const auto [minus, plus] = parted(b, part_within(table_, cut.hyperplane, path_));
     path_.push_back({cut.hyperplane, Sign::negative});
@@ -112,14 +113,16 @@ class Merger {
   const HyperplaneTable<D>& table_;
   std::vector<Node>& nodes_;
   const Operation operation_;
+  const Monitor& monitor_;
   Path path_;
 };
 
 }  // namespace
 
 template <int D>
-Link merged(const HyperplaneTable<D>& table, std::vector<Node>& nodes, Operation operation, Link a, Link b) {
-  return Merger<D>(table, nodes, operation).merge(a, b);
+Link merged(const HyperplaneTable<D>& table, std::vector<Node>& nodes, Operation operation, Link a, Link b,
+            const Monitor& monitor) {
+  return Merger<D>(table, nodes, operation, monitor).merge(a, b);
 }
 
 Link complemented(std::vector<Node>& nodes, Link tree) {
@@ -130,8 +133,8 @@ Link complemented(std::vector<Node>& nodes, Link tree) {
   return static_cast<Link>(nodes.size() - 1);
 }
 
-template Link merged(const HyperplaneTable<1>&, std::vector<Node>&, Operation, Link, Link);
-template Link merged(const HyperplaneTable<2>&, std::vector<Node>&, Operation, Link, Link);
-template Link merged(const HyperplaneTable<3>&, std::vector<Node>&, Operation, Link, Link);
+template Link merged(const HyperplaneTable<1>&, std::vector<Node>&, Operation, Link, Link, const Monitor&);
+template Link merged(const HyperplaneTable<2>&, std::vector<Node>&, Operation, Link, Link, const Monitor&);
+template Link merged(const HyperplaneTable<3>&, std::vector<Node>&, Operation, Link, Link, const Monitor&);
 
 }  // namespace strata::bsp

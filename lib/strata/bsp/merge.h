@@ -1,18 +1,19 @@
 #pragma once
 #include "strata/bsp/piece.h"
 #include "strata/bsp/tree.h"
+#include "strata/mesh/monitor.h"
 #include "strata/select/operation.h"
 
 namespace strata::bsp {
 
 /// Combines two trees over one table. `nodes` holds both; nodes of the result are appended. Where one tree has a leaf,
 /// the operation says what becomes of the other: it stays, is complemented, or is a leaf. Otherwise the other tree is
-/// parted by the first one's root, and the halves are combined on either side. Every node of the result divides its part
-/// of space; siblings that are the same leaf are one leaf.
-/// Source: Naylor, Amanatides, Thibault 1990; theory.md, "Merging".
+/// parted by the first one's root, and the halves are combined on either side. Every node of the result divides its
+/// part of space; siblings that are the same leaf are one leaf. Throws Cancelled. Source: Naylor, Amanatides, Thibault
+/// 1990; theory.md, "Merging".
 template <int D>
 [[nodiscard]] Link merged(const HyperplaneTable<D>& table, std::vector<Node>& nodes, Operation operation, Link a,
-                          Link b);
+                          Link b, const Monitor& monitor = {});
 
 /// A tree with leaves inside and outside exchanged; its nodes are appended. O(nodes).
 [[nodiscard]] Link complemented(std::vector<Node>& nodes, Link tree);

@@ -54,8 +54,7 @@ class TriangleFacets {
       if (std::abs(plane.hyperplane.bounded()[i].value) > std::abs(plane.hyperplane.bounded()[axis].value)) axis = i;
     Piece<3> piece;
     piece.hyperplane = table_.add(std::move(plane.hyperplane));
-    for (std::size_t i = 0; i < 3; ++i)
-      piece.walls.push_back(wall(positions_[t[i]], positions_[t[(i + 1) % 3]], axis));
+    for (std::size_t i = 0; i < 3; ++i) piece.walls.push_back(wall(positions_[t[i]], positions_[t[(i + 1) % 3]], axis));
     for (std::size_t i = 0; i < 3; ++i) {
       const std::array<std::uint32_t, 3> names{piece.hyperplane, piece.walls[(i + 2) % 3], piece.walls[i]};
       piece.corners.push_back(is_given_[t[i]] ? HyperplaneTable<3>::given(names, mesh_.mesh.vertices[t[i]])
@@ -233,26 +232,32 @@ class Triangulation {
 
 }  // namespace
 
-Partition<3> partition_of(ExactMeshView mesh) {
+Partition<3> partition_of(ExactMeshView mesh, const Monitor& monitor) {
   HyperplaneTable<3> table;
   std::vector<Facet<3>> facets = TriangleFacets(table, mesh).all();
-  Tree tree = built(table, std::move(facets));
+  Tree tree = built(table, std::move(facets), monitor);
   return compact(Partition<3>::of(std::move(table), std::move(tree)));
 }
 
 CanonicalForm canonical_form_of(const Partition<3>& region) { return canonical_form(exact_facets(region)); }
 
-ExactMesh exact_mesh_of(const Partition<3>& region) {
+BoundaryMesh boundary_mesh(const Partition<3>& region) {
   const CanonicalForm form = canonical_form_of(region);
   const Sides sides(form);
-  ExactMesh mesh = rounded_vertices(form);
-  Triangulation triangulation(form, mesh);
+  BoundaryMesh result;
+  result.mesh = rounded_vertices(form);
+  std::vector<Triangle>& triangles = result.mesh.mesh.triangles;
+  Triangulation triangulation(form, result.mesh);
   for (const CanonicalFacets& facets : form.planes) {
     std::vector<std::vector<std::uint32_t>> loops;
     for (const auto& loop : facets.loops) loops.push_back(sides.completed(loop));
-    triangulation.append(facets.plane, loops, mesh.mesh.triangles);
+    triangulation.append(facets.plane, loops, triangles);
+    result.plane_of.resize(triangles.size(), static_cast<std::uint32_t>(result.planes.size()));
+    result.planes.push_back(facets.plane);
   }
-  return mesh;
+  return result;
 }
+
+ExactMesh exact_mesh_of(const Partition<3>& region) { return boundary_mesh(region).mesh; }
 
 }  // namespace strata::bsp

@@ -135,7 +135,7 @@ std::vector<Piece<D>> Partition<D>::part_inside(const Piece<D>& piece) const {
 }
 
 template <int D>
-Partition<D> combined(Operation operation, const Partition<D>& a, const Partition<D>& b) {
+Partition<D> combined(Operation operation, const Partition<D>& a, const Partition<D>& b, const Monitor& monitor) {
   HyperplaneTable<D> table = a.table();
   std::vector<Node> nodes = a.tree().nodes;
   const auto first = static_cast<Link>(nodes.size());
@@ -143,7 +143,7 @@ Partition<D> combined(Operation operation, const Partition<D>& a, const Partitio
   std::vector<std::uint32_t> number;
   for (std::uint32_t h = 0; h < b.table().size(); ++h) number.push_back(table.add(b.table().shared(h)));
   for (const Node& n : b.tree().nodes) nodes.push_back({number[n.hyperplane], moved(n.minus), moved(n.plus)});
-  const Link root = merged(table, nodes, operation, a.tree().root, moved(b.tree().root));
+  const Link root = merged(table, nodes, operation, a.tree().root, moved(b.tree().root), monitor);
   return Compaction<D>(table, nodes).of(root);
 }
 
@@ -195,11 +195,11 @@ TreeSize size_of_tree(const Partition<D>& region) {
 template class Partition<1>;
 template class Partition<2>;
 template class Partition<3>;
-#define STRATA_INSTANTIATE(D)                                                                    \
-  template Partition<D> combined(Operation, const Partition<D>&, const Partition<D>&);           \
-  template Partition<D> complement(const Partition<D>&);                                         \
-  template Partition<D> compact(const Partition<D>&);                                            \
-  template Partition<D> rebuilt(const Partition<D>&);                                            \
+#define STRATA_INSTANTIATE(D)                                                                          \
+  template Partition<D> combined(Operation, const Partition<D>&, const Partition<D>&, const Monitor&); \
+  template Partition<D> complement(const Partition<D>&);                                               \
+  template Partition<D> compact(const Partition<D>&);                                                  \
+  template Partition<D> rebuilt(const Partition<D>&);                                                  \
   template TreeSize size_of_tree(const Partition<D>&);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)

@@ -12,9 +12,9 @@
 
 namespace strata::bsp {
 
-/// A regular region of the line (D = 1), the plane (2) or space (3), bounded or not, as a binary space partition: cuts by
-/// hyperplanes, convex leaves that are inside or outside. All decisions are exact for whatever rationals it is made of.
-/// Hyperplanes are those of the input, through any number of operations: their coefficients do not grow.
+/// A regular region of the line (D = 1), the plane (2) or space (3), bounded or not, as a binary space partition: cuts
+/// by hyperplanes, convex leaves that are inside or outside. All decisions are exact for whatever rationals it is made
+/// of. Hyperplanes are those of the input, through any number of operations: their coefficients do not grow.
 ///
 /// An immutable value, cheap to copy, safe to read from many threads.
 template <int D>
@@ -56,9 +56,10 @@ class Partition {
 };
 
 /// The regularized combination, by merging the trees. Laws: those of sets, up to the choice of leaves.
-/// Expected output-sensitive; at worst every node of one tree meets every node of the other.
+/// Expected output-sensitive; at worst every node of one tree meets every node of the other. Throws Cancelled.
 template <int D>
-[[nodiscard]] Partition<D> combined(Operation operation, const Partition<D>& a, const Partition<D>& b);
+[[nodiscard]] Partition<D> combined(Operation operation, const Partition<D>& a, const Partition<D>& b,
+                                    const Monitor& monitor = {});
 
 template <int D>
 [[nodiscard]] Partition<D> operator|(const Partition<D>& a, const Partition<D>& b) {

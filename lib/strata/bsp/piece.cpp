@@ -29,8 +29,8 @@ Lie lie_of(const Signs& signs) {
 
 /// The part on one side of a hyperplane that has corners on both.
 template <int D>
-Piece<D> part_on(const HyperplaneTable<D>& table, const Piece<D>& piece, std::uint32_t hyperplane,
-                 const Signs& signs, Sign side);
+Piece<D> part_on(const HyperplaneTable<D>& table, const Piece<D>& piece, std::uint32_t hyperplane, const Signs& signs,
+                 Sign side);
 
 template <>
 Piece<1> part_on(const HyperplaneTable<1>&, const Piece<1>&, std::uint32_t, const Signs&, Sign) {
@@ -38,16 +38,16 @@ Piece<1> part_on(const HyperplaneTable<1>&, const Piece<1>&, std::uint32_t, cons
 }
 
 template <>
-Piece<2> part_on(const HyperplaneTable<2>& table, const Piece<2>& piece, std::uint32_t hyperplane,
-                 const Signs& signs, Sign side) {
+Piece<2> part_on(const HyperplaneTable<2>& table, const Piece<2>& piece, std::uint32_t hyperplane, const Signs& signs,
+                 Sign side) {
   Piece<2> part = piece;
   part.corners[signs[0] == side ? 1 : 0] = table.meet({piece.hyperplane, hyperplane});
   return part;
 }
 
 template <>
-Piece<3> part_on(const HyperplaneTable<3>& table, const Piece<3>& piece, std::uint32_t hyperplane,
-                 const Signs& signs, Sign side) {
+Piece<3> part_on(const HyperplaneTable<3>& table, const Piece<3>& piece, std::uint32_t hyperplane, const Signs& signs,
+                 Sign side) {
   Piece<3> part;
   part.hyperplane = piece.hyperplane;
   const std::size_t n = piece.corners.size();
@@ -185,10 +185,10 @@ Piece<D> part_within(const HyperplaneTable<D>& table, std::uint32_t hyperplane, 
   return piece;
 }
 
-#define STRATA_INSTANTIATE(D)                                                                     \
-  template Lie lie_of(const HyperplaneTable<D>&, const Piece<D>&, std::uint32_t);                 \
-  template Split<D> split(const HyperplaneTable<D>&, const Piece<D>&, std::uint32_t);             \
-  template bool clip(const HyperplaneTable<D>&, Piece<D>&, HalfSpace);                            \
+#define STRATA_INSTANTIATE(D)                                                         \
+  template Lie lie_of(const HyperplaneTable<D>&, const Piece<D>&, std::uint32_t);     \
+  template Split<D> split(const HyperplaneTable<D>&, const Piece<D>&, std::uint32_t); \
+  template bool clip(const HyperplaneTable<D>&, Piece<D>&, HalfSpace);                \
   template Piece<D> part_within(const HyperplaneTable<D>&, std::uint32_t, std::span<const HalfSpace>);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)

@@ -84,10 +84,10 @@ void for_each_front_to_back(const Partition<D>& region, const RationalVector<D>&
   }
 }
 
-#define STRATA_INSTANTIATE(D)                                                             \
-  template Partition<D> transformed<D>(const Partition<D>&, const AffineMap<D>&);            \
-  template void for_each_front_to_back<D>(const Partition<D>&, const RationalVector<D>&,  \
-                                       const std::function<void(Link)>&);
+#define STRATA_INSTANTIATE(D)                                                            \
+  template Partition<D> transformed<D>(const Partition<D>&, const AffineMap<D>&);        \
+  template void for_each_front_to_back<D>(const Partition<D>&, const RationalVector<D>&, \
+                                          const std::function<void(Link)>&);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)
 STRATA_INSTANTIATE(3)

@@ -12,8 +12,8 @@ struct AffineMap {
   RationalVector<D> shift{};
 };
 
-/// The image of a region, exact: every hyperplane is mapped, the tree stays. O(nodes). Coefficients grow by those of the
-/// map. Throws std::invalid_argument when the map is singular.
+/// The image of a region, exact: every hyperplane is mapped, the tree stays. O(nodes). Coefficients grow by those of
+/// the map. Throws std::invalid_argument when the map is singular.
 template <int D>
 [[nodiscard]] Partition<D> transformed(const Partition<D>& region, const AffineMap<D>& map);
 

@@ -10,6 +10,7 @@
 
 #include "strata/csg/arena.h"
 #include "strata/csg/check.h"
+#include "strata/csg/combine_partitions.h"
 #include "strata/csg/early_unions.h"
 #include "strata/csg/evaluate.h"
 #include "strata/csg/stopwatch.h"
@@ -127,6 +128,7 @@ BooleanResult combine(const Rule& rule, std::span<const Operand> operands, const
 }  // namespace
 
 BooleanResult combine(Operation operation, std::span<const Operand> operands, const Options& options) {
+  if (options.engine == Engine::bsp) return combine_partitions(operation, operands, options);
   return combine(Rule(operation, static_cast<std::uint32_t>(operands.size())), operands, options);
 }
 
@@ -134,6 +136,8 @@ BooleanResult combine(const Formula& formula, std::span<const Operand> operands,
   if (formula.operands() != operands.size())
     throw std::invalid_argument("the formula is about " + std::to_string(formula.operands()) + " operands, not " +
                                 std::to_string(operands.size()));
+  if (options.engine != Engine::arrangement)
+    throw std::invalid_argument("formulas are evaluated by the arrangement only");
   if (formula.holds({})) throw std::invalid_argument("the result is not bounded");
   return combine(Rule(formula), operands, options);
 }

@@ -23,8 +23,23 @@ inline constexpr std::array all_input_classes{InputClass::solid, InputClass::ove
   return names[static_cast<std::size_t>(input)];
 }
 
+/// What computes a result. Both are exact and have the same solid as a point set, from mathematics of their own.
+enum class Engine {
+  arrangement,  ///< cells, overlaps, arrangements: untouched faces come out as they went in. For all sizes
+  bsp,          ///< merged binary space partitions (bsp/theory.md): some thousand faces. Merges facets in one plane
+};
+
+inline constexpr std::array all_engines{Engine::arrangement, Engine::bsp};
+
+/// As on the command line: arrangement, bsp.
+[[nodiscard]] constexpr const char* name(Engine engine) {
+  constexpr std::array names{"arrangement", "bsp"};
+  return names[static_cast<std::size_t>(engine)];
+}
+
 struct Options {
   InputClass input = InputClass::solid;
+  Engine engine = Engine::arrangement;        ///< formulas are evaluated by the arrangement only
   unsigned threads = 0;                       ///< 0: all cores. The result does not depend on it.
   bool exact_vertices = false;                ///< fill BooleanResult::exact (rationals; costs time per new vertex)
   std::function<void(double)> progress = {};  ///< called with a fraction 0..1, from any thread, never concurrently

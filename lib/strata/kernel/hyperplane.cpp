@@ -112,9 +112,9 @@ Hyperplane<D> axis_hyperplane(std::size_t axis, const Rational& value) {
 template class Hyperplane<1>;
 template class Hyperplane<2>;
 template class Hyperplane<3>;
-#define STRATA_INSTANTIATE(D)                                                                                 \
-  template OrientedHyperplane<D> oriented_hyperplane<D>(const std::array<Integer, D + 1>&);                   \
-  template OrientedHyperplane<D> oriented_hyperplane<D>(const std::array<Rational, D + 1>&);                  \
+#define STRATA_INSTANTIATE(D)                                                                \
+  template OrientedHyperplane<D> oriented_hyperplane<D>(const std::array<Integer, D + 1>&);  \
+  template OrientedHyperplane<D> oriented_hyperplane<D>(const std::array<Rational, D + 1>&); \
   template Hyperplane<D> axis_hyperplane<D>(std::size_t, const Rational&);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)

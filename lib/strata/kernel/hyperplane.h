@@ -11,9 +11,9 @@ namespace strata {
 template <int D>
 using RationalVector = std::array<Rational, D>;
 
-/// The hyperplane n . x + c = 0 of D-space: a point of the line, a line of the plane, a plane of space. The coefficients
-/// are coprime integers and the first component of n that is not zero is positive: equal hyperplanes have equal
-/// coefficients. The side that n points to is the plus side.
+/// The hyperplane n . x + c = 0 of D-space: a point of the line, a line of the plane, a plane of space. The
+/// coefficients are coprime integers and the first component of n that is not zero is positive: equal hyperplanes have
+/// equal coefficients. The side that n points to is the plus side.
 template <int D>
 class Hyperplane {
  public:

@@ -13,14 +13,14 @@ namespace strata {
 
 /// The place where D hyperplanes of a table meet. What it lies in by name needs no arithmetic.
 ///
-/// Hyperplanes of the frame, x_i = W and x_i = -W, are never far enough away: W is larger than any number. With them the
-/// parts of hyperplanes that are not bounded have corners, too, and need no cases of their own. Source of the idea: the
-/// infimaximal frames of Seel and Mehlhorn.
+/// Hyperplanes of the frame, x_i = W and x_i = -W, are never far enough away: W is larger than any number. With them
+/// the parts of hyperplanes that are not bounded have corners, too, and need no cases of their own. Source of the idea:
+/// the infimaximal frames of Seel and Mehlhorn.
 template <int D>
 struct Corner {
   std::array<std::uint32_t, D> names{};
-  bool is_far = false;            ///< a hyperplane of the frame is among the names
-  std::array<Bounded, D> at{};    ///< the place; when far, the direction in which it lies: its part that grows with W
+  bool is_far = false;          ///< a hyperplane of the frame is among the names
+  std::array<Bounded, D> at{};  ///< the place; when far, the direction in which it lies: its part that grows with W
 
   /// The coordinates are the doubles, exactly.
   [[nodiscard]] bool is_given() const {
@@ -40,7 +40,9 @@ class HyperplaneTable {
   using Shared = std::shared_ptr<const Hyperplane<D>>;  ///< tables share what they have in common
 
   /// The number of a hyperplane, a new one if it is not in the table. O(1) expected.
-  std::uint32_t add(Hyperplane<D> hyperplane) { return add(std::make_shared<const Hyperplane<D>>(std::move(hyperplane))); }
+  std::uint32_t add(Hyperplane<D> hyperplane) {
+    return add(std::make_shared<const Hyperplane<D>>(std::move(hyperplane)));
+  }
   std::uint32_t add(Shared hyperplane);
 
   [[nodiscard]] const Hyperplane<D>& operator[](std::uint32_t h) const { return *hyperplanes_[h]; }

@@ -1,0 +1,105 @@
+#include "strata/csg/combine_partitions.h"
+
+#include <utility>
+
+#include "strata/bsp/mesh.h"
+#include "strata/csg/stopwatch.h"
+
+namespace strata {
+namespace {
+
+/// The first face of an operand in each plane, whichever way it looks.
+class SourcesByPlane {
+ public:
+  void add(const ExactMesh& mesh, std::span<const Source> sources, std::uint32_t operand) {
+    for (std::size_t t = 0; t < sources.size(); ++t) {
+      const auto [a, b, c] = mesh.mesh.triangles[t];
+      const RationalPoint p = position(mesh, a), q = position(mesh, b), r = position(mesh, c);
+      if (!spans(p, q, r)) continue;
+      const std::uint32_t plane = planes_.add(plane_through(p, q, r).hyperplane);
+      if (plane == sources_.size()) sources_.push_back({operand, sources[t].face});
+    }
+  }
+
+  [[nodiscard]] Source at(const CanonicalPlane& plane) {
+    auto [a, b, c, d] = plane.coefficients;
+    const std::uint32_t number = planes_.add(Hyperplane<3>({a, b, c, -d}));
+    if (number >= sources_.size()) throw LogicError("a facet lies in a plane that no operand has");
+    return sources_[number];
+  }
+
+ private:
+  static RationalPoint position(const ExactMesh& mesh, std::uint32_t v) {
+    if (!mesh.exact.empty()) return mesh.position(v);
+    const Vertex& p = mesh.mesh.vertices[v];
+    return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
+  }
+  static bool spans(const RationalPoint& p, const RationalPoint& q, const RationalPoint& r) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      if ((q[i] - p[i]) * (r[j] - p[j]) != (q[j] - p[j]) * (r[i] - p[i])) return true;
+    }
+    return false;
+  }
+
+  HyperplaneTable<3> planes_;
+  std::vector<Source> sources_;  ///< by number of the plane
+};
+
+/// An operand without self-crossings, seams and the like: its union with nothing.
+BooleanResult resolved(const Operand& operand, const Options& options, std::uint32_t index) {
+  Options alone = options;
+  alone.engine = Engine::arrangement;
+  alone.exact_vertices = true;
+  alone.progress = {};
+  try {
+    return combine(Operation::unite, std::span(&operand, 1), alone);
+  } catch (const InputError& error) {
+    throw InputError(error.defects(), index);
+  }
+}
+
+}  // namespace
+
+BooleanResult combine_partitions(Operation operation, std::span<const Operand> operands, const Options& options) {
+  BooleanResult result;
+  const Monitor monitor(options.cancel, &options.progress);
+  double prepare = 0, build = 0, merge = 0;
+  SourcesByPlane sources;
+  bsp::Partition<3> region;
+  const auto timed = [](double& sum, const auto& work) {
+    Profile profile;
+    Stopwatch watch(profile);
+    work();
+    watch.lap("");
+    sum += profile.seconds[0].second;
+  };
+  for (std::uint32_t i = 0; i < operands.size(); ++i) {
+    ExactMesh mesh;
+    timed(prepare, [&] {
+      BooleanResult one = resolved(operands[i], options, i);
+      result.notes.insert(result.notes.end(), one.notes.begin(), one.notes.end());
+      mesh = {std::move(one.mesh), std::move(one.exact)};
+      sources.add(mesh, one.sources, i);
+    });
+    bsp::Partition<3> next;
+    timed(build, [&] { next = bsp::partition_of(mesh, monitor); });
+    timed(merge, [&] { region = i == 0 ? next : bsp::combined(operation, region, next, monitor); });
+    monitor.report(0.9 * (i + 1) / static_cast<double>(operands.size()));
+  }
+  result.profile.seconds = {{"prepare", prepare}, {"partition", build}, {"merge", merge}};
+  const bsp::TreeSize tree = bsp::size_of_tree(region);
+  result.profile.counts = {{"nodes", tree.nodes}, {"depth", tree.depth}, {"planes", tree.hyperplanes}};
+  Stopwatch watch(result.profile);
+  bsp::BoundaryMesh boundary = bsp::boundary_mesh(region);
+  watch.lap("boundary");
+  std::vector<Source> source_of_plane;
+  for (const CanonicalPlane& plane : boundary.planes) source_of_plane.push_back(sources.at(plane));
+  for (const std::uint32_t plane : boundary.plane_of) result.sources.push_back(source_of_plane[plane]);
+  result.mesh = std::move(boundary.mesh.mesh);
+  if (options.exact_vertices) result.exact = std::move(boundary.mesh.exact);
+  monitor.report(1);
+  return result;
+}
+
+}  // namespace strata
