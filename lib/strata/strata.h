@@ -1,5 +1,11 @@
 #pragma once
 /// Strata: exact Booleans of solids given as triangle meshes, and what is seen and met from a point.
+#include "strata/bsp/line.h"
+#include "strata/bsp/measure.h"
+#include "strata/bsp/mesh.h"
+#include "strata/bsp/partition.h"
+#include "strata/bsp/polygon.h"
+#include "strata/bsp/transform.h"
 #include "strata/csg/check.h"
 #include "strata/csg/combine.h"
 #include "strata/csg/combine_layers.h"
