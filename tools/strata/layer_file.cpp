@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "output_file.h"
+#include "palette.h"
 #include "strata/exact/rational.h"
 #include "strata/io/binary.h"
 #include "strata/io/blocks.h"
@@ -20,24 +21,7 @@ namespace {
 using strata::LayerDecomposition;
 using strata::Triangle;
 using strata::Vertex;
-using Colour = std::array<std::uint8_t, 3>;
-
-constexpr Colour grey{128, 128, 128};
-/// Neighbours in the list are easy to tell apart (Brewer, "Paired", bright ones first).
-constexpr std::array<Colour, 12> palette{{{227, 26, 28},
-                                          {31, 120, 180},
-                                          {51, 160, 44},
-                                          {255, 127, 0},
-                                          {106, 61, 154},
-                                          {177, 89, 40},
-                                          {251, 154, 153},
-                                          {166, 206, 227},
-                                          {178, 223, 138},
-                                          {253, 191, 111},
-                                          {202, 178, 214},
-                                          {255, 255, 153}}};
-
-Colour colour_of(std::uint32_t layer) { return layer == 0 ? grey : palette[(layer - 1) % palette.size()]; }
+Colour colour_of(std::uint32_t layer) { return layer == 0 ? grey : palette_colour(layer - 1); }
 
 /// The pieces that are not replaced by parts, with vertices for them: those of the scene, then corners of cuts.
 class PieceMesh {

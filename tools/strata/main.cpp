@@ -155,6 +155,18 @@ void add_layers(CLI::App& app, Settings& settings, Action& action) {
   verb->callback([&] { action = [&] { return run_layers(settings); }; });
 }
 
+void add_bsp(CLI::App& app, Settings& settings, Action& action) {
+  CLI::App* verb = app.add_subcommand("bsp", "The binary space partition of a solid: how large it is, and its cells");
+  add_common_options(*verb, settings, 1, 1);
+  add_input_class(*verb, settings);
+  verb->add_option("-o,--output", settings.output,
+                   "Where its inside leaves go, pulled apart and coloured (.glb); - is standard output")
+      ->type_name("OUT.glb");
+  verb->footer(fmt::format("Examples:\n  strata bsp part.stl --report -\n  strata bsp part.stl -o cells.glb\n\n{}",
+                           exit_codes));
+  verb->callback([&] { action = [&] { return run_bsp(settings); }; });
+}
+
 void add_locate(CLI::App& app, Settings& settings, Action& action) {
   CLI::App* verb =
       app.add_subcommand("locate", "Which points are in, on or out of solids, in which and on which faces?");
@@ -295,6 +307,7 @@ int main(int argc, char** argv) {
   add_chain(app, settings, chain_settings, action);
   add_draw(app, settings, draw_settings, action);
   add_layers(app, settings, action);
+  add_bsp(app, settings, action);
   add_locate(app, settings, action);
   add_ray(app, settings, action);
   add_verify(app, settings, verify_settings, action);

@@ -21,6 +21,9 @@
 /// The layers of a scene as seen from an origin; writes them as a coloured mesh.
 [[nodiscard]] ExitCode run_layers(const Settings& settings);
 
+/// The binary space partition of a solid: its size, and its cells as a picture.
+[[nodiscard]] ExitCode run_bsp(const Settings& settings);
+
 /// Where are points in a scene? Streams them from a file into another.
 [[nodiscard]] ExitCode run_locate(const Settings& settings);
 

@@ -45,7 +45,7 @@ class Builder {
   Tree build(std::vector<Facet<D>> facets) {
     if (facets.empty()) return {};
     const Link root = part(std::move(facets));
-    return {std::move(nodes_), root};
+    return {std::move(nodes_), root, splits_};
   }
 
  private:
@@ -74,7 +74,7 @@ class Builder {
     return divided(nodes_, cut, minus, plus);
   }
 
-  Sides divide(const Facets& facets, std::uint32_t cut) const {
+  Sides divide(const Facets& facets, std::uint32_t cut) {
     Sides sides;
     for (const Facet<D>& f : facets) {
       Split<D> pieces = split(table_, f.piece, cut);
@@ -89,6 +89,7 @@ class Builder {
           sides.plus.push_back(f);
           break;
         case Lie::both:
+          ++splits_;
           sides.minus.push_back({std::move(pieces.minus), f.faces_plus});
           sides.plus.push_back({std::move(pieces.plus), f.faces_plus});
           break;
@@ -177,6 +178,7 @@ class Builder {
   HyperplaneTable<D>& table_;
   const Monitor& monitor_;
   std::vector<Node> nodes_;
+  std::size_t splits_ = 0;
 };
 
 }  // namespace

@@ -21,8 +21,9 @@ class Compaction {
  public:
   Compaction(const HyperplaneTable<D>& table, const std::vector<Node>& nodes) : from_(table), nodes_(nodes) {}
 
-  Partition<D> of(Link root) {
+  Partition<D> of(Link root, std::size_t splits = 0) {
     tree_.root = copied(root);
+    tree_.splits = splits;
     return Partition<D>::of(std::move(table_), std::move(tree_));
   }
 
@@ -72,14 +73,14 @@ Partition<D> Partition<D>::of(HyperplaneTable<D> table, Tree tree) {
 
 template <int D>
 Partition<D> Partition<D>::all() {
-  return of({}, {{}, leaf_in});
+  return of({}, {{}, leaf_in, 0});
 }
 
 template <int D>
 Partition<D> Partition<D>::half_space(const OrientedHyperplane<D>& hyperplane) {
   HyperplaneTable<D> table;
   const std::uint32_t h = table.add(hyperplane.hyperplane);
-  return of(std::move(table), {{{h, leaf(!hyperplane.is_turned), leaf(hyperplane.is_turned)}}, 0});
+  return of(std::move(table), {{{h, leaf(!hyperplane.is_turned), leaf(hyperplane.is_turned)}}, 0, 0});
 }
 
 template <int D>
@@ -158,7 +159,7 @@ Partition<D> complement(const Partition<D>& region) {
 
 template <int D>
 Partition<D> compact(const Partition<D>& region) {
-  return Compaction<D>(region.table(), region.tree().nodes).of(region.tree().root);
+  return Compaction<D>(region.table(), region.tree().nodes).of(region.tree().root, region.tree().splits);
 }
 
 template <int D>
@@ -166,7 +167,7 @@ Partition<D> rebuilt(const Partition<D>& region) {
   if (is_leaf(region.tree().root)) return region;
   HyperplaneTable<D> table = region.table();
   const Tree tree = built(table, region.boundary());
-  return Compaction<D>(table, tree.nodes).of(tree.root);
+  return Compaction<D>(table, tree.nodes).of(tree.root, tree.splits);
 }
 
 template <int D>

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Node {
 struct Tree {
   std::vector<Node> nodes;
   Link root = leaf_out;
+  std::size_t splits = 0;  ///< facets that were divided when it was built
 };
 
 /// Appends a node, unless both sides are the same leaf: then that leaf is all there is.

@@ -1,0 +1,160 @@
+#include "cell_file.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "output_file.h"
+#include "palette.h"
+#include "strata/bsp/cells.h"
+
+namespace {
+
+using strata::bsp::Facet;
+using strata::bsp::Partition;
+using Point = std::array<double, 3>;
+
+constexpr double distance = 0.35;  ///< how far cells move away from the middle, relative to where they are
+
+Point operator-(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+
+/// Polygons of a cell, seen counter-clockwise from outside.
+std::vector<std::vector<Point>> polygons_of(const std::vector<Facet<3>>& facets) {
+  std::vector<std::vector<Point>> polygons;
+  for (const Facet<3>& f : facets) {
+    std::vector<Point> polygon;
+    for (const auto& c : f.piece.corners) polygon.push_back({c.at[0].value, c.at[1].value, c.at[2].value});
+    if (!f.faces_plus) std::reverse(polygon.begin(), polygon.end());
+    polygons.push_back(std::move(polygon));
+  }
+  return polygons;
+}
+
+/// The smallest box around points.
+struct Extent {
+  Point lower{HUGE_VAL, HUGE_VAL, HUGE_VAL}, upper{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+  void add(const Point& p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      lower[i] = std::min(lower[i], p[i]);
+      upper[i] = std::max(upper[i], p[i]);
+    }
+  }
+  [[nodiscard]] Point middle() const {
+    return {lower[0] / 2 + upper[0] / 2, lower[1] / 2 + upper[1] / 2, lower[2] / 2 + upper[2] / 2};
+  }
+  [[nodiscard]] double size() const {
+    const Point d = upper - lower;
+    return std::max({d[0], d[1], d[2]});
+  }
+};
+
+/// Triangles as glTF has them: positions, flat normals, colours.
+class Picture {
+ public:
+  explicit Picture(const Extent& all) : all_(all), middle_(all.middle()) {}
+
+  void add_cell(const std::vector<std::vector<Point>>& polygons) {
+    Extent cell;
+    for (const auto& polygon : polygons)
+      for (const Point& p : polygon) cell.add(p);
+    const Point away = placed(cell.middle());
+    for (const auto& polygon : polygons)
+      for (std::size_t i = 2; i < polygon.size(); ++i) add_triangle({polygon[0], polygon[i - 1], polygon[i]}, away);
+    ++cells_;
+  }
+
+  [[nodiscard]] std::string glb() const {
+    using Json = nlohmann::ordered_json;
+    const std::size_t count = colours_.size() / 4;
+    const auto view = [](std::size_t from, std::size_t length) {
+      return Json{{"buffer", 0}, {"byteOffset", from}, {"byteLength", length}, {"target", 34962}};
+    };
+    Json position = {{"bufferView", 0}, {"componentType", 5126}, {"count", count}, {"type", "VEC3"}};
+    position["min"] = {extent_.lower[0], extent_.lower[1], extent_.lower[2]};
+    position["max"] = {extent_.upper[0], extent_.upper[1], extent_.upper[2]};
+    const Json primitive = {{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"COLOR_0", 2}}}};
+    Json document = {{"asset", {{"version", "2.0"}, {"generator", "strata"}}}, {"scene", 0}};
+    document["scenes"] = {{{"nodes", Json::array({0})}}};
+    document["nodes"] = {{{"mesh", 0}, {"name", "cells"}}};
+    document["meshes"] = {{{"primitives", Json::array({primitive})}}};
+    document["accessors"] = {
+        position,
+        {{"bufferView", 1}, {"componentType", 5126}, {"count", count}, {"type", "VEC3"}},
+        {{"bufferView", 2}, {"componentType", 5121}, {"normalized", true}, {"count", count}, {"type", "VEC4"}}};
+    const std::size_t floats = positions_.size();
+    document["bufferViews"] = {view(0, floats), view(floats, floats), view(2 * floats, colours_.size())};
+    document["buffers"] = {{{"byteLength", 2 * floats + colours_.size()}}};
+    std::string text = document.dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::string binary = positions_ + normals_ + colours_;  // all lengths are multiples of four
+    std::string file = "glTF";
+    append(file, 2);
+    append(file, 12 + 8 + text.size() + 8 + binary.size());
+    append(file, text.size());
+    file += "JSON" + text;
+    append(file, binary.size());
+    file += std::string("BIN\0", 4) + binary;
+    return file;
+  }
+
+ private:
+  [[nodiscard]] Point placed(const Point& p) const {
+    const double size = all_.size();
+    return {(p[0] - middle_[0]) / size, (p[1] - middle_[1]) / size, (p[2] - middle_[2]) / size};
+  }
+  void add_triangle(const std::array<Point, 3>& corners, const Point& away) {
+    std::array<Point, 3> at{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] = placed(corners[k]);
+      for (std::size_t i = 0; i < 3; ++i) at[k][i] = static_cast<float>(at[k][i] + distance * away[i]);
+    }
+    const Point u = at[1] - at[0], v = at[2] - at[0];
+    Point normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    if (!(length > 0)) return;  // too thin for floats
+    const Colour colour = palette_colour(cells_);
+    for (const Point& p : at) {
+      extent_.add(p);
+      for (std::size_t i = 0; i < 3; ++i) {
+        append_float(positions_, p[i]);
+        append_float(normals_, normal[i] / length);
+        colours_ += static_cast<char>(colour[i]);
+      }
+      colours_ += '\xff';
+    }
+  }
+  static void append_float(std::string& bytes, double x) {
+    append(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(x)));
+  }
+  static void append(std::string& bytes, std::size_t x) {
+    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(x >> shift);
+  }
+
+  Extent all_;
+  Point middle_;
+  Extent extent_;
+  std::string positions_, normals_, colours_;
+  std::size_t cells_ = 0;
+};
+
+}  // namespace
+
+void write_cells(const std::string& path, const strata::bsp::Partition<3>& region) {
+  std::vector<std::vector<std::vector<Point>>> cells;
+  Extent all;
+  strata::bsp::for_each_cell<3>(region, [&](const std::vector<Facet<3>>& facets) {
+    cells.push_back(polygons_of(facets));
+    for (const auto& polygon : cells.back())
+      for (const Point& p : polygon) all.add(p);
+  });
+  Picture picture(all);
+  for (const auto& cell : cells) picture.add_cell(cell);
+  OutputFile file(path);
+  file.write(picture.glb());
+  file.finish();
+}
