@@ -16,13 +16,8 @@ class BoundaryFinder {
  private:
   void visit(Link link) {
     if (is_leaf(link)) return;
+    for_each_facet<D>(table_, tree_, link, path_, [&](const Facet<D>& f) { facets_.push_back(f); });
     const Node& node = tree_.nodes[link];
-    for_each_part<D>(table_, tree_, node.minus, part_within(table_, node.hyperplane, path_),
-                     [&](Link below, const Piece<D>& part) {
-                       for_each_part<D>(table_, tree_, node.plus, part, [&](Link above, const Piece<D>& facet) {
-                         if (below != above) facets_.push_back({facet, below == leaf_in});
-                       });
-                     });
     path_.push_back({node.hyperplane, Sign::negative});
     visit(node.minus);
     path_.back().side = Sign::positive;
@@ -37,6 +32,18 @@ class BoundaryFinder {
 };
 
 }  // namespace
+
+template <int D>
+void for_each_facet(const HyperplaneTable<D>& table, const Tree& tree, Link node, std::span<const HalfSpace> path,
+                    const std::function<void(const Facet<D>& facet)>& visit) {
+  const auto [hyperplane, minus, plus] = tree.nodes[node];
+  const auto go_on = [&, plus = plus](Link below, const Piece<D>& part) {
+    for_each_part<D>(table, tree, plus, part, [&](Link above, const Piece<D>& facet) {
+      if (below != above) visit({facet, below == leaf_in});
+    });
+  };
+  for_each_part<D>(table, tree, minus, part_within(table, hyperplane, path), go_on);
+}
 
 template <int D>
 void for_each_part(const HyperplaneTable<D>& table, const Tree& tree, Link link, const Piece<D>& piece,
@@ -75,10 +82,12 @@ bool reaches_infinity(const HyperplaneTable<D>& table, const Tree& tree) {
   return found;
 }
 
-#define STRATA_INSTANTIATE(D)                                                                \
-  template void for_each_part(const HyperplaneTable<D>&, const Tree&, Link, const Piece<D>&, \
-                              const std::function<void(Link, const Piece<D>&)>&);            \
-  template std::vector<Facet<D>> boundary(const HyperplaneTable<D>&, const Tree&);           \
+#define STRATA_INSTANTIATE(D)                                                                            \
+  template void for_each_part(const HyperplaneTable<D>&, const Tree&, Link, const Piece<D>&,             \
+                              const std::function<void(Link, const Piece<D>&)>&);                        \
+  template void for_each_facet(const HyperplaneTable<D>&, const Tree&, Link, std::span<const HalfSpace>, \
+                               const std::function<void(const Facet<D>&)>&);                             \
+  template std::vector<Facet<D>> boundary(const HyperplaneTable<D>&, const Tree&);                       \
   template bool reaches_infinity(const HyperplaneTable<D>&, const Tree&);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)

@@ -15,6 +15,11 @@ namespace strata::bsp {
 template <int D>
 [[nodiscard]] std::vector<Facet<D>> boundary(const HyperplaneTable<D>& table, const Tree& tree);
 
+/// The facets in the hyperplane of one node, at the end of a path of half-spaces.
+template <int D>
+void for_each_facet(const HyperplaneTable<D>& table, const Tree& tree, Link node, std::span<const HalfSpace> path,
+                    const std::function<void(const Facet<D>& facet)>& visit);
+
 /// Divides a piece among the leaves below a link that it goes through. A piece that lies in the hyperplane of a node is
 /// shown to the minus side first, and what is outside there to the plus side: parts that are next to the inside count
 /// as inside.
