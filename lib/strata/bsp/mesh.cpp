@@ -7,8 +7,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "strata/exact/lattice.h"
 #include "strata/io/polygon_sweep.h"
 #include "strata/kernel/filters.h"
+#include "strata/kernel/homogeneous.h"
 
 namespace strata::bsp {
 namespace {
@@ -18,65 +20,82 @@ namespace {
 class TriangleFacets {
  public:
   TriangleFacets(HyperplaneTable<3>& table, ExactMeshView mesh) : table_(table), mesh_(mesh) {
-    positions_.reserve(mesh.mesh.vertices.size());
-    is_given_.assign(mesh.mesh.vertices.size(), true);
+    Lattice lattice;
     for (const Vertex& v : mesh.mesh.vertices)
-      positions_.push_back({to_rational(v[0]), to_rational(v[1]), to_rational(v[2])});
-    for (const ExactVertex& e : mesh.exact) {
-      positions_[e.vertex] = e.position;
-      is_given_[e.vertex] = false;
+      for (const double x : v) lattice.add(x);
+    unit_ = lattice.unit();
+    places_.reserve(mesh.mesh.vertices.size());
+    for (const Vertex& v : mesh.mesh.vertices) {
+      const auto on_lattice = [&](std::size_t i) { return lattice.integer<Integer>(v[i]); };
+      places_.push_back({on_lattice(0), on_lattice(1), on_lattice(2), Integer(1), true});
     }
+    for (const ExactVertex& e : mesh.exact) places_[e.vertex] = place_of(e.position);
   }
 
   std::vector<Facet<3>> all() {
     std::vector<Facet<3>> facets;
     facets.reserve(mesh_.mesh.triangles.size());
-    for (const Triangle& t : mesh_.mesh.triangles)
-      if (!has_no_area(t)) facets.push_back(facet(t));
+    for (const Triangle& t : mesh_.mesh.triangles) {
+      const HPlane<Integer> plane = strata::plane_through(places_[t[0]], places_[t[1]], places_[t[2]]);
+      if (plane.a != 0 || plane.b != 0 || plane.c != 0) facets.push_back(facet(t, plane));
+    }
     return facets;
   }
 
  private:
-  [[nodiscard]] bool has_no_area(const Triangle& t) const {
-    const RationalPoint &p = positions_[t[0]], &q = positions_[t[1]], &r = positions_[t[2]];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      if ((q[i] - p[i]) * (r[j] - p[j]) != (q[j] - p[j]) * (r[i] - p[i])) return false;
-    }
-    return true;
+  [[nodiscard]] HPoint<Integer> place_of(const RationalPoint& p) const {
+    Integer w = 1;
+    for (const Rational& x : p) w = lcm(w, denominator(x));
+    std::array<Integer, 3> n;
+    for (std::size_t i = 0; i < 3; ++i) n[i] = numerator(p[i]) * (w / denominator(p[i]));
+    const auto shift = static_cast<unsigned>(std::abs(unit_));
+    if (unit_ > 0) w <<= shift;
+    if (unit_ < 0)
+      for (Integer& x : n) x <<= shift;
+    return {n[0], n[1], n[2], w, w == 1};
   }
 
-  Facet<3> facet(Triangle t) {
-    OrientedHyperplane<3> plane = plane_through(positions_[t[0]], positions_[t[1]], positions_[t[2]]);
+  /// From units of the lattice to units of the mesh.
+  [[nodiscard]] OrientedHyperplane<3> oriented(const HPlane<Integer>& plane) const {
+    std::array<Integer, 4> form{plane.a, plane.b, plane.c, plane.d};
+    const auto shift = static_cast<unsigned>(std::abs(unit_));
+    if (unit_ > 0) form[3] <<= shift;
+    if (unit_ < 0)
+      for (std::size_t i = 0; i < 3; ++i) form[i] <<= shift;
+    return oriented_hyperplane<3>(form);
+  }
+
+  Facet<3> facet(Triangle t, const HPlane<Integer>& through) {
+    OrientedHyperplane<3> plane = oriented(through);
     if (plane.is_turned) std::swap(t[1], t[2]);
-    std::size_t axis = 0;
-    for (std::size_t i = 1; i < 3; ++i)
-      if (std::abs(plane.hyperplane.bounded()[i].value) > std::abs(plane.hyperplane.bounded()[axis].value)) axis = i;
+    int axis = 0;
+    const auto& normal = plane.hyperplane.bounded();
+    for (int i = 1; i < 3; ++i)
+      if (std::abs(normal[static_cast<std::size_t>(i)].value) > std::abs(normal[static_cast<std::size_t>(axis)].value))
+        axis = i;
     Piece<3> piece;
     piece.hyperplane = table_.add(std::move(plane.hyperplane));
-    for (std::size_t i = 0; i < 3; ++i) piece.walls.push_back(wall(positions_[t[i]], positions_[t[(i + 1) % 3]], axis));
+    for (std::size_t i = 0; i < 3; ++i)
+      piece.walls.push_back(
+          table_.add(oriented(plane_along_axis(places_[t[i]], places_[t[(i + 1) % 3]], axis)).hyperplane));
     for (std::size_t i = 0; i < 3; ++i) {
       const std::array<std::uint32_t, 3> names{piece.hyperplane, piece.walls[(i + 2) % 3], piece.walls[i]};
-      piece.corners.push_back(is_given_[t[i]] ? HyperplaneTable<3>::given(names, mesh_.mesh.vertices[t[i]])
-                                              : table_.meet(names));
+      piece.corners.push_back(is_given(t[i]) ? HyperplaneTable<3>::given(names, mesh_.mesh.vertices[t[i]])
+                                             : table_.meet(names));
     }
     return {std::move(piece), !plane.is_turned};
   }
 
-  /// The plane through p and q along an axis.
-  std::uint32_t wall(const RationalPoint& p, const RationalPoint& q, std::size_t axis) {
-    const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
-    std::array<Rational, 4> form{};
-    form[i] = p[j] - q[j];
-    form[j] = q[i] - p[i];
-    form[3] = -(form[i] * p[i] + form[j] * p[j]);
-    return table_.add(oriented_hyperplane<3>(form).hyperplane);
+  [[nodiscard]] bool is_given(std::uint32_t v) const {
+    const auto at = std::lower_bound(mesh_.exact.begin(), mesh_.exact.end(), v,
+                                     [](const ExactVertex& e, std::uint32_t w) { return e.vertex < w; });
+    return at == mesh_.exact.end() || at->vertex != v;
   }
 
   HyperplaneTable<3>& table_;
   ExactMeshView mesh_;
-  std::vector<RationalPoint> positions_;
-  std::vector<bool> is_given_;
+  int unit_ = 0;                         ///< of the lattice, as an exponent
+  std::vector<HPoint<Integer>> places_;  ///< of vertices, in its units
 };
 
 std::vector<ExactFacet> exact_facets(const Partition<3>& region) {

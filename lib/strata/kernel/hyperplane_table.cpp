@@ -37,20 +37,21 @@ std::array<Number, 4> meet_of_rows(const std::array<std::array<Number, 4>, 3>& r
   return x;
 }
 
-template <class Number, std::size_t D>
-Number linear(const std::array<Number, D + 1>& form, const std::array<Number, D>& x) {
+/// n . x, of the first D numbers of either.
+template <int D, class Number>
+Number linear(const Number* form, const Number* x) {
   Number sum = form[0] * x[0];
-  for (std::size_t i = 1; i < D; ++i) sum = sum + form[i] * x[i];
+  for (int i = 1; i < D; ++i) sum = sum + form[i] * x[i];
   return sum;
 }
 
 /// The quotients, or nothing where they are not known to some forty bits.
 template <class Number, std::size_t D>
-std::optional<std::array<Bounded, D>> quotients(const std::array<Number, D>& x, const Number& w) {
+std::optional<std::array<Bounded, D>> quotients(const std::array<Number, D + 1>& x) {
   std::array<Bounded, D> r;
   double size = 0;
   for (std::size_t i = 0; i < D; ++i) {
-    const Number q = x[i] / w;
+    const Number q = x[i] / x[D];
     if constexpr (std::is_same_v<Number, Twofold>) {
       r[i] = q.bounded();
     } else {
@@ -111,36 +112,23 @@ std::array<Number, D + 1> HyperplaneTable<D>::row(std::uint32_t h, bool is_far) 
 
 template <int D>
 template <class Number>
-auto HyperplaneTable<D>::evaluate(const std::array<std::uint32_t, D>& names, bool is_far) const -> Homogeneous<Number> {
-  const auto part = [&](bool far) {
-    std::array<std::array<Number, D + 1>, D> rows;
-    for (std::size_t i = 0; i < D; ++i) rows[i] = row<Number>(names[i], far);
-    return meet_of_rows(rows);
-  };
-  Homogeneous<Number> r{};
-  const auto near = part(false);
-  std::copy_n(near.begin(), D, r.near.begin());
-  r.w = near[D];
-  if (is_far) {
-    const auto far = part(true);
-    std::copy_n(far.begin(), D, r.far.begin());
-  }
-  return r;
+std::array<Number, D + 1> HyperplaneTable<D>::part(const std::array<std::uint32_t, D>& names, bool is_far) const {
+  std::array<std::array<Number, D + 1>, D> rows;
+  for (std::size_t i = 0; i < D; ++i) rows[i] = row<Number>(names[i], is_far);
+  return meet_of_rows(rows);
 }
 
 template <int D>
 Corner<D> HyperplaneTable<D>::meet(const std::array<std::uint32_t, D>& names) const {
   Corner<D> corner{names, std::any_of(names.begin(), names.end(), is_frame), {}};
-  const auto place = [&](const auto& h) { return quotients(corner.is_far ? h.far : h.near, h.w); };
-  auto at = place(evaluate<Bounded>(names, corner.is_far));
-  if (!at) at = place(evaluate<Twofold>(names, corner.is_far));
+  auto at = quotients<Bounded, D>(part<Bounded>(names, corner.is_far));
+  if (!at) at = quotients<Twofold, D>(part<Twofold>(names, corner.is_far));
   if (at) {
     corner.at = *at;
     return corner;
   }
-  const Homogeneous<Integer> exact = evaluate<Integer>(names, corner.is_far);
-  for (std::size_t i = 0; i < D; ++i)
-    corner.at[i] = nearest(quotient(corner.is_far ? exact.far[i] : exact.near[i], exact.w));
+  const std::array<Integer, D + 1> exact = part<Integer>(names, corner.is_far);
+  for (std::size_t i = 0; i < D; ++i) corner.at[i] = nearest(quotient(exact[i], exact[D]));
   return corner;
 }
 
@@ -156,16 +144,16 @@ Sign HyperplaneTable<D>::side(std::uint32_t h, const Corner<D>& corner) const {
   if (std::find(corner.names.begin(), corner.names.end(), h) != corner.names.end()) return Sign::zero;
   const Hyperplane<D>& plane = *hyperplanes_[h];
   if (corner.is_far) {
-    if (const auto sign = linear<Bounded, D>(plane.bounded(), corner.at).sign(); sign && *sign != Sign::zero)
+    if (const auto sign = linear<D>(plane.bounded().data(), corner.at.data()).sign(); sign && *sign != Sign::zero)
       return *sign;
     return exact_side(h, corner);
   }
-  if (const auto sign = Bounded(linear<Bounded, D>(plane.bounded(), corner.at) + plane.bounded()[D]).sign())
+  if (const auto sign = Bounded(linear<D>(plane.bounded().data(), corner.at.data()) + plane.bounded()[D]).sign())
     return *sign;
   if (!corner.is_given()) {
-    const Homogeneous<Twofold> fine = evaluate<Twofold>(corner.names, false);
-    const auto value = sign_of_bounded(linear<Twofold, D>(plane.fine(), fine.near) + plane.fine()[D] * fine.w);
-    const auto weight = sign_of_bounded(fine.w);
+    const std::array<Twofold, D + 1> fine = part<Twofold>(corner.names, false);
+    const auto value = sign_of_bounded(linear<D>(plane.fine().data(), fine.data()) + plane.fine()[D] * fine[D]);
+    const auto weight = sign_of_bounded(fine[D]);
     if (value && weight && *weight != Sign::zero) return *value * *weight;
   }
   return exact_side(h, corner);
@@ -188,7 +176,7 @@ Sign HyperplaneTable<D>::side(std::uint32_t h, const std::array<double, D>& p) c
   if (-value > bound) return Sign::negative;
   std::array<Twofold, D> x;
   std::copy(p.begin(), p.end(), x.begin());
-  if (const auto sign = sign_of_bounded(linear<Twofold, D>(plane.fine(), x) + plane.fine()[D])) return *sign;
+  if (const auto sign = sign_of_bounded(linear<D>(plane.fine().data(), x.data()) + plane.fine()[D])) return *sign;
   return exact_side(h, p);
 }
 
@@ -221,11 +209,13 @@ Sign HyperplaneTable<D>::exact_side(std::uint32_t h, const Corner<D>& corner) co
     return exact_side(h, p);
   }
   const auto& plane = hyperplanes_[h]->exact();
-  const Homogeneous<Integer> place = evaluate<Integer>(corner.names, corner.is_far);
-  const Sign weight = sign_of_integer(place.w);
-  if (corner.is_far)
-    if (const Sign far = sign_of_integer(linear<Integer, D>(plane, place.far)); far != Sign::zero) return far * weight;
-  return sign_of_integer(Integer(linear<Integer, D>(plane, place.near) + plane[D] * place.w)) * weight;
+  if (corner.is_far) {
+    const std::array<Integer, D + 1> far = part<Integer>(corner.names, true);
+    const Sign sign = sign_of_integer(linear<D>(plane.data(), far.data()));
+    if (sign != Sign::zero) return sign * sign_of_integer(far[D]);
+  }
+  const std::array<Integer, D + 1> near = part<Integer>(corner.names, false);
+  return sign_of_integer(Integer(linear<D>(plane.data(), near.data()) + plane[D] * near[D])) * sign_of_integer(near[D]);
 }
 
 template <int D>
@@ -235,8 +225,8 @@ RationalVector<D> HyperplaneTable<D>::position(const Corner<D>& corner) const {
     for (std::size_t i = 0; i < D; ++i) r[i] = to_rational(corner.at[i].value);
     return r;
   }
-  const Homogeneous<Integer> place = evaluate<Integer>(corner.names, false);
-  for (std::size_t i = 0; i < D; ++i) r[i] = quotient(place.near[i], place.w);
+  const std::array<Integer, D + 1> place = part<Integer>(corner.names, false);
+  for (std::size_t i = 0; i < D; ++i) r[i] = quotient(place[i], place[D]);
   return r;
 }
 

@@ -75,17 +75,11 @@ class HyperplaneTable {
  private:
   static constexpr std::uint32_t first_of_frame = 0xffff'fff0;
 
-  /// Homogeneous coordinates of a meet: (near + W far) / w, w not zero.
-  template <class Number>
-  struct Homogeneous {
-    std::array<Number, D> near, far;
-    Number w;
-  };
-
   template <class Number>
   [[nodiscard]] std::array<Number, D + 1> row(std::uint32_t h, bool is_far) const;
+  /// Homogeneous coordinates, w last, of the near or the far part of a meet: the place is (near + W far) / w.
   template <class Number>
-  [[nodiscard]] Homogeneous<Number> evaluate(const std::array<std::uint32_t, D>& names, bool is_far) const;
+  [[nodiscard]] std::array<Number, D + 1> part(const std::array<std::uint32_t, D>& names, bool is_far) const;
   [[nodiscard]] Sign exact_side(std::uint32_t h, const Corner<D>& corner) const;
   [[nodiscard]] Sign exact_side(std::uint32_t h, const std::array<double, D>& p) const;
 
