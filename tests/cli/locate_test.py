@@ -49,6 +49,16 @@ class Locate(ToolTest):
                           ["on", "0", "2"], ["on", "0", "10"], ["out", "", ""], ["in", "0", ""]])
         self.assertEqual([tuple(map(float, row[:3])) for row in rows], points)
 
+    def test_both_engines_have_the_same_answers(self):
+        a, b, gear = self.file("a.off", cube()), self.file("b.off", cube(0.5)), DATA / "gear.off"
+        random.seed(7)
+        steps = [k / 8 for k in range(-8, 17)]
+        vertices = [tuple(map(float, line.split())) for line in gear.read_text().splitlines()[2:132]]
+        points = table([tuple(random.choice(steps) for _ in range(3)) for _ in range(2000)] + vertices)
+        usual = self.locate(a, b, gear, points=points, options=("--all",))
+        self.assertEqual(self.locate(a, b, gear, points=points, options=("--all", "--engine", "bsp")), usual)
+        self.assertGreater(sum(row[3] == "on" for row in usual), 200)
+
     def test_the_lowest_solid_counts_unless_all_are_asked_for(self):
         a, b = self.file("a.off", cube()), self.file("b.off", cube(0.5))
         c = self.file("c.off", cube(0, 0, 0, 3))

@@ -11,7 +11,9 @@
 #include "report.h"
 #include "row_file.h"
 #include "stopwatch.h"
+#include "strata/bsp/locator.h"
 #include "strata/io/mesh_file.h"
+#include "strata/layers/locator.h"
 #include "stream_blocks.h"
 #include "threads.h"
 #include "verbs.h"
@@ -20,6 +22,7 @@
 namespace {
 
 using Form = LocationTable::Form;
+using strata::Vertex;
 
 /// Points on their way through the stages.
 struct PointBlock {
@@ -69,15 +72,22 @@ Json counts_report(const WhereCounts& counts) {
   return {{"count", out + on + in}, {"in", in}, {"on", on}, {"out", out}};
 }
 
+LocationTable::Locate locator_of(const strata::Scene& scene, strata::Engine engine, const Watch& watch) {
+  const strata::Monitor monitor(&watch.token());
+  if (engine == strata::Engine::bsp)
+    return [locator = strata::bsp::PartitionLocator(scene, monitor)](const Vertex& q) { return locator.locate(q); };
+  return [locator = strata::Locator(scene, monitor)](const Vertex& q) { return locator.locate(q); };
+}
+
 /// Everything from the solids to the finished file.
 void locate(std::span<const LoadedMesh> operands, Form form, const Settings& settings, const Watch& watch,
             Json& report) {
   Stopwatch stopwatch;
   const SceneInput input(operands, settings.input);
   report["seconds"]["prepare"] = stopwatch.lap();
-  const strata::Locator locator(input.scene(), strata::Monitor(&watch.token()));
+  const LocationTable table(locator_of(input.scene(), settings.engine, watch), input, form);
   report["seconds"]["build"] = stopwatch.lap();
-  const WhereCounts counts = stream_points(LocationTable(locator, input, form), form, settings, watch);
+  const WhereCounts counts = stream_points(table, form, settings, watch);
   report["points"] = counts_report(counts);
   report["seconds"]["locate"] = stopwatch.lap();
 }

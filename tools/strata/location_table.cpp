@@ -36,7 +36,7 @@ std::string LocationTable::header(std::uint64_t count) const {
 void LocationTable::append_rows(std::span<const double> coordinates, std::string& rows, WhereCounts& counts) const {
   for (std::size_t i = 0; i < coordinates.size(); i += 3) {
     const Vertex q{coordinates[i], coordinates[i + 1], coordinates[i + 2]};
-    const Location location = locator_.locate(q);
+    const Location location = locate_(q);
     ++counts[static_cast<std::size_t>(location.where())];
     if (form_ == Form::ply)
       append_ply(q, location, rows);

@@ -1,11 +1,14 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "scene_input.h"
-#include "strata/layers/locator.h"
+#include "strata/layers/location.h"
+#include "strata/mesh/mesh.h"
 
 /// How many points are out, on and in: by strata::Where.
 using WhereCounts = std::array<std::uint64_t, 3>;
@@ -20,9 +23,11 @@ class LocationTable {
     ply,      ///< double x y z, uchar where (0 out, 1 on, 2 in), int solid, int face; what there is not is -1
   };
 
-  /// Keeps references.
-  LocationTable(const strata::Locator& locator, const SceneInput& input, Form form)
-      : locator_(locator), input_(input), form_(form) {}
+  using Locate = std::function<strata::Location(const strata::Vertex&)>;
+
+  /// `locate` is asked from many threads. Keeps a reference to the input.
+  LocationTable(Locate locate, const SceneInput& input, Form form)
+      : locate_(std::move(locate)), input_(input), form_(form) {}
 
   /// What stands before the rows; a PLY file says how many there are.
   [[nodiscard]] std::string header(std::uint64_t count) const;
@@ -34,7 +39,7 @@ class LocationTable {
   void append_all(const strata::Location& location, std::string& rows) const;
   void append_ply(const strata::Vertex& q, const strata::Location& location, std::string& rows) const;
 
-  const strata::Locator& locator_;
+  Locate locate_;
   const SceneInput& input_;
   Form form_;
 };

@@ -162,8 +162,8 @@ void add_bsp(CLI::App& app, Settings& settings, Action& action) {
   verb->add_option("-o,--output", settings.output,
                    "Where its inside leaves go, pulled apart and coloured (.glb); - is standard output")
       ->type_name("OUT.glb");
-  verb->footer(fmt::format("Examples:\n  strata bsp part.stl --report -\n  strata bsp part.stl -o cells.glb\n\n{}",
-                           exit_codes));
+  verb->footer(
+      fmt::format("Examples:\n  strata bsp part.stl --report -\n  strata bsp part.stl -o cells.glb\n\n{}", exit_codes));
   verb->callback([&] { action = [&] { return run_bsp(settings); }; });
 }
 
@@ -172,6 +172,7 @@ void add_locate(CLI::App& app, Settings& settings, Action& action) {
       app.add_subcommand("locate", "Which points are in, on or out of solids, in which and on which faces?");
   add_common_options(*verb, settings, 1, 0);
   add_input_class(*verb, settings);
+  add_engine(*verb, settings);
   verb->add_option("--points", settings.points,
                    "The points: CSV with the columns x,y,z, or PLY; - is standard input (CSV)")
       ->required()

@@ -28,8 +28,8 @@ void add_engine(CLI::App& verb, Settings& settings) {
   for (const strata::Engine e : strata::all_engines) engines.emplace(name(e), e);
   verb.add_option_function<std::string>(
           "--engine", [&settings, engines](const std::string& word) { settings.engine = engines.at(word); },
-          "What computes the result: arrangement, for all sizes, or bsp, by merging binary space partitions; the "
-          "solid is the same")
+          "What computes the answer: arrangement, for all sizes, or bsp, binary space partitions; the answer is the "
+          "same")
       ->type_name("ENGINE")
       ->check(CLI::IsMember(engines))
       ->default_str("arrangement");

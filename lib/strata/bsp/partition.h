@@ -27,7 +27,7 @@ class Partition {
   [[nodiscard]] static Partition half_space(const OrientedHyperplane<D>& hyperplane);
   /// What is behind all of these: convex, may be empty. O(n^2 log n) at worst.
   [[nodiscard]] static Partition convex(std::span<const OrientedHyperplane<D>> hyperplanes);
-  /// A tree over a table, which every node of it divides its part of space with.
+  /// A tree over a table. Every node must divide its part of space; `pruned` makes trees so.
   [[nodiscard]] static Partition of(HyperplaneTable<D> table, Tree tree);
 
   [[nodiscard]] const HyperplaneTable<D>& table() const;

@@ -74,14 +74,19 @@ std::optional<Sign> sign_of_bounded(const Twofold& x) { return x.bounded().sign(
 
 template <int D>
 std::uint32_t HyperplaneTable<D>::add(Shared hyperplane) {
-  const std::size_t hash = hyperplane->hash();
-  const auto [first, last] = numbers_.equal_range(hash);
-  for (auto at = first; at != last; ++at)
-    if (*hyperplanes_[at->second] == *hyperplane) return at->second;
+  if (const auto known = find(*hyperplane)) return *known;
   const std::uint32_t number = size();
+  numbers_.emplace(hyperplane->hash(), number);
   hyperplanes_.push_back(std::move(hyperplane));
-  numbers_.emplace(hash, number);
   return number;
+}
+
+template <int D>
+std::optional<std::uint32_t> HyperplaneTable<D>::find(const Hyperplane<D>& hyperplane) const {
+  const auto [first, last] = numbers_.equal_range(hyperplane.hash());
+  for (auto at = first; at != last; ++at)
+    if (*hyperplanes_[at->second] == hyperplane) return at->second;
+  return std::nullopt;
 }
 
 /// The form of a hyperplane for the near part of a meet, where the frame goes through 0, or for the far part, where all

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -44,6 +45,9 @@ class HyperplaneTable {
     return add(std::make_shared<const Hyperplane<D>>(std::move(hyperplane)));
   }
   std::uint32_t add(Shared hyperplane);
+
+  /// Its number, if it is in the table.
+  [[nodiscard]] std::optional<std::uint32_t> find(const Hyperplane<D>& hyperplane) const;
 
   [[nodiscard]] const Hyperplane<D>& operator[](std::uint32_t h) const { return *hyperplanes_[h]; }
   [[nodiscard]] const Shared& shared(std::uint32_t h) const { return hyperplanes_[h]; }

@@ -13,6 +13,7 @@
 #include "fuzz/step_text.h"
 #include "json_place.h"
 #include "scratch.h"
+#include "strata/bsp/mesh.h"
 #include "strata/csg/solid.h"
 #include "strata/exact/failure.h"
 #include "strata/io/file.h"
@@ -35,6 +36,7 @@ using strata::Rational;
 using strata::test::Affine;
 using verify::CaseOperand;
 using Operands = std::vector<CaseOperand>;
+using Partition = strata::bsp::Partition<3>;
 
 strata::Options one_thread() {
   strata::Options options;
@@ -174,6 +176,23 @@ class Laws {
                 case_.operands);
   }
 
+  void partitions() {
+    constexpr std::size_t most_faces = 400;  // trees of many slivers are large
+    std::size_t faces = 0;
+    for (const CaseOperand& o : case_.operands) faces += o.mesh.mesh.triangles.size();
+    if (!engine_.is_exact() || faces > most_faces) return;
+    std::vector<Partition> values;
+    for (const std::string& operand_name : case_.steps.names)
+      values.push_back(strata::bsp::partition_of(operand(operand_name)));
+    for (const verify::Step& s : case_.steps.steps)
+      values.push_back(strata::bsp::combined(s.operation, values[s.first], values[s.second]));
+    const Partition& merged = values[case_.steps.result];
+    ensure_same("partitions", "the merged tree of the expression", strata::bsp::exact_mesh_of(merged), whole_,
+                value(whole_), case_.operands);
+    ensure_same("partitions", "its tree built anew", strata::bsp::exact_mesh_of(strata::bsp::rebuilt(merged)), whole_,
+                value(whole_), case_.operands);
+  }
+
   void reload() {
     if (!engine_.is_exact() || case_.steps.steps.empty()) return;
     const verify::Step last = case_.steps.steps[case_.steps.result - case_.steps.names.size()];
@@ -296,7 +315,7 @@ class Laws {
 };
 
 using Law = void (Laws::*)();
-constexpr std::array<std::pair<const char*, Law>, 16> all_laws{{{"embedded", &Laws::embedded},
+constexpr std::array<std::pair<const char*, Law>, 17> all_laws{{{"embedded", &Laws::embedded},
                                                                 {"volumes", &Laws::volumes},
                                                                 {"commutativity", &Laws::commutativity},
                                                                 {"idempotence", &Laws::idempotence},
@@ -311,6 +330,7 @@ constexpr std::array<std::pair<const char*, Law>, 16> all_laws{{{"embedded", &La
                                                                 {"membership", &Laws::membership},
                                                                 {"threads", &Laws::threads},
                                                                 {"workpiece", &Laws::workpiece},
+                                                                {"partitions", &Laws::partitions},
                                                                 {"reload", &Laws::reload}}};
 
 }  // namespace
