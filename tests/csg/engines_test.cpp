@@ -82,6 +82,17 @@ TEST_CASE("several operands, of which some cross themselves, by merged partition
   CHECK(volume(ExactMesh{sum.mesh, sum.exact}) == 15);
 }
 
+TEST_CASE("trees of many operands in a row are not deep", "[csg][bsp]") {
+  std::vector<Mesh> row;
+  for (int i = 0; i < 150; ++i) row.push_back(test::box({2.0 * i, 0, 0}, {2.0 * i + 1, 1, 1}));
+  for (const Operation operation : {Operation::unite, Operation::exclude, Operation::subtract}) {
+    const BooleanResult result = combined(operation, row, by_partitions());
+    CHECK(volume(ExactMesh{result.mesh, result.exact}) == (operation == Operation::subtract ? 1 : 150));
+    for (const auto& [what, count] : result.profile.counts)
+      if (what == "depth") CHECK(count < 100);
+  }
+}
+
 TEST_CASE("an open operand is refused by its number, and a stop is obeyed, by merged partitions", "[csg][bsp]") {
   Mesh open = test::box({0, 0, 0}, {1, 1, 1});
   open.triangles.pop_back();

@@ -1,6 +1,8 @@
 #include "strata/csg/combine_partitions.h"
 
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "strata/bsp/mesh.h"
 #include "strata/csg/stopwatch.h"
@@ -46,6 +48,33 @@ class SourcesByPlane {
   std::vector<Source> sources_;  ///< by number of the plane
 };
 
+/// Merges by halves: operands one after the other would make a tree as deep as all of them together. Where a tree is
+/// deep all the same, it is built anew.
+class Merging {
+ public:
+  explicit Merging(const Monitor& monitor) : monitor_(monitor) {}
+
+  [[nodiscard]] bsp::Partition<3> merged(Operation operation, std::span<const bsp::Partition<3>> regions) const {
+    if (regions.empty()) return {};
+    if (regions.size() == 1) return regions[0];
+    if (operation == Operation::subtract)
+      return pair(operation, regions[0], merged(Operation::unite, regions.subspan(1)));
+    const std::size_t half = regions.size() / 2;
+    return pair(operation, merged(operation, regions.first(half)), merged(operation, regions.subspan(half)));
+  }
+
+ private:
+  [[nodiscard]] bsp::Partition<3> pair(Operation operation, const bsp::Partition<3>& a,
+                                       const bsp::Partition<3>& b) const {
+    bsp::Partition<3> result = bsp::combined(operation, a, b, monitor_);
+    const bsp::TreeSize size = bsp::size_of_tree(result);
+    const double usual = 30 + 6 * std::log2(static_cast<double>(size.leaves));
+    return static_cast<double>(size.depth) > usual ? bsp::rebuilt(result) : result;
+  }
+
+  const Monitor& monitor_;
+};
+
 /// An operand without self-crossings, seams and the like: its union with nothing.
 BooleanResult resolved(const Operand& operand, const Options& options, std::uint32_t index) {
   Options alone = options;
@@ -66,7 +95,7 @@ BooleanResult combine_partitions(Operation operation, std::span<const Operand> o
   const Monitor monitor(options.cancel, &options.progress);
   double prepare = 0, build = 0, merge = 0;
   SourcesByPlane sources;
-  bsp::Partition<3> region;
+  std::vector<bsp::Partition<3>> regions;
   const auto timed = [](double& sum, const auto& work) {
     Profile profile;
     Stopwatch watch(profile);
@@ -82,11 +111,12 @@ BooleanResult combine_partitions(Operation operation, std::span<const Operand> o
       mesh = {std::move(one.mesh), std::move(one.exact)};
       sources.add(mesh, one.sources, i);
     });
-    bsp::Partition<3> next;
-    timed(build, [&] { next = bsp::partition_of(mesh, monitor); });
-    timed(merge, [&] { region = i == 0 ? next : bsp::combined(operation, region, next, monitor); });
-    monitor.report(0.9 * (i + 1) / static_cast<double>(operands.size()));
+    timed(build, [&] { regions.push_back(bsp::partition_of(mesh, monitor)); });
+    monitor.report(0.5 * (i + 1) / static_cast<double>(operands.size()));
   }
+  bsp::Partition<3> region;
+  timed(merge, [&] { region = Merging(monitor).merged(operation, regions); });
+  monitor.report(0.9);
   result.profile.seconds = {{"prepare", prepare}, {"partition", build}, {"merge", merge}};
   const bsp::TreeSize tree = bsp::size_of_tree(region);
   result.profile.counts = {{"nodes", tree.nodes}, {"depth", tree.depth}, {"planes", tree.hyperplanes}};
