@@ -1,6 +1,6 @@
 #include "strata/bsp/merge.h"
 
-#include <array>
+#include <memory>
 #include <utility>
 
 #include "strata/mesh/defect.h"
@@ -34,23 +34,42 @@ class Merger {
   Merger(const HyperplaneTable<D>& table, std::vector<Node>& nodes, Operation operation, const Monitor& monitor)
       : table_(table), nodes_(nodes), operation_(operation), monitor_(monitor) {}
 
-  /// Of two trees that divide the part of space at the end of the path.
   Link merge(Link a, Link b) {
+    parts_.resize(nodes_.size());
+    find_parts(b);
+    return merge_here(a, b);
+  }
+
+ private:
+  using Halves = std::pair<Link, Link>;  ///< on the minus side, on the plus side
+  using Part = std::shared_ptr<const Piece<D>>;
+
+  /// What lies of each node's hyperplane in the node's part of space.
+  void find_parts(Link link) {
+    if (is_leaf(link)) return;
+    const Node node = nodes_[link];
+    parts_[link] = std::make_shared<const Piece<D>>(part_within(table_, node.hyperplane, path_));
+    path_.push_back({node.hyperplane, Sign::negative});
+    find_parts(node.minus);
+    path_.back().side = Sign::positive;
+    find_parts(node.plus);
+    path_.pop_back();
+  }
+
+  /// Of two trees that divide the part of space at the end of the path. The parts of the second one's nodes are known.
+  Link merge_here(Link a, Link b) {
     if (is_leaf(a)) return changed(b, effect_of(operation_, a, true));
     if (is_leaf(b)) return changed(a, effect_of(operation_, b, false));
     monitor_.check();
     const Node cut = nodes_[a];
     const auto [minus, plus] = parted(b, part_within(table_, cut.hyperplane, path_));
     path_.push_back({cut.hyperplane, Sign::negative});
-    const Link below = merge(cut.minus, minus);
+    const Link below = merge_here(cut.minus, minus);
     path_.back().side = Sign::positive;
-    const Link above = merge(cut.plus, plus);
+    const Link above = merge_here(cut.plus, plus);
     path_.pop_back();
     return divided(nodes_, cut.hyperplane, below, above);
   }
-
- private:
-  using Halves = std::pair<Link, Link>;  ///< on the minus side, on the plus side
 
   Link changed(Link tree, Effect effect) {
     switch (effect) {
@@ -66,30 +85,32 @@ class Merger {
     return tree;
   }
 
-  /// A tree of the part of space at the end of the path, parted by a hyperplane of which `cut` is what lies in there.
+  /// The second tree, or what is left of it here, parted by a hyperplane of which `cut` is what lies in this part of
+  /// space.
   Halves parted(Link tree, const Piece<D>& cut) {
     if (is_leaf(tree)) return {tree, tree};
     const Node node = nodes_[tree];
     if (node.hyperplane == cut.hyperplane) return {node.minus, node.plus};
+    const Part part = parts_[tree];
     const Split<D> pieces = split(table_, cut, node.hyperplane);
     switch (pieces.lie) {
       case Lie::both: {
-        const Halves below = parted(node, Sign::negative, pieces.minus);
-        const Halves above = parted(node, Sign::positive, pieces.plus);
-        return {divided(nodes_, node.hyperplane, below.first, above.first),
-                divided(nodes_, node.hyperplane, below.second, above.second)};
+        const Halves below = parted(node.minus, pieces.minus), above = parted(node.plus, pieces.plus);
+        Split<D> halves = split(table_, *part, cut.hyperplane);  // they cross, so it has two
+        return {kept(node, below.first, above.first, std::make_shared<const Piece<D>>(std::move(halves.minus))),
+                kept(node, below.second, above.second, std::make_shared<const Piece<D>>(std::move(halves.plus)))};
       }
       case Lie::minus: {
-        const Halves halves = parted(node, Sign::negative, cut);
-        if (side_of_root(node, cut.hyperplane) == Lie::plus)
-          return {halves.first, divided(nodes_, node.hyperplane, halves.second, node.plus)};
-        return {divided(nodes_, node.hyperplane, halves.first, node.plus), halves.second};
+        const Halves halves = parted(node.minus, cut);
+        if (lie_of(table_, *part, cut.hyperplane) == Lie::plus)
+          return {halves.first, kept(node, halves.second, node.plus, part)};
+        return {kept(node, halves.first, node.plus, part), halves.second};
       }
       case Lie::plus: {
-        const Halves halves = parted(node, Sign::positive, cut);
-        if (side_of_root(node, cut.hyperplane) == Lie::plus)
-          return {halves.first, divided(nodes_, node.hyperplane, node.minus, halves.second)};
-        return {divided(nodes_, node.hyperplane, node.minus, halves.first), halves.second};
+        const Halves halves = parted(node.plus, cut);
+        if (lie_of(table_, *part, cut.hyperplane) == Lie::plus)
+          return {halves.first, kept(node, node.minus, halves.second, part)};
+        return {kept(node, node.minus, halves.first, part), halves.second};
       }
       case Lie::on:
         break;
@@ -97,17 +118,13 @@ class Merger {
     throw LogicError("equal hyperplanes have different numbers");
   }
 
-  /// The child on one side.
-  Halves parted(const Node& node, Sign side, const Piece<D>& cut) {
-    path_.push_back({node.hyperplane, side});
-    const Halves halves = parted(side == Sign::negative ? node.minus : node.plus, cut);
-    path_.pop_back();
-    return halves;
-  }
-
-  /// On which side of a hyperplane the root's own part lies, which it does not cross.
-  Lie side_of_root(const Node& node, std::uint32_t hyperplane) {
-    return lie_of(table_, part_within(table_, node.hyperplane, path_), hyperplane);
+  /// A node with other children, and its part.
+  Link kept(const Node& node, Link minus, Link plus, Part part) {
+    const Link link = divided(nodes_, node.hyperplane, minus, plus);
+    if (is_leaf(link)) return link;
+    parts_.resize(nodes_.size());
+    parts_[link] = std::move(part);
+    return link;
   }
 
   const HyperplaneTable<D>& table_;
@@ -115,6 +132,7 @@ class Merger {
   const Operation operation_;
   const Monitor& monitor_;
   Path path_;
+  std::vector<Part> parts_;  ///< by node, of what the second tree is at any time
 };
 
 }  // namespace
