@@ -108,6 +108,17 @@ TEST_CASE("an open operand is refused by its number, and a stop is obeyed, by me
   CHECK_THROWS_AS(combined(Operation::unite, {test::box({0, 0, 0}, {1, 1, 1})}, options), Cancelled);
 }
 
+TEST_CASE("an operand that crosses itself is refused where its tree shows it, by merged partitions", "[csg][bsp]") {
+  const Mesh parts[] = {test::icosphere({0, 0, 0}, 1, 2), test::icosphere({0.5, 0.25, 0.125}, 1, 2)};
+  try {
+    (void)combined(Operation::unite, {test::box({0, 0, 0}, {1, 1, 1}), test::merged(parts)}, by_partitions());
+    FAIL("not refused");
+  } catch (const InputError& error) {
+    CHECK(error.operand() == 1);
+    CHECK(error.defects().front().kind == DefectKind::self_intersection);
+  }
+}
+
 TEST_CASE("formulas are not for merged partitions", "[csg][bsp]") {
   const Mesh box = test::box({0, 0, 0}, {1, 1, 1});
   const Operand operand{MeshView(box), {}, false};

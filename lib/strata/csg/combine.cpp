@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "strata/csg/arena.h"
-#include "strata/csg/check.h"
+#include "strata/csg/broken_operands.h"
 #include "strata/csg/combine_partitions.h"
 #include "strata/csg/early_unions.h"
 #include "strata/csg/evaluate.h"
@@ -68,12 +68,7 @@ class Operands {
 /// The boundary of operands that are what was declared is closed. If it is not, one of them was not: finds out which.
 void ensure_closed(const Mesh& result, std::span<const Operand> given, const Options& options) {
   if (chain_is_closed(result)) return;
-  if (options.input == InputClass::solid)
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      std::vector<Defect> defects = check(ExactMeshView(given[i].mesh, given[i].exact), options);
-      std::erase_if(defects, [](const Defect& d) { return d.severity != Severity::error; });
-      if (!defects.empty()) throw InputError(std::move(defects), i);
-    }
+  refuse_broken_operands(given, options);
   throw LogicError("the boundary of a result is not closed");
 }
 

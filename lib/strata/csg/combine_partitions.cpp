@@ -1,10 +1,12 @@
 #include "strata/csg/combine_partitions.h"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "strata/bsp/mesh.h"
+#include "strata/csg/broken_operands.h"
 #include "strata/csg/stopwatch.h"
 
 namespace strata {
@@ -23,11 +25,11 @@ class SourcesByPlane {
     }
   }
 
-  [[nodiscard]] Source at(const CanonicalPlane& plane) {
-    auto [a, b, c, d] = plane.coefficients;
-    const std::uint32_t number = planes_.add(Hyperplane<3>({a, b, c, -d}));
-    if (number >= sources_.size()) throw LogicError("a facet lies in a plane that no operand has");
-    return sources_[number];
+  /// Nothing where no operand has a face in a plane.
+  [[nodiscard]] std::optional<Source> at(const CanonicalPlane& plane) const {
+    const auto& [a, b, c, d] = plane.coefficients;
+    const auto number = planes_.find(Hyperplane<3>({a, b, c, -d}));
+    return number ? std::optional(sources_[*number]) : std::nullopt;
   }
 
  private:
@@ -124,7 +126,14 @@ BooleanResult combine_partitions(Operation operation, std::span<const Operand> o
   bsp::BoundaryMesh boundary = bsp::boundary_mesh(region);
   watch.lap("boundary");
   std::vector<Source> source_of_plane;
-  for (const CanonicalPlane& plane : boundary.planes) source_of_plane.push_back(sources.at(plane));
+  for (const CanonicalPlane& plane : boundary.planes) {
+    const std::optional<Source> source = sources.at(plane);
+    if (!source) {  // the boundary of what crosses itself may be in planes that were only cuts
+      refuse_broken_operands(operands, options);
+      throw LogicError("a facet lies in a plane that no operand has");
+    }
+    source_of_plane.push_back(*source);
+  }
   for (const std::uint32_t plane : boundary.plane_of) result.sources.push_back(source_of_plane[plane]);
   result.mesh = std::move(boundary.mesh.mesh);
   if (options.exact_vertices) result.exact = std::move(boundary.mesh.exact);
