@@ -15,14 +15,9 @@ std::vector<std::vector<std::uint32_t>> faces_by_plane(const Scene& scene, std::
                                                        const HyperplaneTable<3>& table) {
   std::vector<std::vector<std::uint32_t>> faces(table.size());
   const ExactMesh& mesh = scene.solid(solid);
-  const auto place = [&](std::uint32_t v) -> RationalPoint {
-    if (!mesh.exact.empty()) return mesh.position(v);
-    const Vertex& p = mesh.mesh.vertices[v];
-    return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
-  };
   for (std::uint32_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
     const auto [a, b, c] = mesh.mesh.triangles[t];
-    const auto plane = table.find(plane_through(place(a), place(b), place(c)).hyperplane);
+    const auto plane = table.find(plane_through(mesh.position(a), mesh.position(b), mesh.position(c)).hyperplane);
     if (plane) faces[*plane].push_back(scene.carriers().first_face(solid) + t);
   }
   return faces;

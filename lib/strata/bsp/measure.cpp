@@ -5,24 +5,14 @@
 #include <cmath>
 #include <vector>
 
+#include "strata/bsp/determinant.h"
+
 namespace strata::bsp {
 namespace {
 
 /// D points of the boundary in an order that looks outwards: with the origin they span a simplex with a sign.
 template <int D>
 using Simplex = std::array<RationalVector<D>, D>;
-
-/// The determinant: D! times the simplex's size.
-Rational spanned(const Simplex<1>& s) { return s[0][0]; }
-Rational spanned(const Simplex<2>& s) { return s[0][0] * s[1][1] - s[0][1] * s[1][0]; }
-Rational spanned(const Simplex<3>& s) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    sum += s[0][i] * (s[1][j] * s[2][k] - s[1][k] * s[2][j]);
-  }
-  return sum;
-}
 
 /// The boundary in simplices. A point of the line counts as it is where the region ends, and as its opposite where it
 /// begins, which needs a sign of its own.
@@ -81,7 +71,7 @@ template <int D>
 std::optional<Rational> size(const Partition<D>& region) {
   if (!region.is_bounded()) return std::nullopt;
   Rational sum = 0;
-  for (const SignedSimplex<D>& s : simplices(region)) sum += s.sign * spanned(s.corners);
+  for (const SignedSimplex<D>& s : simplices(region)) sum += s.sign * determinant(s.corners);
   return sum / factorial(D);
 }
 
@@ -91,7 +81,7 @@ std::optional<RationalVector<D>> barycentre(const Partition<D>& region) {
   Rational total = 0;
   RationalVector<D> sum{};
   for (const SignedSimplex<D>& s : simplices(region)) {
-    const Rational weight = s.sign * spanned(s.corners);
+    const Rational weight = s.sign * determinant(s.corners);
     total += weight;
     for (const RationalVector<D>& p : s.corners)
       for (std::size_t i = 0; i < D; ++i) sum[i] += weight * p[i];

@@ -68,11 +68,7 @@ class TriangleFacets {
   Facet<3> facet(Triangle t, const HPlane<Integer>& through) {
     OrientedHyperplane<3> plane = oriented(through);
     if (plane.is_turned) std::swap(t[1], t[2]);
-    int axis = 0;
-    const auto& normal = plane.hyperplane.bounded();
-    for (int i = 1; i < 3; ++i)
-      if (std::abs(normal[static_cast<std::size_t>(i)].value) > std::abs(normal[static_cast<std::size_t>(axis)].value))
-        axis = i;
+    const auto axis = static_cast<int>(plane.hyperplane.longest_axis());
     Piece<3> piece;
     piece.hyperplane = table_.add(std::move(plane.hyperplane));
     for (std::size_t i = 0; i < 3; ++i)

@@ -1,6 +1,6 @@
 #include "strata/bsp/piece.h"
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
 #include "strata/mesh/defect.h"
@@ -66,15 +66,6 @@ Piece<3> part_on(const HyperplaneTable<3>& table, const Piece<3>& piece, std::ui
   return part;
 }
 
-/// An axis along which a hyperplane is not parallel to the frame: where its normal is longest.
-template <int D>
-std::size_t steepest_axis(const Hyperplane<D>& hyperplane) {
-  std::size_t axis = 0;
-  for (std::size_t i = 1; i < D; ++i)
-    if (std::abs(hyperplane.bounded()[i].value) > std::abs(hyperplane.bounded()[axis].value)) axis = i;
-  return axis;
-}
-
 /// The rectangle that four sides of the frame cut out of a plane, counter-clockwise as seen from where `axis` looks to.
 Piece<3> rectangle(const HyperplaneTable<3>& table, std::uint32_t plane, std::size_t axis) {
   const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -120,14 +111,14 @@ template <>
 Piece<2> whole(const HyperplaneTable<2>& table, std::uint32_t hyperplane) {
   // The plus side is on the left of the direction (n_y, -n_x).
   const Hyperplane<2>& line = table[hyperplane];
-  const std::size_t steep = steepest_axis(line);
+  const std::size_t steep = line.longest_axis();
   const bool is_upwards = (line.exact()[steep] > 0) == (steep == 1);
   return stretch(table, hyperplane, 1 - steep, is_upwards);
 }
 
 template <>
 Piece<3> whole(const HyperplaneTable<3>& table, std::uint32_t hyperplane) {
-  const std::size_t axis = steepest_axis(table[hyperplane]);
+  const std::size_t axis = table[hyperplane].longest_axis();
   Piece<3> piece = rectangle(table, hyperplane, axis);
   if (table[hyperplane].exact()[axis] < 0) turn_round(piece);
   return piece;

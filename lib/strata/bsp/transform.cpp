@@ -3,19 +3,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "strata/bsp/determinant.h"
+
 namespace strata::bsp {
 namespace {
-
-Rational determinant(const std::array<RationalVector<1>, 1>& m) { return m[0][0]; }
-Rational determinant(const std::array<RationalVector<2>, 2>& m) { return m[0][0] * m[1][1] - m[0][1] * m[1][0]; }
-Rational determinant(const std::array<RationalVector<3>, 3>& m) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    sum += m[0][i] * (m[1][j] * m[2][k] - m[1][k] * m[2][j]);
-  }
-  return sum;
-}
 
 /// The rows x with x . matrix = unit vectors: Cramer's rule, by replaced rows.
 template <int D>

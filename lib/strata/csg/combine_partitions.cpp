@@ -18,7 +18,7 @@ class SourcesByPlane {
   void add(const ExactMesh& mesh, std::span<const Source> sources, std::uint32_t operand) {
     for (std::size_t t = 0; t < sources.size(); ++t) {
       const auto [a, b, c] = mesh.mesh.triangles[t];
-      const RationalPoint p = position(mesh, a), q = position(mesh, b), r = position(mesh, c);
+      const RationalPoint p = mesh.position(a), q = mesh.position(b), r = mesh.position(c);
       if (!spans(p, q, r)) continue;
       const std::uint32_t plane = planes_.add(plane_through(p, q, r).hyperplane);
       if (plane == sources_.size()) sources_.push_back({operand, sources[t].face});
@@ -33,11 +33,6 @@ class SourcesByPlane {
   }
 
  private:
-  static RationalPoint position(const ExactMesh& mesh, std::uint32_t v) {
-    if (!mesh.exact.empty()) return mesh.position(v);
-    const Vertex& p = mesh.mesh.vertices[v];
-    return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
-  }
   static bool spans(const RationalPoint& p, const RationalPoint& q, const RationalPoint& r) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;

@@ -63,6 +63,14 @@ Hyperplane<D>::Hyperplane(Coefficients coefficients) : exact_(std::move(coeffici
 }
 
 template <int D>
+std::size_t Hyperplane<D>::longest_axis() const {
+  std::size_t axis = 0;
+  for (std::size_t i = 1; i < D; ++i)
+    if (std::abs(bounded_[i].value) > std::abs(bounded_[axis].value)) axis = i;
+  return axis;
+}
+
+template <int D>
 std::size_t Hyperplane<D>::hash() const {
   std::size_t h = 0;
   for (const Integer& x : exact_) {

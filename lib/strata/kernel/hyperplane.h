@@ -26,6 +26,8 @@ class Hyperplane {
   /// Within bounds, divided by a power of two: the longest component of n is between 1/2 and 1.
   [[nodiscard]] const std::array<Twofold, D + 1>& fine() const { return fine_; }
   [[nodiscard]] const std::array<Bounded, D + 1>& bounded() const { return bounded_; }
+  /// The axis along which n is longest, as far as doubles tell; n is not zero there.
+  [[nodiscard]] std::size_t longest_axis() const;
   [[nodiscard]] std::size_t hash() const;
 
   friend bool operator==(const Hyperplane& a, const Hyperplane& b) { return a.exact_ == b.exact_; }
