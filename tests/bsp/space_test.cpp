@@ -35,7 +35,8 @@ Partition<3> random_region(Random& random) {
   return random.once_in(4) ? complement(r) : r;
 }
 
-/// Every node divides its part of space, children are not the same leaf, and no node is reached twice.
+/// Every node divides its part of space, children are not the same leaf, no node is reached twice, and next to a leaf
+/// there is boundary on the cut.
 void check_invariants(const Partition<3>& r) {
   const Tree& tree = r.tree();
   std::vector<int> reached(tree.nodes.size());
@@ -46,6 +47,9 @@ void check_invariants(const Partition<3>& r) {
     CHECK(++reached[link] == 1);
     CHECK_FALSE((node.minus == node.plus && is_leaf(node.minus)));
     CHECK_NOTHROW(part_within(r.table(), node.hyperplane, path));
+    std::size_t facets = 0;
+    for_each_facet<3>(r.table(), tree, link, path, [&](const Facet<3>&) { ++facets; });
+    CHECK((facets > 0 || !(is_leaf(node.minus) || is_leaf(node.plus))));
     path.push_back({node.hyperplane, Sign::negative});
     self(self, node.minus);
     path.back().side = Sign::positive;
@@ -104,6 +108,22 @@ TEST_CASE("meshes become trees and come back as the same solids, cavities and to
     CHECK(boundary_size(r) == Approx(area(ExactMesh{mesh, {}})));
     CHECK(rebuilt(r) == r);
   }
+}
+
+TEST_CASE("planes of coordinates of any width are exact", "[bsp][property]") {
+  for (const int spread : {0, 28, 29, 30, 31, 40, 60, 100, 300})
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      CAPTURE(spread, seed);
+      Random random(seed);
+      Mesh mesh{{}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+      mesh.vertices.resize(4);
+      for (Vertex& v : mesh.vertices)
+        for (double& x : v) x = std::ldexp(random.unit() - 0.5, random.between(0, spread));
+      const Rational size_of_mesh = volume(ExactMesh{mesh, {}});
+      if (size_of_mesh == 0) continue;
+      CHECK(size(region(mesh)) == (size_of_mesh > 0 ? std::optional(size_of_mesh) : std::nullopt));
+      if (size_of_mesh > 0) CHECK(canonical_form_of(region(mesh)) == canonical_form(ExactMesh{mesh, {}}));
+    }
 }
 
 TEST_CASE("a mesh turned inside out bounds all but the solid", "[bsp]") {

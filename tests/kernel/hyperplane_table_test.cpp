@@ -1,5 +1,6 @@
 #include "strata/kernel/hyperplane_table.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <optional>
@@ -61,8 +62,27 @@ std::optional<RationalVector<D>> solved(const HyperplaneTable<D>& table, const s
   return x;
 }
 
+/// Notes some of the points with small integers on each hyperplane.
 template <int D>
-void check_random_meets(bool with_frame, int fewest_zeros) {
+void note_points(Random& random, HyperplaneTable<D>& table) {
+  std::array<int, D> place;
+  place.fill(-2);
+  const auto next = [&place] {
+    std::size_t i = 0;
+    while (i < D && place[i] == 2) place[i++] = -2;
+    if (i < D) ++place[i];
+    return i < D;
+  };
+  do {
+    std::array<double, D> p;
+    std::copy(place.begin(), place.end(), p.begin());
+    for (std::uint32_t h = 0; h < table.size(); ++h)
+      if (table.side(h, p) == Sign::zero && !random.once_in(3)) table.note(h, p);
+  } while (next());
+}
+
+template <int D>
+void check_random_meets(bool with_frame, int fewest_zeros, bool is_noted = false) {
   int asked = 0, zeros = 0;
   for (std::uint64_t seed = 0; seed < 4000; ++seed) {
     CAPTURE(D, seed);
@@ -78,6 +98,7 @@ void check_random_meets(bool with_frame, int fewest_zeros) {
     const auto h = random_hyperplane<D>(random, table);
     const auto place = solved<D>(table, names);
     if (!h || !place) continue;
+    if (is_noted) note_points(random, table);
     const Corner<D> corner = table.meet(names);
     const Sign side = table.side(*h, corner);
     CHECK(side == table.side(*h, *place));
@@ -100,6 +121,13 @@ TEST_CASE("corners of hyperplanes are on the sides that elimination in rationals
   check_random_meets<1>(false, 300);
   check_random_meets<2>(false, 100);
   check_random_meets<3>(false, 50);
+}
+
+TEST_CASE("noted points change no answer", "[kernel][property]") {
+  check_random_meets<1>(false, 300, true);
+  check_random_meets<2>(true, 60, true);
+  check_random_meets<3>(false, 50, true);
+  check_random_meets<3>(true, 25, true);
 }
 
 TEST_CASE("corners on the frame are where they are when the frame is far enough away", "[kernel][property]") {

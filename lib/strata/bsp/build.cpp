@@ -62,6 +62,7 @@ class Builder {
     std::uint32_t cut = best_cut(facets);
     Sides sides = divide(facets, cut);
     if (!sides.faces_plus && (sides.minus.empty() || sides.plus.empty())) {  // this cut is for nothing
+      facets = std::move(sides.minus.empty() ? sides.plus : sides.minus);
       cut = facets.front().piece.hyperplane;
       sides = divide(facets, cut);
     }
@@ -74,19 +75,20 @@ class Builder {
     return divided(nodes_, cut, minus, plus);
   }
 
-  Sides divide(const Facets& facets, std::uint32_t cut) {
+  /// Takes the facets.
+  Sides divide(Facets& facets, std::uint32_t cut) {
     Sides sides;
-    for (const Facet<D>& f : facets) {
+    for (Facet<D>& f : facets) {
       Split<D> pieces = split(table_, f.piece, cut);
       switch (pieces.lie) {
         case Lie::on:
           sides.faces_plus = f.faces_plus;
           break;
         case Lie::minus:
-          sides.minus.push_back(f);
+          sides.minus.push_back(std::move(f));
           break;
         case Lie::plus:
-          sides.plus.push_back(f);
+          sides.plus.push_back(std::move(f));
           break;
         case Lie::both:
           ++splits_;

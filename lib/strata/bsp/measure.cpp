@@ -1,101 +1,115 @@
 #include "strata/bsp/measure.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include "strata/bsp/determinant.h"
+#include "strata/exact/pairwise_sum.h"
 
 namespace strata::bsp {
 namespace {
 
-/// D points of the boundary in an order that looks outwards: with the origin they span a simplex with a sign.
+/// A facet of a hyperplane n . x + c = 0 as seen along the axis k in which n is longest. It is |n| / |n_k| times as
+/// large as its view, and with the origin it spans a pyramid of 1 / D times -c / |n_k| times the view, positive where
+/// the region is on the origin's side.
 template <int D>
-using Simplex = std::array<RationalVector<D>, D>;
+class View {
+ public:
+  View(const HyperplaneTable<D>& table, const Facet<D>& facet) : form_(table[facet.piece.hyperplane]) {
+    axis_ = form_.longest_axis();
+    const Rational height(-form_.exact()[D], abs(form_.exact()[axis_]));
+    height_ = facet.faces_plus ? height : -height;
+    for (const Corner<D>& c : facet.piece.corners) corners_.push_back(table.position(c));
+  }
 
-/// The boundary in simplices. A point of the line counts as it is where the region ends, and as its opposite where it
-/// begins, which needs a sign of its own.
-template <int D>
-struct SignedSimplex {
-  Simplex<D> corners;
-  int sign = 1;
-};
+  [[nodiscard]] const Rational& height() const { return height_; }
+  [[nodiscard]] double stretch() const {
+    double squares = 0;
+    for (std::size_t i = 0; i < D; ++i) squares += form_.bounded()[i].value * form_.bounded()[i].value;
+    return std::sqrt(squares) / std::abs(form_.bounded()[axis_].value);
+  }
 
-template <int D>
-std::vector<SignedSimplex<D>> simplices(const Partition<D>& region) {
-  std::vector<SignedSimplex<D>> result;
-  for (const Facet<D>& f : region.boundary()) {
-    std::vector<RationalVector<D>> p;
-    for (const Corner<D>& c : f.piece.corners) p.push_back(region.table().position(c));
+  /// Size of the view.
+  [[nodiscard]] Rational size() const {
+    Rational sum = 0;
+    for_each_simplex([&](const Rational& part, const RationalVector<D>&) { sum += part; });
+    return sum;
+  }
+
+  /// Calls visit(size of its view, sum of its D corners) for simplices that the facet consists of.
+  template <class Visit>
+  void for_each_simplex(const Visit& visit) const {
     if constexpr (D == 1) {
-      result.push_back({{p[0]}, f.faces_plus ? 1 : -1});
+      visit(Rational(1), corners_[0]);
     } else if constexpr (D == 2) {
-      if (f.faces_plus) std::swap(p[0], p[1]);
-      result.push_back({{p[0], p[1]}, 1});
+      visit(abs(along(1, 1)), sum_of({0, 1}));
     } else {
-      if (!f.faces_plus) std::reverse(p.begin(), p.end());
-      for (std::size_t i = 2; i < p.size(); ++i) result.push_back({{p[0], p[i - 1], p[i]}, 1});
+      for (std::size_t i = 2; i < corners_.size(); ++i) {
+        const Rational twice = along(i - 1, 1) * along(i, 2) - along(i - 1, 2) * along(i, 1);
+        visit(Rational(abs(twice) / 2), sum_of({0, i - 1, i}));
+      }
     }
   }
-  return result;
-}
 
-constexpr int factorial(int n) { return n <= 1 ? 1 : n * factorial(n - 1); }
-
-double length(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
-
-/// To a double only once differences are taken, so that nothing cancels.
-template <int D>
-std::array<double, 3> difference(const RationalVector<D>& p, const RationalVector<D>& q) {
-  std::array<double, 3> d{};
-  for (std::size_t i = 0; i < D; ++i) d[i] = to_nearest_double(p[i] - q[i]);
-  return d;
-}
-
-double size_of(const Simplex<1>&) { return 1; }
-double size_of(const Simplex<2>& s) { return length(difference<2>(s[1], s[0])); }
-double size_of(const Simplex<3>& s) {
-  std::array<double, 3> normal{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    normal[i] =
-        to_nearest_double((s[1][j] - s[0][j]) * (s[2][k] - s[0][k]) - (s[1][k] - s[0][k]) * (s[2][j] - s[0][j]));
+ private:
+  /// From the first corner to another, along an axis of the view.
+  [[nodiscard]] Rational along(std::size_t corner, std::size_t axis) const {
+    const std::size_t i = (axis_ + axis) % D;
+    return corners_[corner][i] - corners_[0][i];
   }
-  return length(normal) / 2;
-}
+  [[nodiscard]] RationalVector<D> sum_of(const std::array<std::size_t, D>& corners) const {
+    RationalVector<D> sum{};
+    for (const std::size_t k : corners)
+      for (std::size_t i = 0; i < D; ++i) sum[i] += corners_[k][i];
+    return sum;
+  }
+
+  const Hyperplane<D>& form_;
+  std::size_t axis_ = 0;
+  Rational height_;
+  std::vector<RationalVector<D>> corners_;
+};
 
 }  // namespace
 
 template <int D>
 std::optional<Rational> size(const Partition<D>& region) {
   if (!region.is_bounded()) return std::nullopt;
-  Rational sum = 0;
-  for (const SignedSimplex<D>& s : simplices(region)) sum += s.sign * determinant(s.corners);
-  return sum / factorial(D);
+  PairwiseSum sum;
+  for (const Facet<D>& f : region.boundary()) {
+    const View<D> view(region.table(), f);
+    sum.add(view.height() * view.size());
+  }
+  return sum.value() / D;
 }
 
 template <int D>
 std::optional<RationalVector<D>> barycentre(const Partition<D>& region) {
   if (region.is_empty() || !region.is_bounded()) return std::nullopt;
-  Rational total = 0;
-  RationalVector<D> sum{};
-  for (const SignedSimplex<D>& s : simplices(region)) {
-    const Rational weight = s.sign * determinant(s.corners);
-    total += weight;
-    for (const RationalVector<D>& p : s.corners)
-      for (std::size_t i = 0; i < D; ++i) sum[i] += weight * p[i];
+  PairwiseSum total;
+  std::array<PairwiseSum, D> sums;
+  for (const Facet<D>& f : region.boundary()) {
+    const View<D> view(region.table(), f);
+    view.for_each_simplex([&](const Rational& part, const RationalVector<D>& corners) {
+      const Rational weight = view.height() * part;
+      total.add(weight);
+      for (std::size_t i = 0; i < D; ++i) sums[i].add(weight * corners[i]);
+    });
   }
-  for (Rational& x : sum) x /= total * (D + 1);  // the origin is one more corner of each simplex
-  return sum;
+  RationalVector<D> result;
+  for (std::size_t i = 0; i < D; ++i)  // the origin is one more corner of each simplex
+    result[i] = sums[i].value() / (total.value() * (D + 1));
+  return result;
 }
 
 template <int D>
 double boundary_size(const Partition<D>& region) {
-  for (const Facet<D>& f : region.boundary())
-    if (!f.piece.is_bounded()) return HUGE_VAL;
   double sum = 0;
-  for (const SignedSimplex<D>& s : simplices(region)) sum += size_of(s.corners);
+  for (const Facet<D>& f : region.boundary()) {
+    if (!f.piece.is_bounded()) return HUGE_VAL;
+    const View<D> view(region.table(), f);
+    sum += view.stretch() * to_nearest_double(view.size());
+  }
   return sum;
 }
 

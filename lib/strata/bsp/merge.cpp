@@ -32,43 +32,61 @@ template <int D>
 class Merger {
  public:
   Merger(const HyperplaneTable<D>& table, std::vector<Node>& nodes, Operation operation, const Monitor& monitor)
-      : table_(table), nodes_(nodes), operation_(operation), monitor_(monitor) {}
+      : table_(table),
+        nodes_(nodes),
+        operation_(operation),
+        monitor_(monitor),
+        first_new_(static_cast<Link>(nodes.size())) {}
 
+  /// Of two trees that divide the part of space at the end of the path.
   Link merge(Link a, Link b) {
-    parts_.resize(nodes_.size());
-    find_parts(b);
-    return merge_here(a, b);
+    if (is_leaf(a)) return changed(reduced(b), effect_of(operation_, a, true));
+    if (is_leaf(b)) return changed(a, effect_of(operation_, b, false));
+    monitor_.check();
+    const Node cut = nodes_[a];
+    const Piece<D> part = part_within(table_, cut.hyperplane, path_);
+    const auto [minus, plus] = parted(b, part);
+    const Link below = on_side(cut, Sign::negative, [&, other = minus] { return merge(cut.minus, other); });
+    const Link above = on_side(cut, Sign::positive, [&, other = plus] { return merge(cut.plus, other); });
+    return joined(cut.hyperplane, part, below, above);
   }
 
  private:
   using Halves = std::pair<Link, Link>;  ///< on the minus side, on the plus side
   using Part = std::shared_ptr<const Piece<D>>;
 
-  /// What lies of each node's hyperplane in the node's part of space.
-  void find_parts(Link link) {
-    if (is_leaf(link)) return;
-    const Node node = nodes_[link];
-    parts_[link] = std::make_shared<const Piece<D>>(part_within(table_, node.hyperplane, path_));
-    path_.push_back({node.hyperplane, Sign::negative});
-    find_parts(node.minus);
-    path_.back().side = Sign::positive;
-    find_parts(node.plus);
+  /// What is found there; the path ends there meanwhile.
+  template <class Find>
+  auto on_side(const Node& node, Sign side, const Find& find) {
+    path_.push_back({node.hyperplane, side});
+    const auto found = find();
     path_.pop_back();
+    return found;
   }
 
-  /// Of two trees that divide the part of space at the end of the path. The parts of the second one's nodes are known.
-  Link merge_here(Link a, Link b) {
-    if (is_leaf(a)) return changed(b, effect_of(operation_, a, true));
-    if (is_leaf(b)) return changed(a, effect_of(operation_, b, false));
-    monitor_.check();
-    const Node cut = nodes_[a];
-    const auto [minus, plus] = parted(b, part_within(table_, cut.hyperplane, path_));
-    path_.push_back({cut.hyperplane, Sign::negative});
-    const Link below = merge_here(cut.minus, minus);
-    path_.back().side = Sign::positive;
-    const Link above = merge_here(cut.plus, plus);
-    path_.pop_back();
-    return divided(nodes_, cut.hyperplane, below, above);
+  /// A node, unless its cut is for nothing: one side is a leaf, and so is all that the cut's part reaches on the other
+  /// side. Then the other side's tree is right on both (theory.md, "Merging").
+  Link joined(std::uint32_t hyperplane, const Piece<D>& part, Link minus, Link plus) {
+    if (is_leaf(minus) && is_all(plus, part, minus)) return plus;
+    if (is_leaf(plus) && is_all(minus, part, plus)) return minus;
+    return divided(nodes_, hyperplane, minus, plus);
+  }
+
+  /// Whether a piece reaches nothing in a tree but one kind of leaf.
+  bool is_all(Link tree, const Piece<D>& piece, Link leaf) const {
+    if (is_leaf(tree)) return tree == leaf;
+    const Node& node = nodes_[tree];
+    const Split<D> pieces = split(table_, piece, node.hyperplane);
+    if (pieces.lie == Lie::both) return is_all(node.minus, pieces.minus, leaf) && is_all(node.plus, pieces.plus, leaf);
+    return is_all(pieces.lie == Lie::minus ? node.minus : node.plus, piece, leaf);
+  }
+
+  /// What is left of the second tree, without cuts that are for nothing now.
+  Link reduced(Link tree) {
+    if (is_leaf(tree) || tree < first_new_) return tree;
+    const Node node = nodes_[tree];
+    const Link minus = reduced(node.minus), plus = reduced(node.plus);
+    return joined(node.hyperplane, *parts_[tree], minus, plus);
   }
 
   Link changed(Link tree, Effect effect) {
@@ -85,29 +103,43 @@ class Merger {
     return tree;
   }
 
-  /// The second tree, or what is left of it here, parted by a hyperplane of which `cut` is what lies in this part of
-  /// space.
+  /// What of a node's hyperplane lies in the node's part of space, which the path leads to.
+  const Part& part_of(Link link) {
+    if (parts_.size() < nodes_.size()) parts_.resize(nodes_.size());
+    Part& part = parts_[link];
+    if (!part) part = std::make_shared<const Piece<D>>(part_within(table_, nodes_[link].hyperplane, path_));
+    return part;
+  }
+
+  /// A subtree of the second tree, which divides the part of space at the end of the path, parted by a hyperplane of
+  /// which `cut` is what lies there.
   Halves parted(Link tree, const Piece<D>& cut) {
     if (is_leaf(tree)) return {tree, tree};
     const Node node = nodes_[tree];
     if (node.hyperplane == cut.hyperplane) return {node.minus, node.plus};
-    const Part part = parts_[tree];
+    const Part part = part_of(tree);
+    const auto below = [&](const Piece<D>& piece) {
+      return on_side(node, Sign::negative, [&] { return parted(node.minus, piece); });
+    };
+    const auto above = [&](const Piece<D>& piece) {
+      return on_side(node, Sign::positive, [&] { return parted(node.plus, piece); });
+    };
     const Split<D> pieces = split(table_, cut, node.hyperplane);
     switch (pieces.lie) {
       case Lie::both: {
-        const Halves below = parted(node.minus, pieces.minus), above = parted(node.plus, pieces.plus);
+        const Halves minus = below(pieces.minus), plus = above(pieces.plus);
         Split<D> halves = split(table_, *part, cut.hyperplane);  // they cross, so it has two
-        return {kept(node, below.first, above.first, std::make_shared<const Piece<D>>(std::move(halves.minus))),
-                kept(node, below.second, above.second, std::make_shared<const Piece<D>>(std::move(halves.plus)))};
+        return {kept(node, minus.first, plus.first, std::make_shared<const Piece<D>>(std::move(halves.minus))),
+                kept(node, minus.second, plus.second, std::make_shared<const Piece<D>>(std::move(halves.plus)))};
       }
       case Lie::minus: {
-        const Halves halves = parted(node.minus, cut);
+        const Halves halves = below(cut);
         if (lie_of(table_, *part, cut.hyperplane) == Lie::plus)
           return {halves.first, kept(node, halves.second, node.plus, part)};
         return {kept(node, halves.first, node.plus, part), halves.second};
       }
       case Lie::plus: {
-        const Halves halves = parted(node.plus, cut);
+        const Halves halves = above(cut);
         if (lie_of(table_, *part, cut.hyperplane) == Lie::plus)
           return {halves.first, kept(node, node.minus, halves.second, part)};
         return {kept(node, node.minus, halves.first, part), halves.second};
@@ -122,7 +154,7 @@ class Merger {
   Link kept(const Node& node, Link minus, Link plus, Part part) {
     const Link link = divided(nodes_, node.hyperplane, minus, plus);
     if (is_leaf(link)) return link;
-    parts_.resize(nodes_.size());
+    if (parts_.size() < nodes_.size()) parts_.resize(nodes_.size());
     parts_[link] = std::move(part);
     return link;
   }
@@ -131,8 +163,9 @@ class Merger {
   std::vector<Node>& nodes_;
   const Operation operation_;
   const Monitor& monitor_;
+  const Link first_new_;
   Path path_;
-  std::vector<Part> parts_;  ///< by node, of what the second tree is at any time
+  std::vector<Part> parts_;  ///< by node of what the second tree is at any time; found when they are asked for
 };
 
 }  // namespace

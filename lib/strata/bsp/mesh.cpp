@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <unordered_map>
 #include <utility>
 
 #include "strata/exact/lattice.h"
@@ -24,25 +25,46 @@ class TriangleFacets {
     for (const Vertex& v : mesh.mesh.vertices)
       for (const double x : v) lattice.add(x);
     unit_ = lattice.unit();
-    places_.reserve(mesh.mesh.vertices.size());
-    for (const Vertex& v : mesh.mesh.vertices) {
-      const auto on_lattice = [&](std::size_t i) { return lattice.integer<Integer>(v[i]); };
-      places_.push_back({on_lattice(0), on_lattice(1), on_lattice(2), Integer(1), true});
+    if (mesh.exact.empty() && lattice.bits() <= most_bits_of_narrow) {
+      narrow_ = on_lattice<Narrow>(lattice);
+      return;
     }
-    for (const ExactVertex& e : mesh.exact) places_[e.vertex] = place_of(e.position);
+    wide_ = on_lattice<Integer>(lattice);
+    for (const ExactVertex& e : mesh.exact) wide_[e.vertex] = place_of(e.position);
   }
 
   std::vector<Facet<3>> all() {
     std::vector<Facet<3>> facets;
     facets.reserve(mesh_.mesh.triangles.size());
     for (const Triangle& t : mesh_.mesh.triangles) {
-      const HPlane<Integer> plane = strata::plane_through(places_[t[0]], places_[t[1]], places_[t[2]]);
+      const HPlane<Integer> plane =
+          found([&](const auto& at) { return strata::plane_through(at[t[0]], at[t[1]], at[t[2]]); });
       if (plane.a != 0 || plane.b != 0 || plane.c != 0) facets.push_back(facet(t, plane));
     }
     return facets;
   }
 
  private:
+  using Narrow = WideInt<4>;
+  static constexpr int most_bits_of_narrow = 83;  ///< of coordinates b: coefficients have at most 3 b + 5, and a sign
+
+  template <class Int>
+  [[nodiscard]] std::vector<HPoint<Int>> on_lattice(const Lattice& lattice) const {
+    std::vector<HPoint<Int>> places;
+    places.reserve(mesh_.mesh.vertices.size());
+    for (const auto& [x, y, z] : mesh_.mesh.vertices)
+      places.push_back({lattice.integer<Int>(x), lattice.integer<Int>(y), lattice.integer<Int>(z), Int(1), true});
+    return places;
+  }
+
+  /// The plane that `find` makes of places of vertices.
+  template <class Find>
+  [[nodiscard]] HPlane<Integer> found(const Find& find) const {
+    if (narrow_.empty()) return find(wide_);
+    const HPlane<Narrow> plane = find(narrow_);
+    return {to_integer(plane.a), to_integer(plane.b), to_integer(plane.c), to_integer(plane.d)};
+  }
+
   [[nodiscard]] HPoint<Integer> place_of(const RationalPoint& p) const {
     Integer w = 1;
     for (const Rational& x : p) w = lcm(w, denominator(x));
@@ -71,9 +93,8 @@ class TriangleFacets {
     const auto axis = static_cast<int>(plane.hyperplane.longest_axis());
     Piece<3> piece;
     piece.hyperplane = table_.add(std::move(plane.hyperplane));
-    for (std::size_t i = 0; i < 3; ++i)
-      piece.walls.push_back(
-          table_.add(oriented(plane_along_axis(places_[t[i]], places_[t[(i + 1) % 3]], axis)).hyperplane));
+    for (const std::uint32_t v : t) note(piece.hyperplane, v);
+    for (std::size_t i = 0; i < 3; ++i) piece.walls.push_back(wall(t[i], t[(i + 1) % 3], axis));
     for (std::size_t i = 0; i < 3; ++i) {
       const std::array<std::uint32_t, 3> names{piece.hyperplane, piece.walls[(i + 2) % 3], piece.walls[i]};
       piece.corners.push_back(is_given(t[i]) ? HyperplaneTable<3>::given(names, mesh_.mesh.vertices[t[i]])
@@ -82,6 +103,21 @@ class TriangleFacets {
     return {std::move(piece), !plane.is_turned};
   }
 
+  /// Through an edge along an axis. Most are asked for by both faces at the edge.
+  std::uint32_t wall(std::uint32_t p, std::uint32_t q, int axis) {
+    const auto [low, high] = std::minmax(p, q);
+    const auto [known, is_new] = walls_[static_cast<std::size_t>(axis)].try_emplace(std::uint64_t{low} << 32U | high);
+    if (is_new) {
+      const HPlane<Integer> plane = found([&](const auto& at) { return plane_along_axis(at[p], at[q], axis); });
+      known->second = table_.add(oriented(plane).hyperplane);
+      for (const std::uint32_t v : {p, q}) note(known->second, v);
+    }
+    return known->second;
+  }
+
+  void note(std::uint32_t plane, std::uint32_t v) {
+    if (is_given(v)) table_.note(plane, mesh_.mesh.vertices[v]);
+  }
   [[nodiscard]] bool is_given(std::uint32_t v) const {
     const auto at = std::lower_bound(mesh_.exact.begin(), mesh_.exact.end(), v,
                                      [](const ExactVertex& e, std::uint32_t w) { return e.vertex < w; });
@@ -90,8 +126,10 @@ class TriangleFacets {
 
   HyperplaneTable<3>& table_;
   ExactMeshView mesh_;
-  int unit_ = 0;                         ///< of the lattice, as an exponent
-  std::vector<HPoint<Integer>> places_;  ///< of vertices, in its units
+  int unit_ = 0;                        ///< of the lattice, as an exponent
+  std::vector<HPoint<Narrow>> narrow_;  ///< of vertices, in its units; empty if the lattice does not allow it
+  std::vector<HPoint<Integer>> wide_;   ///< the same, if that is empty
+  std::array<std::unordered_map<std::uint64_t, std::uint32_t>, 3> walls_;  ///< by axis and edge
 };
 
 std::vector<ExactFacet> exact_facets(const Partition<3>& region) {

@@ -32,7 +32,7 @@ class Compaction {
     if (is_leaf(link)) return link;
     const Node& node = nodes_[link];
     const auto at = static_cast<Link>(tree_.nodes.size());
-    tree_.nodes.push_back({table_.add(from_.shared(node.hyperplane)), leaf_out, leaf_out});
+    tree_.nodes.push_back({table_.adopt(from_, node.hyperplane), leaf_out, leaf_out});
     const Link minus = copied(node.minus);
     const Link plus = copied(node.plus);
     tree_.nodes[at].minus = minus;
@@ -142,7 +142,7 @@ Partition<D> combined(Operation operation, const Partition<D>& a, const Partitio
   const auto first = static_cast<Link>(nodes.size());
   const auto moved = [&](Link link) { return is_leaf(link) ? link : link + first; };
   std::vector<std::uint32_t> number;
-  for (std::uint32_t h = 0; h < b.table().size(); ++h) number.push_back(table.add(b.table().shared(h)));
+  for (std::uint32_t h = 0; h < b.table().size(); ++h) number.push_back(table.adopt(b.table(), h));
   for (const Node& n : b.tree().nodes) nodes.push_back({number[n.hyperplane], moved(n.minus), moved(n.plus)});
   const Link root = merged(table, nodes, operation, a.tree().root, moved(b.tree().root), monitor);
   return Compaction<D>(table, nodes).of(root);

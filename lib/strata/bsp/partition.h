@@ -56,8 +56,8 @@ class Partition {
 };
 
 /// The regularized combination, by merging the trees. Laws: those of sets, up to the choice of leaves.
-/// Depths add up at worst: where many are combined, do it by halves, or use `rebuilt` (recursion is as deep as trees are).
-/// Expected output-sensitive; at worst every node of one tree meets every node of the other. Throws Cancelled.
+/// Depths add up at worst: where many are combined, do it by halves, or use `rebuilt` (recursion is as deep as trees
+/// are). Expected output-sensitive; at worst every node of one tree meets every node of the other. Throws Cancelled.
 template <int D>
 [[nodiscard]] Partition<D> combined(Operation operation, const Partition<D>& a, const Partition<D>& b,
                                     const Monitor& monitor = {});

@@ -27,40 +27,52 @@ Lie lie_of(const Signs& signs) {
   return minus ? Lie::minus : plus ? Lie::plus : Lie::on;
 }
 
-/// The part on one side of a hyperplane that has corners on both.
+/// Where the sides of a piece go through a hyperplane that has corners on both, in their order: one point on a line,
+/// two on the rim of a polygon unless corners lie in it.
 template <int D>
-Piece<D> part_on(const HyperplaneTable<D>& table, const Piece<D>& piece, std::uint32_t hyperplane, const Signs& signs,
-                 Sign side);
+using Crossings = boost::container::small_vector<Corner<D>, 2>;
 
-template <>
-Piece<1> part_on(const HyperplaneTable<1>&, const Piece<1>&, std::uint32_t, const Signs&, Sign) {
+Crossings<1> crossings(const HyperplaneTable<1>&, const Piece<1>&, std::uint32_t, const Signs&) {
   throw LogicError("a point of the line has two sides");
 }
 
-template <>
-Piece<2> part_on(const HyperplaneTable<2>& table, const Piece<2>& piece, std::uint32_t hyperplane, const Signs& signs,
-                 Sign side) {
+Crossings<2> crossings(const HyperplaneTable<2>& table, const Piece<2>& piece, std::uint32_t hyperplane, const Signs&) {
+  return {table.meet({piece.hyperplane, hyperplane})};
+}
+
+Crossings<3> crossings(const HyperplaneTable<3>& table, const Piece<3>& piece, std::uint32_t hyperplane,
+                       const Signs& signs) {
+  Crossings<3> corners;
+  for (std::size_t i = 0; i < signs.size(); ++i)
+    if (signs[i] * signs[i + 1 == signs.size() ? 0 : i + 1] == Sign::negative)
+      corners.push_back(table.meet({piece.hyperplane, piece.walls[i], hyperplane}));
+  return corners;
+}
+
+/// The part on one side.
+Piece<1> part_on(const Piece<1>& piece, std::uint32_t, const Signs&, const Crossings<1>&, Sign) { return piece; }
+
+Piece<2> part_on(const Piece<2>& piece, std::uint32_t, const Signs& signs, const Crossings<2>& crossings, Sign side) {
   Piece<2> part = piece;
-  part.corners[signs[0] == side ? 1 : 0] = table.meet({piece.hyperplane, hyperplane});
+  part.corners[signs[0] == side ? 1 : 0] = crossings[0];
   return part;
 }
 
-template <>
-Piece<3> part_on(const HyperplaneTable<3>& table, const Piece<3>& piece, std::uint32_t hyperplane, const Signs& signs,
+Piece<3> part_on(const Piece<3>& piece, std::uint32_t hyperplane, const Signs& signs, const Crossings<3>& crossings,
                  Sign side) {
   Piece<3> part;
   part.hyperplane = piece.hyperplane;
   const std::size_t n = piece.corners.size();
+  auto crossing = crossings.begin();
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t next = i + 1 == n ? 0 : i + 1;
-    const Sign here = signs[i], there = signs[next];
+    const Sign here = signs[i], there = signs[i + 1 == n ? 0 : i + 1];
     const bool is_leaving = here != -side && there == -side;  // the new side begins
     if (here != -side) {
       part.corners.push_back(piece.corners[i]);
       part.walls.push_back(here == Sign::zero && is_leaving ? hyperplane : piece.walls[i]);
     }
     if (here * there != Sign::negative) continue;
-    part.corners.push_back(table.meet({piece.hyperplane, piece.walls[i], hyperplane}));
+    part.corners.push_back(*crossing++);
     part.walls.push_back(is_leaving ? hyperplane : piece.walls[i]);
   }
   return part;
@@ -151,8 +163,9 @@ Split<D> split(const HyperplaneTable<D>& table, const Piece<D>& piece, std::uint
   const Signs signs = sides_of(table, piece, hyperplane);
   Split<D> result{lie_of(signs), {}, {}};
   if (result.lie == Lie::both) {
-    result.minus = part_on(table, piece, hyperplane, signs, Sign::negative);
-    result.plus = part_on(table, piece, hyperplane, signs, Sign::positive);
+    const Crossings<D> corners = crossings(table, piece, hyperplane, signs);
+    result.minus = part_on(piece, hyperplane, signs, corners, Sign::negative);
+    result.plus = part_on(piece, hyperplane, signs, corners, Sign::positive);
   }
   return result;
 }
@@ -162,7 +175,8 @@ bool clip(const HyperplaneTable<D>& table, Piece<D>& piece, HalfSpace half_space
   const Signs signs = sides_of(table, piece, half_space.hyperplane);
   const Lie lie = lie_of(signs);
   if (lie == Lie::both) {
-    piece = part_on(table, piece, half_space.hyperplane, signs, half_space.side);
+    piece = part_on(piece, half_space.hyperplane, signs, crossings(table, piece, half_space.hyperplane, signs),
+                    half_space.side);
     return true;
   }
   return lie == (half_space.side == Sign::positive ? Lie::plus : Lie::minus);

@@ -1,11 +1,15 @@
 #include "strata/csg/combine_partitions.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
 #include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "strata/bsp/mesh.h"
+#include "strata/csg/arena.h"
 #include "strata/csg/broken_operands.h"
 #include "strata/csg/stopwatch.h"
 
@@ -57,7 +61,10 @@ class Merging {
     if (operation == Operation::subtract)
       return pair(operation, regions[0], merged(Operation::unite, regions.subspan(1)));
     const std::size_t half = regions.size() / 2;
-    return pair(operation, merged(operation, regions.first(half)), merged(operation, regions.subspan(half)));
+    bsp::Partition<3> first, second;
+    tbb::parallel_invoke([&] { first = merged(operation, regions.first(half)); },
+                         [&] { second = merged(operation, regions.subspan(half)); });
+    return pair(operation, first, second);
   }
 
  private:
@@ -90,34 +97,30 @@ BooleanResult resolved(const Operand& operand, const Options& options, std::uint
 BooleanResult combine_partitions(Operation operation, std::span<const Operand> operands, const Options& options) {
   BooleanResult result;
   const Monitor monitor(options.cancel, &options.progress);
-  double prepare = 0, build = 0, merge = 0;
+  Stopwatch watch(result.profile);
   SourcesByPlane sources;
-  std::vector<bsp::Partition<3>> regions;
-  const auto timed = [](double& sum, const auto& work) {
-    Profile profile;
-    Stopwatch watch(profile);
-    work();
-    watch.lap("");
-    sum += profile.seconds[0].second;
-  };
+  std::vector<ExactMesh> meshes;
   for (std::uint32_t i = 0; i < operands.size(); ++i) {
-    ExactMesh mesh;
-    timed(prepare, [&] {
-      BooleanResult one = resolved(operands[i], options, i);
-      result.notes.insert(result.notes.end(), one.notes.begin(), one.notes.end());
-      mesh = {std::move(one.mesh), std::move(one.exact)};
-      sources.add(mesh, one.sources, i);
-    });
-    timed(build, [&] { regions.push_back(bsp::partition_of(mesh, monitor)); });
-    monitor.report(0.5 * (i + 1) / static_cast<double>(operands.size()));
+    BooleanResult one = resolved(operands[i], options, i);
+    result.notes.insert(result.notes.end(), one.notes.begin(), one.notes.end());
+    meshes.push_back({std::move(one.mesh), std::move(one.exact)});
+    sources.add(meshes.back(), one.sources, i);
   }
-  bsp::Partition<3> region;
-  timed(merge, [&] { region = Merging(monitor).merged(operation, regions); });
+  watch.lap("prepare");
+  monitor.report(0.2);
+  tbb::task_arena arena = arena_for(options);
+  std::vector<bsp::Partition<3>> regions(meshes.size());
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, meshes.size(),
+                      [&](std::size_t i) { regions[i] = bsp::partition_of(meshes[i], monitor); });
+  });
+  watch.lap("partition");
+  monitor.report(0.5);
+  const bsp::Partition<3> region = arena.execute([&] { return Merging(monitor).merged(operation, regions); });
+  watch.lap("merge");
   monitor.report(0.9);
-  result.profile.seconds = {{"prepare", prepare}, {"partition", build}, {"merge", merge}};
   const bsp::TreeSize tree = bsp::size_of_tree(region);
   result.profile.counts = {{"nodes", tree.nodes}, {"depth", tree.depth}, {"planes", tree.hyperplanes}};
-  Stopwatch watch(result.profile);
   bsp::BoundaryMesh boundary = bsp::boundary_mesh(region);
   watch.lap("boundary");
   std::vector<Source> source_of_plane;

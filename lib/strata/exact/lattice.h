@@ -15,6 +15,15 @@ template <int Limbs>
 }
 [[nodiscard]] inline Sign sign_of_integer(const Integer& x) { return static_cast<Sign>(x.sign()); }
 
+template <int Limbs>
+[[nodiscard]] Integer to_integer(const WideInt<Limbs>& x) {
+  const bool is_negative = x.sign() == Sign::negative;
+  const auto limbs = (is_negative ? -x : x).limbs();
+  Integer r;
+  mpz_import(r.backend().data(), limbs.size(), -1, sizeof limbs[0], 0, 0, limbs.data());
+  return is_negative ? Integer(-r) : r;
+}
+
 /// A finite double as sign * magnitude * 2^exponent with an odd magnitude (0 for zero).
 struct DoubleParts {
   std::uint64_t magnitude = 0;

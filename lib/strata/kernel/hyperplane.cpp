@@ -9,24 +9,62 @@
 namespace strata {
 namespace {
 
-int bits(const Integer& x) { return x == 0 ? 0 : static_cast<int>(msb(abs(x))) + 1; }
+/// |x| without its lowest bits.
+struct Leading {
+  unsigned __int128 bits = 0;
+  int size = 0;  ///< bits of |x|
+  int lost = 0;  ///< of them left out
+};
+
+Leading leading(const Integer& x) {
+  constexpr int kept = 120;
+  const mpz_srcptr z = x.backend().data();
+  Leading r;
+  r.size = x == 0 ? 0 : static_cast<int>(mpz_sizeinbase(z, 2));
+  r.lost = std::max(0, r.size - kept);
+  static_assert(GMP_NUMB_BITS == 64);
+  const int bit = r.lost % 64;
+  for (int word = 2; word >= 0; --word) {
+    const unsigned __int128 limb = mpz_getlimbn(z, r.lost / 64 + word);
+    const int place = 64 * word - bit;
+    if (place < 128) r.bits |= place < 0 ? limb >> -place : limb << place;
+  }
+  return r;
+}
 
 /// x * 2^exponent. What is lost to rounding and to underflow is in the bound.
 Twofold scaled(const Integer& x, int exponent) {
-  constexpr int kept = 120, smallest = -900;
-  const int size = bits(x), lost = std::max(0, size - kept);
-  const Integer top = x >> static_cast<unsigned>(lost);  // rounded down
-  const double high = top.convert_to<double>();
-  const Integer rest = top - Integer(high);
-  const double low = rest.convert_to<double>();
-  double error = rest == Integer(low) ? 0 : std::abs(low) * Bounded::rounding;
-  if (lost != 0) error += 1;
+  constexpr int smallest = -900;
+  const Leading top = leading(x);
+  const double sign = x < 0 ? -1 : 1;
+  const auto high = static_cast<double>(top.bits);
+  const auto rest = static_cast<__int128>(top.bits - static_cast<unsigned __int128>(high));
+  const auto low = static_cast<double>(rest);
+  double error = rest == static_cast<__int128>(low) ? 0 : std::abs(low) * Bounded::rounding;
+  if (top.lost != 0) error += 1;
   const double value = high + low;
-  const int shift = lost + exponent;
-  Twofold r(std::ldexp(value, shift), std::ldexp(low - (value - high), shift), std::ldexp(error, shift));
+  const int shift = top.lost + exponent;
+  Twofold r(std::ldexp(sign * value, shift), std::ldexp(sign * (low - (value - high)), shift),
+            std::ldexp(error, shift));
   if (!std::isfinite(r.value)) r.error = HUGE_VAL;
-  if (x != 0 && size + exponent < smallest) r.error += Bounded::underflow;
+  if (x != 0 && top.size + exponent < smallest) r.error += Bounded::underflow;
   return r;
+}
+
+/// Divided by all common factors. Powers of two first: coefficients that come from a lattice have many.
+template <std::size_t N>
+void make_coprime(std::array<Integer, N>& x) {
+  mp_bitcnt_t zeros = ~mp_bitcnt_t{0};
+  for (const Integer& k : x)
+    if (k != 0) zeros = std::min(zeros, mpz_scan1(k.backend().data(), 0));
+  if (zeros != 0)
+    for (Integer& k : x) k >>= zeros;
+  Integer factor = 0;
+  for (const Integer& k : x) {
+    factor = gcd(factor, k);
+    if (factor == 1) return;
+  }
+  for (Integer& k : x) k /= factor;
 }
 
 template <int D>
@@ -49,13 +87,11 @@ std::array<Integer, N> integers(const std::array<Rational, N>& x) {
 
 template <int D>
 Hyperplane<D>::Hyperplane(Coefficients coefficients) : exact_(std::move(coefficients)) {
-  Integer factor = 0;
-  for (const Integer& x : exact_) factor = gcd(factor, x);
-  if (!looks_to_plus<D>(exact_)) factor = -factor;
-  if (factor != 1)
-    for (Integer& x : exact_) x /= factor;
+  make_coprime(exact_);
+  if (!looks_to_plus<D>(exact_))
+    for (Integer& x : exact_) x.backend().negate();
   int largest = 0;
-  for (std::size_t i = 0; i < D; ++i) largest = std::max(largest, bits(exact_[i]));
+  for (std::size_t i = 0; i < D; ++i) largest = std::max(largest, leading(exact_[i]).size);
   for (std::size_t i = 0; i <= D; ++i) {
     fine_[i] = scaled(exact_[i], -largest);
     bounded_[i] = fine_[i].bounded();

@@ -73,12 +73,57 @@ std::optional<Sign> sign_of_bounded(const Twofold& x) { return x.bounded().sign(
 }  // namespace
 
 template <int D>
-std::uint32_t HyperplaneTable<D>::add(Shared hyperplane) {
+std::uint32_t HyperplaneTable<D>::add_shared(Shared hyperplane) {
   if (const auto known = find(*hyperplane)) return *known;
   const std::uint32_t number = size();
   numbers_.emplace(hyperplane->hash(), number);
   hyperplanes_.push_back(std::move(hyperplane));
+  noted_.emplace_back();
   return number;
+}
+
+template <int D>
+std::uint32_t HyperplaneTable<D>::adopt(const HyperplaneTable& other, std::uint32_t h) {
+  const std::uint32_t number = add_shared(other.hyperplanes_[h]);
+  for (const Point& p : other.noted_[h]) note(number, p);
+  return number;
+}
+
+template <int D>
+void HyperplaneTable<D>::note(std::uint32_t h, const Point& p) {
+  if (noted_[h].size() < most_noted && !is_noted(h, p)) noted_[h].push_back(p);
+}
+
+template <int D>
+bool HyperplaneTable<D>::is_noted(std::uint32_t h, const Point& p) const {
+  return std::find(noted_[h].begin(), noted_[h].end(), p) != noted_[h].end();
+}
+
+template <int D>
+auto HyperplaneTable<D>::noted_on_all(const std::array<std::uint32_t, D>& names) const -> std::optional<Point> {
+  if (std::any_of(names.begin(), names.end(), is_frame)) return std::nullopt;
+  for (const Point& p : noted_[names[0]])
+    if (std::all_of(names.begin() + 1, names.end(), [&](std::uint32_t h) { return is_noted(h, p); })) return p;
+  return std::nullopt;
+}
+
+template <int D>
+bool HyperplaneTable<D>::lies_in(std::uint32_t h, const Corner<D>& corner) const {
+  if (corner.is_given()) {
+    Point p;
+    for (std::size_t i = 0; i < D; ++i) p[i] = corner.at[i].value;
+    return is_noted(h, p);
+  }
+  if constexpr (D == 3) {  // two points on the line of two of its planes
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t i = corner.names[(k + 1) % 3], j = corner.names[(k + 2) % 3];
+      if (is_frame(i) || is_frame(j)) continue;
+      const auto count = std::count_if(noted_[h].begin(), noted_[h].end(),
+                                       [&](const Point& p) { return is_noted(i, p) && is_noted(j, p); });
+      if (count > 1) return true;
+    }
+  }
+  return false;
 }
 
 template <int D>
@@ -125,6 +170,7 @@ std::array<Number, D + 1> HyperplaneTable<D>::part(const std::array<std::uint32_
 
 template <int D>
 Corner<D> HyperplaneTable<D>::meet(const std::array<std::uint32_t, D>& names) const {
+  if (const auto p = noted_on_all(names)) return given(names, *p);
   Corner<D> corner{names, std::any_of(names.begin(), names.end(), is_frame), {}};
   auto at = quotients<Bounded, D>(part<Bounded>(names, corner.is_far));
   if (!at) at = quotients<Twofold, D>(part<Twofold>(names, corner.is_far));
@@ -138,7 +184,7 @@ Corner<D> HyperplaneTable<D>::meet(const std::array<std::uint32_t, D>& names) co
 }
 
 template <int D>
-Corner<D> HyperplaneTable<D>::given(const std::array<std::uint32_t, D>& names, const std::array<double, D>& place) {
+Corner<D> HyperplaneTable<D>::given(const std::array<std::uint32_t, D>& names, const Point& place) {
   Corner<D> corner{names, false, {}};
   for (std::size_t i = 0; i < D; ++i) corner.at[i] = place[i];
   return corner;
@@ -155,6 +201,7 @@ Sign HyperplaneTable<D>::side(std::uint32_t h, const Corner<D>& corner) const {
   }
   if (const auto sign = Bounded(linear<D>(plane.bounded().data(), corner.at.data()) + plane.bounded()[D]).sign())
     return *sign;
+  if (lies_in(h, corner)) return Sign::zero;
   if (!corner.is_given()) {
     const std::array<Twofold, D + 1> fine = part<Twofold>(corner.names, false);
     const auto value = sign_of_bounded(linear<D>(plane.fine().data(), fine.data()) + plane.fine()[D] * fine[D]);
@@ -165,7 +212,7 @@ Sign HyperplaneTable<D>::side(std::uint32_t h, const Corner<D>& corner) const {
 }
 
 template <int D>
-Sign HyperplaneTable<D>::side(std::uint32_t h, const std::array<double, D>& p) const {
+Sign HyperplaneTable<D>::side(std::uint32_t h, const Point& p) const {
   const Hyperplane<D>& plane = *hyperplanes_[h];
   double value = plane.bounded()[D].value, size = std::abs(value);
   for (std::size_t i = 0; i < D; ++i) {
@@ -194,22 +241,28 @@ Sign HyperplaneTable<D>::side(std::uint32_t h, const RationalVector<D>& p) const
 }
 
 template <int D>
-Sign HyperplaneTable<D>::exact_side(std::uint32_t h, const std::array<double, D>& p) const {
-  Lattice lattice;
-  for (const double x : p) lattice.add(x);
+Sign HyperplaneTable<D>::exact_side(std::uint32_t h, const Point& p) const {
+  int unit = 0;
+  for (const double x : p) unit = std::min(unit, DoubleParts(x).exponent);
   const auto& plane = hyperplanes_[h]->exact();
-  Integer sum = 0;
-  for (std::size_t i = 0; i < D; ++i) sum += plane[i] * lattice.integer<Integer>(p[i]);
-  Integer offset = plane[D];
-  if (lattice.unit() < 0) offset <<= static_cast<unsigned>(-lattice.unit());
-  if (lattice.unit() > 0) sum <<= static_cast<unsigned>(lattice.unit());
-  return sign_of_integer(Integer(sum + offset));
+  Integer sum = plane[D] << static_cast<unsigned>(-unit), term;
+  for (std::size_t i = 0; i < D; ++i) {
+    const DoubleParts x(p[i]);
+    term = plane[i] * x.magnitude;
+    term <<= static_cast<unsigned>(x.exponent - unit);
+    if (x.negative) {
+      sum -= term;
+    } else {
+      sum += term;
+    }
+  }
+  return sign_of_integer(sum);
 }
 
 template <int D>
 Sign HyperplaneTable<D>::exact_side(std::uint32_t h, const Corner<D>& corner) const {
   if (corner.is_given()) {
-    std::array<double, D> p;
+    Point p;
     for (std::size_t i = 0; i < D; ++i) p[i] = corner.at[i].value;
     return exact_side(h, p);
   }
@@ -239,7 +292,7 @@ template <int D>
 std::size_t HyperplaneTable<D>::bytes() const {
   std::size_t sum = 0;
   for (const Shared& plane : hyperplanes_) {
-    sum += sizeof *plane + 64;  // its entry in the hash table
+    sum += sizeof *plane + sizeof(Points) + 64;  // its entry in the hash table
     for (const Integer& x : plane->exact()) sum += 8 * mpz_size(x.backend().data());
   }
   return sum;

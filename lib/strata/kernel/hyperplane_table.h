@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -38,19 +39,23 @@ struct Corner {
 template <int D>
 class HyperplaneTable {
  public:
-  using Shared = std::shared_ptr<const Hyperplane<D>>;  ///< tables share what they have in common
+  using Point = std::array<double, D>;
 
   /// The number of a hyperplane, a new one if it is not in the table. O(1) expected.
   std::uint32_t add(Hyperplane<D> hyperplane) {
-    return add(std::make_shared<const Hyperplane<D>>(std::move(hyperplane)));
+    return add_shared(std::make_shared<const Hyperplane<D>>(std::move(hyperplane)));
   }
-  std::uint32_t add(Shared hyperplane);
+  /// The same for one of another table, with the points that are noted there. Tables share what they have in common.
+  std::uint32_t adopt(const HyperplaneTable& other, std::uint32_t h);
+
+  /// Notes a point on a hyperplane: where `meet` and `side` find the same points noted, they need no arithmetic. Some
+  /// points on each hyperplane are enough; more than a few are left out.
+  void note(std::uint32_t h, const Point& p);
 
   /// Its number, if it is in the table.
   [[nodiscard]] std::optional<std::uint32_t> find(const Hyperplane<D>& hyperplane) const;
 
   [[nodiscard]] const Hyperplane<D>& operator[](std::uint32_t h) const { return *hyperplanes_[h]; }
-  [[nodiscard]] const Shared& shared(std::uint32_t h) const { return hyperplanes_[h]; }
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(hyperplanes_.size()); }
 
   /// x_axis = W, or x_axis = -W, where W is larger than any number.
@@ -62,12 +67,12 @@ class HyperplaneTable {
   /// Requires that the hyperplanes meet in one point.
   [[nodiscard]] Corner<D> meet(const std::array<std::uint32_t, D>& names) const;
   /// The same, for a point that is known: its doubles are exact.
-  [[nodiscard]] static Corner<D> given(const std::array<std::uint32_t, D>& names, const std::array<double, D>& place);
+  [[nodiscard]] static Corner<D> given(const std::array<std::uint32_t, D>& names, const Point& place);
 
   /// Which side of a hyperplane, none of the frame, a corner is on.
   [[nodiscard]] Sign side(std::uint32_t h, const Corner<D>& corner) const;
   /// The same for points that are not of the table.
-  [[nodiscard]] Sign side(std::uint32_t h, const std::array<double, D>& p) const;
+  [[nodiscard]] Sign side(std::uint32_t h, const Point& p) const;
   [[nodiscard]] Sign side(std::uint32_t h, const RationalVector<D>& p) const;
 
   /// The place of a corner that is not far.
@@ -77,7 +82,18 @@ class HyperplaneTable {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  using Shared = std::shared_ptr<const Hyperplane<D>>;
+  using Points = boost::container::small_vector<Point, 3>;
+
   static constexpr std::uint32_t first_of_frame = 0xffff'fff0;
+  static constexpr std::size_t most_noted = 16;  ///< points of one hyperplane
+
+  std::uint32_t add_shared(Shared hyperplane);
+  [[nodiscard]] bool is_noted(std::uint32_t h, const Point& p) const;
+  /// A point that is noted on all of these; nothing for names of the frame.
+  [[nodiscard]] std::optional<Point> noted_on_all(const std::array<std::uint32_t, D>& names) const;
+  /// True when noted points tell that a corner lies in a hyperplane.
+  [[nodiscard]] bool lies_in(std::uint32_t h, const Corner<D>& corner) const;
 
   template <class Number>
   [[nodiscard]] std::array<Number, D + 1> row(std::uint32_t h, bool is_far) const;
@@ -85,9 +101,10 @@ class HyperplaneTable {
   template <class Number>
   [[nodiscard]] std::array<Number, D + 1> part(const std::array<std::uint32_t, D>& names, bool is_far) const;
   [[nodiscard]] Sign exact_side(std::uint32_t h, const Corner<D>& corner) const;
-  [[nodiscard]] Sign exact_side(std::uint32_t h, const std::array<double, D>& p) const;
+  [[nodiscard]] Sign exact_side(std::uint32_t h, const Point& p) const;
 
   std::vector<Shared> hyperplanes_;
+  std::vector<Points> noted_;                                    ///< by hyperplane
   std::unordered_multimap<std::size_t, std::uint32_t> numbers_;  ///< by hash
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "strata/exact/pairwise_sum.h"
 #include "strata/mesh/product_sum.h"
 
 namespace strata {
@@ -19,25 +20,6 @@ RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
 }
 
 Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-/// Sums rationals in pairs of equal rank, as a binary counter does, so that denominators stay small for long.
-class PairwiseSum {
- public:
-  void add(Rational term) {
-    std::size_t rank = 0;
-    for (; rank < partial_.size() && partial_[rank] != 0; ++rank) term += std::exchange(partial_[rank], 0);
-    if (rank == partial_.size()) partial_.emplace_back();
-    partial_[rank] = std::move(term);
-  }
-  [[nodiscard]] Rational value() const {
-    Rational sum = 0;
-    for (const Rational& part : partial_) sum += part;
-    return sum;
-  }
-
- private:
-  std::vector<Rational> partial_;
-};
 
 /// Which vertices have a place of their own in `exact`; empty when none has.
 std::vector<bool> exact_flags(ExactMeshView mesh) {
