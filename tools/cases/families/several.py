@@ -78,6 +78,11 @@ def rational(cases):
     cases.operations("thirds-octahedra", o, moved, ["rational"], "an octahedron and one moved by (3, 4, 5)/9")
     seven = tetrahedron((0, 0, 0), (Fraction(8, 7), 0, 0), (0, Fraction(9, 7), 0), (0, 0, Fraction(10, 7)))
     cases.operations("sevenths-tetrahedron", cube(), seven, ["rational"], "a cube and a tetrahedron of sevenths")
+    corners = [(1, 3, 0), (2, 2, 0), (3, 0, 0), (3, 3, 1)]
+    shared = tetrahedron(*([tuple(Fraction(4 * x, 3) for x in p) for p in corners]))
+    o = octahedron((4, 2, 0), 2).mapped(lambda p: tuple(Fraction(4 * x, 3) for x in p))
+    cases.operations("thirds-vertex", shared, o, ["rational"],
+                     "a tetrahedron that crosses an octahedron and shares a corner with it, in thirds")
 
 
 def retriangulated(cases):
