@@ -64,6 +64,46 @@ std::optional<std::array<Bounded, D>> quotients(const std::array<Number, D + 1>&
   return r;
 }
 
+/// A sum of products of coefficients, computed plainly, and the sum of the sizes of all terms, from which its bound
+/// comes at the end. theory.md, "Hyperplanes".
+struct Sized {
+  double value = 0, size = 0;
+
+  Sized() = default;
+  explicit Sized(double x) : value(x), size(std::abs(x) <= 0x1p100 ? std::abs(x) : HUGE_VAL) {}
+  Sized(double v, double s) : value(v), size(s) {}
+
+  friend Sized operator+(Sized a, Sized b) { return {a.value + b.value, a.size + b.size}; }
+  friend Sized operator-(Sized a, Sized b) { return {a.value - b.value, a.size + b.size}; }
+  friend Sized operator*(Sized a, Sized b) { return {a.value * b.value, a.size * b.size}; }
+  Sized operator-() const { return {-value, size}; }
+
+  [[nodiscard]] Bounded bounded() const { return {value, size * 0x1p-48 + 0x1p-880}; }
+};
+
+template <std::size_t N>
+std::array<Bounded, N> bounded(const std::array<Sized, N>& x) {
+  std::array<Bounded, N> r;
+  for (std::size_t i = 0; i < N; ++i) r[i] = x[i].bounded();
+  return r;
+}
+
+/// The side of a point, zero where doubles do not tell. theory.md, "Hyperplanes", derives the bound.
+template <int D, class Number>
+Sign side_in_doubles(const Hyperplane<D>& plane, const std::array<Number, D>& p) {
+  double value = plane.bounded()[D].value, size = std::abs(value), reach = 0, error = 0;
+  for (std::size_t i = 0; i < D; ++i) {
+    const Bounded x = p[i];
+    const double product = plane.bounded()[i].value * x.value;
+    value += product;
+    size += std::abs(product);
+    reach += std::abs(x.value);
+    error += x.error;
+  }
+  const double bound = size * 0x1p-48 + reach * 0x1p-110 + error * Bounded::slack + 0x1p-990;
+  return value > bound ? Sign::positive : -value > bound ? Sign::negative : Sign::zero;
+}
+
 Bounded nearest(const Rational& x) { return nearest_twofold(x).bounded(); }
 
 Rational quotient(const Integer& x, const Integer& w) { return w < 0 ? Rational(-x, -w) : Rational(x, w); }
@@ -102,8 +142,8 @@ bool HyperplaneTable<D>::is_noted(std::uint32_t h, const Point& p) const {
 template <int D>
 auto HyperplaneTable<D>::noted_on_all(const std::array<std::uint32_t, D>& names) const -> std::optional<Point> {
   if (std::any_of(names.begin(), names.end(), is_frame)) return std::nullopt;
-  for (const Point& p : noted_[names[0]])
-    if (std::all_of(names.begin() + 1, names.end(), [&](std::uint32_t h) { return is_noted(h, p); })) return p;
+  for (const Point& p : noted_[names.back()])
+    if (std::all_of(names.begin(), names.end() - 1, [&](std::uint32_t h) { return is_noted(h, p); })) return p;
   return std::nullopt;
 }
 
@@ -153,7 +193,7 @@ std::array<Number, D + 1> HyperplaneTable<D>::row(std::uint32_t h, bool is_far) 
     } else if constexpr (std::is_same_v<Number, Twofold>) {
       r[i] = plane.fine()[i];
     } else {
-      r[i] = plane.bounded()[i];
+      r[i] = Sized(plane.bounded()[i].value);
     }
   }
   if (is_far) r[D] = Number(0.0);
@@ -172,7 +212,7 @@ template <int D>
 Corner<D> HyperplaneTable<D>::meet(const std::array<std::uint32_t, D>& names) const {
   if (const auto p = noted_on_all(names)) return given(names, *p);
   Corner<D> corner{names, std::any_of(names.begin(), names.end(), is_frame), {}};
-  auto at = quotients<Bounded, D>(part<Bounded>(names, corner.is_far));
+  auto at = quotients<Bounded, D>(bounded(part<Sized>(names, corner.is_far)));
   if (!at) at = quotients<Twofold, D>(part<Twofold>(names, corner.is_far));
   if (at) {
     corner.at = *at;
@@ -199,8 +239,7 @@ Sign HyperplaneTable<D>::side(std::uint32_t h, const Corner<D>& corner) const {
       return *sign;
     return exact_side(h, corner);
   }
-  if (const auto sign = Bounded(linear<D>(plane.bounded().data(), corner.at.data()) + plane.bounded()[D]).sign())
-    return *sign;
+  if (const Sign sign = side_in_doubles<D>(plane, corner.at); sign != Sign::zero) return sign;
   if (lies_in(h, corner)) return Sign::zero;
   if (!corner.is_given()) {
     const std::array<Twofold, D + 1> fine = part<Twofold>(corner.names, false);
@@ -214,18 +253,7 @@ Sign HyperplaneTable<D>::side(std::uint32_t h, const Corner<D>& corner) const {
 template <int D>
 Sign HyperplaneTable<D>::side(std::uint32_t h, const Point& p) const {
   const Hyperplane<D>& plane = *hyperplanes_[h];
-  double value = plane.bounded()[D].value, size = std::abs(value);
-  for (std::size_t i = 0; i < D; ++i) {
-    const double product = plane.bounded()[i].value * p[i];
-    value += product;
-    size += std::abs(product);
-  }
-  // Every coefficient is within 2^-51 of itself, or 2^-118 of the longest; each of D sums and products adds 2^-53.
-  double reach = 0;
-  for (const double x : p) reach += std::abs(x);
-  const double bound = size * 0x1p-48 + reach * 0x1p-110 + 0x1p-990;
-  if (value > bound) return Sign::positive;
-  if (-value > bound) return Sign::negative;
+  if (const Sign sign = side_in_doubles<D>(plane, p); sign != Sign::zero) return sign;
   std::array<Twofold, D> x;
   std::copy(p.begin(), p.end(), x.begin());
   if (const auto sign = sign_of_bounded(linear<D>(plane.fine().data(), x.data()) + plane.fine()[D])) return *sign;
