@@ -126,6 +126,37 @@ TEST_CASE("planes of coordinates of any width are exact", "[bsp][property]") {
     }
 }
 
+TEST_CASE("what is behind many half-spaces is not a deep tree, and points are where the planes say",
+          "[bsp][property]") {
+  Random random(7);
+  std::vector<OrientedHyperplane<3>> planes;
+  const auto coordinate = [&] { return std::ldexp(std::floor(std::ldexp(2 * random.unit() - 1, 10)), -10); };
+  while (planes.size() < 600) {
+    const std::array<double, 3> n{coordinate(), coordinate(), coordinate()};
+    const double length = std::hypot(n[0], n[1], n[2]);
+    if (length < 0.1) continue;
+    const double c = -std::ceil(1024 * length) / 1024;  // nearly at distance 1
+    planes.push_back(oriented_hyperplane<3>(
+        std::array<Rational, 4>{to_rational(n[0]), to_rational(n[1]), to_rational(n[2]), to_rational(c)}));
+  }
+  const Partition<3> ball = Partition<3>::convex(planes);
+  check_invariants(ball);
+  CHECK(size_of_tree(ball).depth < 120);
+  CHECK(to_nearest_double(size(ball).value()) == Approx(4.19).epsilon(0.03));
+  for (int k = 0; k < 1000; ++k) {
+    const std::array<double, 3> p{coordinate(), coordinate(), coordinate()};
+    bool is_behind = true, is_on = false;
+    for (const OrientedHyperplane<3>& plane : planes) {
+      Rational value = plane.hyperplane.exact()[3];
+      for (std::size_t i = 0; i < 3; ++i) value += plane.hyperplane.exact()[i] * to_rational(p[i]);
+      if (plane.is_turned) value = -value;
+      is_behind &= value <= 0;
+      is_on |= value == 0;
+    }
+    CHECK(ball.classify(p) == (!is_behind ? Where::out : is_on ? Where::on : Where::in));
+  }
+}
+
 TEST_CASE("a mesh turned inside out bounds all but the solid", "[bsp]") {
   const Mesh box = test::box({0, 0, 0}, {1, 2, 3});
   Mesh turned = box;

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "strata/exact/lattice.h"
-#include "strata/io/polygon_sweep.h"
 #include "strata/kernel/filters.h"
 #include "strata/kernel/homogeneous.h"
+#include "strata/mesh/polygon_sweep.h"
 
 namespace strata::bsp {
 namespace {
@@ -239,14 +239,14 @@ class Triangulation {
     for (const auto& loop : loops) places_.insert(places_.end(), loop.begin(), loop.end());
     std::sort(places_.begin(), places_.end(), [&](std::uint32_t a, std::uint32_t b) { return is_left_of(a, b); });
     places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
-    std::vector<io::Side> sides;
+    std::vector<PolygonSide> sides;
     for (const auto& loop : loops)
       for (std::size_t i = 0; i < loop.size(); ++i)
         sides.push_back({place_of(loop[i]), place_of(loop[(i + 1) % loop.size()])});
     const auto turn = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
       return turn_of(places_[i], places_[j], places_[k]);
     };
-    for (const Triangle& t : io::PolygonSweep(sides, turn).divide())
+    for (const Triangle& t : PolygonSweep(sides, turn).divide())
       triangles.push_back({places_[t[0]], places_[t[1]], places_[t[2]]});
   }
 

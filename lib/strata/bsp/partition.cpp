@@ -1,6 +1,7 @@
 #include "strata/bsp/partition.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "strata/bsp/merge.h"
@@ -88,7 +89,7 @@ Partition<D> Partition<D>::convex(std::span<const OrientedHyperplane<D>> hyperpl
   if (hyperplanes.empty()) return all();
   if (hyperplanes.size() == 1) return half_space(hyperplanes[0]);
   const std::size_t half = hyperplanes.size() / 2;
-  return convex(hyperplanes.first(half)) & convex(hyperplanes.subspan(half));
+  return rebuilt_if_deep(convex(hyperplanes.first(half)) & convex(hyperplanes.subspan(half)));
 }
 
 template <int D>
@@ -171,6 +172,13 @@ Partition<D> rebuilt(const Partition<D>& region) {
 }
 
 template <int D>
+Partition<D> rebuilt_if_deep(const Partition<D>& region) {
+  const TreeSize size = size_of_tree(region);
+  const double usual = 30 + 6 * std::log2(static_cast<double>(size.leaves));
+  return static_cast<double>(size.depth) > usual ? rebuilt(region) : region;
+}
+
+template <int D>
 TreeSize size_of_tree(const Partition<D>& region) {
   const Tree& tree = region.tree();
   TreeSize size{tree.nodes.size(), tree.nodes.size() + 1, 0, 0, region.table().size(), 0, 0};
@@ -201,6 +209,7 @@ template class Partition<3>;
   template Partition<D> complement(const Partition<D>&);                                               \
   template Partition<D> compact(const Partition<D>&);                                                  \
   template Partition<D> rebuilt(const Partition<D>&);                                                  \
+  template Partition<D> rebuilt_if_deep(const Partition<D>&);                                          \
   template TreeSize size_of_tree(const Partition<D>&);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)

@@ -25,7 +25,7 @@ class Partition {
   [[nodiscard]] static Partition all();  ///< the whole line, plane or space
   /// What is behind a hyperplane as it was given, the side that it does not look to.
   [[nodiscard]] static Partition half_space(const OrientedHyperplane<D>& hyperplane);
-  /// What is behind all of these: convex, may be empty. O(n^2 log n) at worst.
+  /// What is behind all of these: convex, may be empty. Merged by halves; the tree is not deep.
   [[nodiscard]] static Partition convex(std::span<const OrientedHyperplane<D>> hyperplanes);
   /// A tree over a table. Every node must divide its part of space; `pruned` makes trees so.
   [[nodiscard]] static Partition of(HyperplaneTable<D> table, Tree tree);
@@ -95,6 +95,10 @@ template <int D>
 /// The same region, its tree built anew from its boundary.
 template <int D>
 [[nodiscard]] Partition<D> rebuilt(const Partition<D>& region);
+
+/// The same region, its tree built anew if it is deep for its size: deeper than 30 + 6 log2(leaves).
+template <int D>
+[[nodiscard]] Partition<D> rebuilt_if_deep(const Partition<D>& region);
 
 /// Sizes of a tree, for reports.
 struct TreeSize {

@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -70,10 +69,7 @@ class Merging {
  private:
   [[nodiscard]] bsp::Partition<3> pair(Operation operation, const bsp::Partition<3>& a,
                                        const bsp::Partition<3>& b) const {
-    bsp::Partition<3> result = bsp::combined(operation, a, b, monitor_);
-    const bsp::TreeSize size = bsp::size_of_tree(result);
-    const double usual = 30 + 6 * std::log2(static_cast<double>(size.leaves));
-    return static_cast<double>(size.depth) > usual ? bsp::rebuilt(result) : result;
+    return bsp::rebuilt_if_deep(bsp::combined(operation, a, b, monitor_));
   }
 
   const Monitor& monitor_;

@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "strata/io/polygon_sweep.h"
 #include "strata/kernel/predicates.h"
+#include "strata/mesh/polygon_sweep.h"
 
 namespace strata::io {
 namespace {
@@ -134,8 +134,8 @@ void for_each_loop(const LoopFace& face, const Visit& visit) {
 }
 
 /// The sides of all loops.
-std::vector<Side> sides_of(const LoopFace& face, const Places& places) {
-  std::vector<Side> sides;
+std::vector<PolygonSide> sides_of(const LoopFace& face, const Places& places) {
+  std::vector<PolygonSide> sides;
   for_each_loop(face, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t i = first; i < last; ++i) {
       const std::uint32_t j = i + 1 < last ? i + 1 : first;
@@ -149,18 +149,19 @@ std::vector<Side> sides_of(const LoopFace& face, const Places& places) {
 }
 
 /// Sides without those that are run along in both directions, which bound nothing. Every place must keep some.
-std::vector<Side> without_keyholes(std::vector<Side> sides, std::size_t place_count) {
-  const auto ends = [](const Side& s) { return std::minmax(s.from, s.to); };
-  std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return ends(a) < ends(b); });
-  std::vector<Side> kept;
-  for (const Side& s : sides) {
+std::vector<PolygonSide> without_keyholes(std::vector<PolygonSide> sides, std::size_t place_count) {
+  const auto ends = [](const PolygonSide& s) { return std::minmax(s.from, s.to); };
+  std::stable_sort(sides.begin(), sides.end(),
+                   [&](const PolygonSide& a, const PolygonSide& b) { return ends(a) < ends(b); });
+  std::vector<PolygonSide> kept;
+  for (const PolygonSide& s : sides) {
     if (!kept.empty() && kept.back().from == s.to && kept.back().to == s.from)
       kept.pop_back();
     else
       kept.push_back(s);
   }
   std::vector<bool> used(place_count, false);
-  for (const Side& s : kept) used[s.from] = true;
+  for (const PolygonSide& s : kept) used[s.from] = true;
   if (std::find(used.begin(), used.end(), false) != used.end()) throw NoRegion("doubles back on itself");
   return kept;
 }

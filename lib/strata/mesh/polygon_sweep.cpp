@@ -1,10 +1,10 @@
-#include "strata/io/polygon_sweep.h"
+#include "strata/mesh/polygon_sweep.h"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
-namespace strata::io {
+namespace strata {
 namespace {
 
 constexpr const char* crosses = "has sides that cross or touch away from their ends";
@@ -19,8 +19,9 @@ bool PolygonSweep::Below::operator()(const Edge& a, const Edge& b) const {
                          : (*turn)(b.left, b.right, a.left) == Sign::negative;
 }
 
-PolygonSweep::PolygonSweep(std::span<const Side> sides, Turn turn) : turn_(std::move(turn)), status_(Below{&turn_}) {
-  for (const Side& s : sides) edges_.push_back({std::min(s.from, s.to), std::max(s.from, s.to), s.from < s.to});
+PolygonSweep::PolygonSweep(std::span<const PolygonSide> sides, Turn turn)
+    : turn_(std::move(turn)), status_(Below{&turn_}) {
+  for (const PolygonSide& s : sides) edges_.push_back({std::min(s.from, s.to), std::max(s.from, s.to), s.from < s.to});
   std::stable_sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) { return a.left < b.left; });
 }
 
@@ -155,4 +156,4 @@ void PolygonSweep::ensure_apart(At below, At above) const {
   if (!apart) throw NoRegion(crosses);
 }
 
-}  // namespace strata::io
+}  // namespace strata

@@ -9,11 +9,11 @@
 #include "strata/exact/sign.h"
 #include "strata/mesh/mesh.h"
 
-namespace strata::io {
+namespace strata {
 
 /// A straight side between two different places of a plane, numbered from left to right, and upwards where they are
 /// above one another. What it bounds is on its left.
-struct Side {
+struct PolygonSide {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
 };
@@ -38,7 +38,7 @@ class PolygonSweep {
   using Turn = std::function<Sign(std::uint32_t, std::uint32_t, std::uint32_t)>;
 
   /// Requires as many sides from every place as to it.
-  PolygonSweep(std::span<const Side> sides, Turn turn);
+  PolygonSweep(std::span<const PolygonSide> sides, Turn turn);
   PolygonSweep(const PolygonSweep&) = delete;
   PolygonSweep& operator=(const PolygonSweep&) = delete;
 
@@ -95,4 +95,4 @@ class PolygonSweep {
   std::vector<Triangle> triangles_;
 };
 
-}  // namespace strata::io
+}  // namespace strata
