@@ -21,7 +21,7 @@ struct Facet {
 /// large nodes, axis-parallel ones through the median corner: sum of m log m over both sides, where m counts
 /// facets and those that are divided count on both sides. So divisions are avoided first, and then sides are balanced;
 /// a convex solid, where every facet has all others on one side, gets a tree and no list.
-/// Expected O(n log^2 n) for n facets of which few are divided; theory.md, "Choice of cuts", has the bad cases.
+/// Expected O(n log^2 n) for n facets of which few are divided; theory.md, "When trees blow up", has the bad cases.
 /// Throws Cancelled.
 template <int D>
 [[nodiscard]] Tree built(HyperplaneTable<D>& table, std::vector<Facet<D>> facets, const Monitor& monitor = {});

@@ -13,7 +13,8 @@ template <int D>
 template <int D>
 [[nodiscard]] std::optional<RationalVector<D>> barycentre(const Partition<D>& region);
 
-/// Of the boundary: number of points, length or area, to a few units in the last place; infinity when it has no end.
+/// Of the boundary: number of points, length or area; facets to a few units in the last place, summed in
+/// doubles; infinity when it has no end.
 template <int D>
 [[nodiscard]] double boundary_size(const Partition<D>& region);
 

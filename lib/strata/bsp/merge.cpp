@@ -40,7 +40,7 @@ class Merger {
 
   /// Of two trees that divide the part of space at the end of the path.
   Link merge(Link a, Link b) {
-    if (is_leaf(a)) return changed(reduced(b), effect_of(operation_, a, true));
+    if (is_leaf(a)) return changed(b, effect_of(operation_, a, true));
     if (is_leaf(b)) return changed(a, effect_of(operation_, b, false));
     monitor_.check();
     const Node cut = nodes_[a];
@@ -81,9 +81,10 @@ class Merger {
     return is_all(pieces.lie == Lie::minus ? node.minus : node.plus, piece, leaf);
   }
 
-  /// What is left of the second tree, without cuts that are for nothing now.
+  /// What is left of a tree, without cuts that are for nothing now.
   Link reduced(Link tree) {
     if (is_leaf(tree) || tree < first_new_) return tree;
+    monitor_.check();
     const Node node = nodes_[tree];
     const Link minus = reduced(node.minus), plus = reduced(node.plus);
     return joined(node.hyperplane, *parts_[tree], minus, plus);
@@ -92,9 +93,9 @@ class Merger {
   Link changed(Link tree, Effect effect) {
     switch (effect) {
       case Effect::stays:
-        return tree;
+        return reduced(tree);
       case Effect::turns:
-        return complemented(nodes_, tree);
+        return complemented(nodes_, reduced(tree));
       case Effect::becomes_in:
         return leaf_in;
       case Effect::becomes_out:

@@ -14,7 +14,8 @@ namespace strata::bsp {
 
 /// A regular region of the line (D = 1), the plane (2) or space (3), bounded or not, as a binary space partition: cuts
 /// by hyperplanes, convex leaves that are inside or outside. All decisions are exact for whatever rationals it is made
-/// of. Hyperplanes are those of the input, through any number of operations: their coefficients do not grow.
+/// of. Hyperplanes are those of the input and, where trees are built, axis-parallel ones through doubles: coefficients
+/// do not grow, whatever is combined.
 ///
 /// An immutable value, cheap to copy, safe to read from many threads.
 template <int D>
@@ -25,7 +26,8 @@ class Partition {
   [[nodiscard]] static Partition all();  ///< the whole line, plane or space
   /// What is behind a hyperplane as it was given, the side that it does not look to.
   [[nodiscard]] static Partition half_space(const OrientedHyperplane<D>& hyperplane);
-  /// What is behind all of these: convex, may be empty. Merged by halves; the tree is not deep.
+  /// What is behind all of these: convex, may be empty. Merged by halves, and built anew with
+  /// axis-parallel cuts where that is less deep.
   [[nodiscard]] static Partition convex(std::span<const OrientedHyperplane<D>> hyperplanes);
   /// A tree over a table. Every node must divide its part of space; `pruned` makes trees so.
   [[nodiscard]] static Partition of(HyperplaneTable<D> table, Tree tree);
@@ -56,8 +58,9 @@ class Partition {
 };
 
 /// The regularized combination, by merging the trees. Laws: those of sets, up to the choice of leaves.
-/// Depths add up at worst: where many are combined, do it by halves, or use `rebuilt` (recursion is as deep as trees
-/// are). Expected output-sensitive; at worst every node of one tree meets every node of the other. Throws Cancelled.
+/// Depths add up at worst: where many are combined, do it by halves, or use `rebuilt_if_deep` (recursion is as deep
+/// as trees are: a depth of a thousand fits on any thread's stack). Expected output-sensitive; at worst every node of
+/// one tree meets every node of the other. Throws Cancelled.
 template <int D>
 [[nodiscard]] Partition<D> combined(Operation operation, const Partition<D>& a, const Partition<D>& b,
                                     const Monitor& monitor = {});

@@ -107,8 +107,10 @@ BooleanResult combine_partitions(Operation operation, std::span<const Operand> o
   tbb::task_arena arena = arena_for(options);
   std::vector<bsp::Partition<3>> regions(meshes.size());
   arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, meshes.size(),
-                      [&](std::size_t i) { regions[i] = bsp::partition_of(meshes[i], monitor); });
+    tbb::parallel_for(std::size_t{0}, meshes.size(), [&](std::size_t i) {
+      regions[i] = bsp::partition_of(meshes[i], monitor);
+      meshes[i] = {};
+    });
   });
   watch.lap("partition");
   monitor.report(0.5);

@@ -157,7 +157,6 @@ bool HyperplaneTable<D>::lies_in(std::uint32_t h, const Corner<D>& corner) const
   if constexpr (D == 3) {  // two points on the line of two of its planes
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t i = corner.names[(k + 1) % 3], j = corner.names[(k + 2) % 3];
-      if (is_frame(i) || is_frame(j)) continue;
       const auto count = std::count_if(noted_[h].begin(), noted_[h].end(),
                                        [&](const Point& p) { return is_noted(i, p) && is_noted(j, p); });
       if (count > 1) return true;
@@ -320,9 +319,11 @@ template <int D>
 std::size_t HyperplaneTable<D>::bytes() const {
   std::size_t sum = 0;
   for (const Shared& plane : hyperplanes_) {
-    sum += sizeof *plane + sizeof(Points) + 64;  // its entry in the hash table
+    sum += sizeof *plane + 64;  // its entry in the hash table
     for (const Integer& x : plane->exact()) sum += 8 * mpz_size(x.backend().data());
   }
+  for (const Points& points : noted_)
+    sum += sizeof points + (points.size() > Points::static_capacity ? points.capacity() * sizeof(Point) : 0);
   return sum;
 }
 

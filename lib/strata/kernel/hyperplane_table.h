@@ -34,8 +34,8 @@ struct Corner {
 };
 
 /// Hyperplanes by number, each once, and what is decided about them. Every answer is the sign of a determinant of
-/// coefficients of at most D + 1 of them, exact: first in doubles with bounds, then in pairs of doubles, then in
-/// integers. kernel/theory.md, "Hyperplanes".
+/// coefficients of at most D + 1 of them, exact: first in doubles with bounds, then by points that are known to lie
+/// in them, in pairs of doubles, and in integers. kernel/theory.md, "Hyperplanes".
 template <int D>
 class HyperplaneTable {
  public:
@@ -48,8 +48,8 @@ class HyperplaneTable {
   /// The same for one of another table, with the points that are noted there. Tables share what they have in common.
   std::uint32_t adopt(const HyperplaneTable& other, std::uint32_t h);
 
-  /// Notes a point on a hyperplane: where `meet` and `side` find the same points noted, they need no arithmetic. Some
-  /// points on each hyperplane are enough; more than a few are left out.
+  /// Notes a point that lies in a hyperplane, exactly: where `meet` and `side` find the same points noted, they need no
+  /// arithmetic. Some points on each hyperplane are enough; more than a few are left out.
   void note(std::uint32_t h, const Point& p);
 
   /// Its number, if it is in the table.
