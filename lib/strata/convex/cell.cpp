@@ -1,0 +1,276 @@
+#include "strata/convex/cell.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "strata/mesh/defect.h"
+
+namespace strata::convex {
+namespace {
+
+constexpr auto minus_side = Sign::negative, plus_side = Sign::positive;
+
+std::size_t next(std::size_t i, std::size_t count) { return i + 1 == count ? 0 : i + 1; }
+
+bool are_apart(const Bounded& x, const Bounded& y) { return x.upper() < y.lower() || y.upper() < x.lower(); }
+
+}  // namespace
+
+const CellFacet* Cell::facet_in(std::uint32_t plane) const {
+  for (const CellFacet& f : facets)
+    if (f.plane == plane) return &f;
+  return nullptr;
+}
+
+std::uint32_t CellMaker::add(Corner<3> corner) {
+  corners_.push_back(std::move(corner));
+  same_as_.push_back(static_cast<std::uint32_t>(same_as_.size()));
+  return same_as_.back();
+}
+
+std::uint32_t CellMaker::root(std::uint32_t corner) {
+  while (same_as_[corner] != corner) corner = same_as_[corner] = same_as_[same_as_[corner]];
+  return corner;
+}
+
+bool CellMaker::is_same(std::uint32_t a, std::uint32_t b) {
+  a = root(a);
+  b = root(b);
+  if (a == b) return true;
+  const Corner<3>&p = corners_[a], &q = corners_[b];
+  for (std::size_t i = 0; i < 3; ++i)
+    if (are_apart(p.at[i], q.at[i])) return false;
+  for (const std::uint32_t plane : q.names)
+    if (table_.side(plane, p) != Sign::zero) return false;
+  same_as_[std::max(a, b)] = std::min(a, b);
+  return true;
+}
+
+Cell CellMaker::space() {
+  Cell cell;
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> numbers;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const bool is_upper : {false, true}) {
+      bsp::Piece<3> side = bsp::side_of_frame(table_, axis, is_upper);
+      CellFacet facet{side.hyperplane, is_upper, {}, {}};
+      for (const Corner<3>& c : side.corners) {
+        std::array<std::uint32_t, 3> names = c.names;
+        std::sort(names.begin(), names.end());
+        const auto [known, is_new] = numbers.try_emplace(names);
+        if (is_new) known->second = add(c);
+        facet.corners.push_back(known->second);
+      }
+      facet.walls.assign(side.walls.begin(), side.walls.end());
+      if (!is_upper) {
+        std::reverse(facet.corners.begin(), facet.corners.end());
+        std::reverse(facet.walls.begin(), facet.walls.end() - 1);
+      }
+      cell.facets.push_back(std::move(facet));
+    }
+  return cell;
+}
+
+/// Divides one cell by one plane.
+class CellMaker::Splitter {
+ public:
+  Splitter(CellMaker& maker, const Cell& cell, std::uint32_t plane) : maker_(maker), cell_(cell), plane_(plane) {
+    boost::container::small_vector<std::uint32_t, 48> corners;
+    for (const CellFacet& f : cell.facets) corners.insert(corners.end(), f.corners.begin(), f.corners.end());
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    for (const std::uint32_t c : corners) signs_.emplace_back(c, maker.table_.side(plane, maker.corners_[c]));
+  }
+
+  [[nodiscard]] bool reaches(Sign side) const {
+    return std::any_of(signs_.begin(), signs_.end(), [&](const auto& s) { return s.second == side; });
+  }
+
+  /// The part on one side. Requires that the cell is on both.
+  Cell part(Sign side) {
+    Cell half;
+    std::vector<CapSide> cap;
+    for (const CellFacet& f : cell_.facets)
+      if (auto facet = part(f, side, cap)) half.facets.push_back(std::move(*facet));
+    half.facets.push_back(joined(std::move(cap), side));
+    return half;
+  }
+
+ private:
+  /// A side of the new facet, from corner to corner, and the facet beyond it.
+  struct CapSide {
+    std::uint32_t from, to, wall;
+  };
+
+  [[nodiscard]] Sign sign(std::uint32_t corner) const {
+    return std::lower_bound(signs_.begin(), signs_.end(), std::pair(corner, Sign::negative))->second;
+  }
+
+  std::uint32_t crossing(std::uint32_t a, std::uint32_t b, std::uint32_t plane, std::uint32_t wall) {
+    const auto [low, high] = std::minmax(a, b);
+    for (const auto& [edge, corner] : crossings_)
+      if (edge == std::pair(low, high)) return corner;
+    const std::uint32_t corner = maker_.add(maker_.table_.meet({plane, wall, plane_}));
+    crossings_.push_back({{low, high}, corner});
+    return corner;
+  }
+
+  std::optional<CellFacet> part(const CellFacet& f, Sign side, std::vector<CapSide>& cap) {
+    CellFacet kept{f.plane, f.faces_plus, {}, {}};
+    boost::container::small_vector<bool, 8> is_on;
+    bool is_inside = false;
+    const std::size_t n = f.corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint32_t a = f.corners[i], b = f.corners[next(i, n)];
+      const Sign here = sign(a), there = sign(b);
+      is_inside |= here == side;
+      if (here != -side) {
+        kept.corners.push_back(a);
+        kept.walls.push_back(f.walls[i]);
+        is_on.push_back(here == Sign::zero);
+      }
+      if (here * there != Sign::negative) continue;
+      kept.corners.push_back(crossing(a, b, f.plane, f.walls[i]));
+      kept.walls.push_back(f.walls[i]);
+      is_on.push_back(true);
+    }
+    if (!is_inside) return std::nullopt;
+    for (std::size_t i = 0; i < kept.corners.size(); ++i) {
+      const std::size_t j = next(i, kept.corners.size());
+      if (!is_on[i] || !is_on[j]) continue;
+      kept.walls[i] = plane_;
+      cap.push_back({kept.corners[j], kept.corners[i], f.plane});
+    }
+    return kept;
+  }
+
+  [[nodiscard]] CellFacet joined(std::vector<CapSide> sides, Sign side) const {
+    CellFacet facet{plane_, side == minus_side, {}, {}};
+    for (std::uint32_t at = sides.front().from; facet.corners.size() < sides.size();) {
+      const auto s = std::find_if(sides.begin(), sides.end(), [&](const CapSide& c) { return c.from == at; });
+      if (s == sides.end()) throw LogicError("the section of a convex cell is not closed");
+      facet.corners.push_back(at);
+      facet.walls.push_back(s->wall);
+      at = s->to;
+    }
+    return facet;
+  }
+
+  CellMaker& maker_;
+  const Cell& cell_;
+  std::uint32_t plane_;
+  boost::container::small_vector<std::pair<std::uint32_t, Sign>, 16> signs_;
+  boost::container::small_vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>, 8> crossings_;
+};
+
+CellMaker::Halves CellMaker::split(const Cell& cell, std::uint32_t plane) {
+  Splitter splitter(*this, cell, plane);
+  if (!splitter.reaches(plus_side)) return {cell, std::nullopt};
+  if (!splitter.reaches(minus_side)) return {std::nullopt, cell};
+  Halves halves;
+  halves.minus = splitter.part(minus_side);
+  halves.plus = splitter.part(plus_side);
+  return halves;
+}
+
+/// Joins two cells at a plane.
+class CellMaker::Merger {
+ public:
+  Merger(CellMaker& maker, const Cell& a, const Cell& b, std::uint32_t plane)
+      : maker_(maker), a_(a), b_(b), plane_(plane) {}
+
+  std::optional<Cell> merge() {
+    if (!match_facets() || !is_convex()) return std::nullopt;
+    Cell result;
+    for (const CellFacet& f : a_.facets) {
+      if (f.plane == plane_) continue;
+      const CellFacet* g = b_.facet_in(f.plane);
+      result.facets.push_back(g == nullptr ? renamed(f, wall_of_a_) : joined(f, *g));
+    }
+    for (const CellFacet& g : b_.facets)
+      if (g.plane != plane_ && a_.facet_in(g.plane) == nullptr) result.facets.push_back(renamed(g, wall_of_b_));
+    return result;
+  }
+
+ private:
+  /// Both have the same facet: gathers, side by side, the walls of both.
+  bool match_facets() {
+    const CellFacet &f = *a_.facet_in(plane_), &g = *b_.facet_in(plane_);
+    const std::size_t n = f.corners.size();
+    if (g.corners.size() != n || f.faces_plus == g.faces_plus) return false;
+    std::size_t at = 0;  // of f's first corner in g, which runs the other way
+    while (at < n && !maker_.is_same(f.corners[0], g.corners[at])) ++at;
+    if (at == n) return false;
+    for (std::size_t i = 0; i < n; ++i)
+      if (!maker_.is_same(f.corners[i], g.corners[(at + n - i) % n])) return false;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint32_t wall = g.walls[(at + 2 * n - i - 1) % n];
+      wall_of_a_.emplace_back(f.walls[i], wall);
+      wall_of_b_.emplace_back(wall, f.walls[i]);
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool is_convex() const {
+    return std::all_of(wall_of_a_.begin(), wall_of_a_.end(), [&](const auto& walls) {
+      const CellFacet &f = *a_.facet_in(walls.first), &g = *b_.facet_in(walls.second);
+      if (f.plane == g.plane) return f.faces_plus == g.faces_plus;
+      const Sign side = maker_.table_.side(f.plane, maker_.corners_[corner_off_plane(g)]);
+      return side == (f.faces_plus ? minus_side : plus_side);
+    });
+  }
+
+  /// A corner of a facet at the plane that is not on it: the one after the side there.
+  [[nodiscard]] std::uint32_t corner_off_plane(const CellFacet& g) const {
+    const std::size_t n = g.corners.size(), side = side_at_plane(g);
+    return g.corners[(side + 2) % n];
+  }
+  [[nodiscard]] std::size_t side_at_plane(const CellFacet& f) const {
+    const auto at = std::find(f.walls.begin(), f.walls.end(), plane_);
+    if (at == f.walls.end()) throw LogicError("facets of merged cells do not meet in their common facet");
+    return static_cast<std::size_t>(at - f.walls.begin());
+  }
+
+  /// A facet of one cell alone has the other cell's facet beyond the plane now.
+  [[nodiscard]] CellFacet renamed(const CellFacet& f,
+                                  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& beyond) const {
+    CellFacet result = f;
+    for (std::uint32_t& wall : result.walls)
+      if (wall == plane_)
+        wall = std::find_if(beyond.begin(), beyond.end(), [&](const auto& w) { return w.first == f.plane; })->second;
+    return result;
+  }
+
+  /// Facets in one plane: the sides of f after the common one, then those of g; where the same wall goes on, the corner
+  /// is no vertex any more.
+  [[nodiscard]] CellFacet joined(const CellFacet& f, const CellFacet& g) const {
+    CellFacet result{f.plane, f.faces_plus, {}, {}};
+    append(f, side_at_plane(f), result);
+    append(g, side_at_plane(g), result);
+    if (result.walls.front() == result.walls.back()) {
+      result.corners.erase(result.corners.begin());
+      result.walls.erase(result.walls.begin());
+    }
+    return result;
+  }
+  static void append(const CellFacet& f, std::size_t common, CellFacet& result) {
+    const std::size_t n = f.corners.size();
+    for (std::size_t k = 1; k < n; ++k) {
+      const std::size_t i = (common + k) % n;
+      if (!result.walls.empty() && result.walls.back() == f.walls[i]) continue;
+      result.corners.push_back(f.corners[i]);
+      result.walls.push_back(f.walls[i]);
+    }
+  }
+
+  CellMaker& maker_;
+  const Cell &a_, &b_;
+  std::uint32_t plane_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> wall_of_a_, wall_of_b_;  ///< own wall, the other cell's there
+};
+
+std::optional<Cell> CellMaker::merged(const Cell& a, const Cell& b, std::uint32_t plane) {
+  return Merger(*this, a, b, plane).merge();
+}
+
+}  // namespace strata::convex

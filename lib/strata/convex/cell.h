@@ -1,0 +1,64 @@
+#pragma once
+#include <array>
+#include <boost/container/small_vector.hpp>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "strata/bsp/piece.h"
+
+namespace strata::convex {
+
+/// A facet of a cell, in a plane of a table.
+struct CellFacet {
+  std::uint32_t plane = 0;
+  bool faces_plus = false;                                   ///< outside is on the plus side
+  boost::container::small_vector<std::uint32_t, 6> corners;  ///< counter-clockwise as seen from outside
+  boost::container::small_vector<std::uint32_t, 6> walls;    ///< walls[i]: the other plane at the side from corner i
+};
+
+/// A convex cell of space, bounded or reaching to the frame (`Corner`): one facet per plane, every corner a vertex.
+struct Cell {
+  std::vector<CellFacet> facets;
+
+  [[nodiscard]] const CellFacet* facet_in(std::uint32_t plane) const;
+};
+
+/// Makes cells and keeps their corners, each once where cells were made by dividing one another. All decisions are
+/// exact signs of the table. The table must outlive it.
+class CellMaker {
+ public:
+  explicit CellMaker(const HyperplaneTable<3>& table) : table_(table) {}
+
+  [[nodiscard]] const Corner<3>& corner(std::uint32_t number) const { return corners_[number]; }
+
+  /// All of space, up to the frame.
+  [[nodiscard]] Cell space();
+
+  struct Halves {
+    std::optional<Cell> minus, plus;  ///< of which at least one is there
+  };
+  /// The parts on both sides of a plane, those with an interior. O(size of the cell).
+  [[nodiscard]] Halves split(const Cell& cell, std::uint32_t plane);
+
+  /// The union of two cells with their interiors apart, on different sides of a plane, if it is convex. They are if
+  /// both have the same facet in this plane and no angle beside it is more than 180 degrees. O(size).
+  [[nodiscard]] std::optional<Cell> merged(const Cell& a, const Cell& b, std::uint32_t plane);
+
+  /// True when two corners are at the same place.
+  [[nodiscard]] bool is_same(std::uint32_t a, std::uint32_t b);
+
+ private:
+  class Splitter;
+  class Merger;
+
+  [[nodiscard]] std::uint32_t root(std::uint32_t corner);
+  std::uint32_t add(Corner<3> corner);
+
+  const HyperplaneTable<3>& table_;
+  std::vector<Corner<3>> corners_;
+  std::vector<std::uint32_t> same_as_;  ///< corners found to be at one place, as a forest
+};
+
+}  // namespace strata::convex
