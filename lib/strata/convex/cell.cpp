@@ -15,6 +15,11 @@ std::size_t next(std::size_t i, std::size_t count) { return i + 1 == count ? 0 :
 
 bool are_apart(const Bounded& x, const Bounded& y) { return x.upper() < y.lower() || y.upper() < x.lower(); }
 
+void turn_round(CellFacet& facet) {
+  std::reverse(facet.corners.begin(), facet.corners.end());
+  std::reverse(facet.walls.begin(), facet.walls.end() - 1);
+}
+
 }  // namespace
 
 const CellFacet* Cell::facet_in(std::uint32_t plane) const {
@@ -62,13 +67,28 @@ Cell CellMaker::space() {
         facet.corners.push_back(known->second);
       }
       facet.walls.assign(side.walls.begin(), side.walls.end());
-      if (!is_upper) {
-        std::reverse(facet.corners.begin(), facet.corners.end());
-        std::reverse(facet.walls.begin(), facet.walls.end() - 1);
-      }
+      if (!is_upper) turn_round(facet);
       cell.facets.push_back(std::move(facet));
     }
   return cell;
+}
+
+CellFacet CellMaker::facet_of(const bsp::Piece<3>& polygon, bool faces_plus) {
+  CellFacet facet{polygon.hyperplane, faces_plus, {}, {}};
+  for (const Corner<3>& c : polygon.corners) facet.corners.push_back(add(c));
+  facet.walls.assign(polygon.walls.begin(), polygon.walls.end());
+  if (!faces_plus) turn_round(facet);
+  return facet;
+}
+
+bsp::Piece<3> CellMaker::piece_of(const CellFacet& facet) const {
+  CellFacet seen_from_plus = facet;
+  if (!facet.faces_plus) turn_round(seen_from_plus);
+  bsp::Piece<3> polygon;
+  polygon.hyperplane = facet.plane;
+  for (const std::uint32_t c : seen_from_plus.corners) polygon.corners.push_back(corners_[c]);
+  polygon.walls.assign(seen_from_plus.walls.begin(), seen_from_plus.walls.end());
+  return polygon;
 }
 
 /// Divides one cell by one plane.

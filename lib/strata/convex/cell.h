@@ -36,6 +36,10 @@ class CellMaker {
   /// All of space, up to the frame.
   [[nodiscard]] Cell space();
 
+  /// A polygon as a facet, and back. Its corners are new ones; they are the same as others only by `is_same`.
+  [[nodiscard]] CellFacet facet_of(const bsp::Piece<3>& polygon, bool faces_plus);
+  [[nodiscard]] bsp::Piece<3> piece_of(const CellFacet& facet) const;
+
   struct Halves {
     std::optional<Cell> minus, plus;  ///< of which at least one is there
   };

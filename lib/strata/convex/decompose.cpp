@@ -58,15 +58,13 @@ class Decomposer {
   }
 
  private:
-  using Faces = std::vector<Face>;
-
   /// Divides a region until nothing in it is reflex, and joins what need not have been divided.
   void divide(Region region) {
     monitor_.check();
     const std::size_t first = pieces_.size();
     const std::optional<std::uint32_t> cut = choose_cut(region);
     if (!cut) {
-      add_piece(bounded_by(std::move(region.cell), region.faces));
+      add_piece(inside_of(region));
       return;
     }
     Sides sides = split(std::move(region), *cut);
@@ -243,20 +241,53 @@ class Decomposer {
     return 4 * divided + std::max(minus, plus);
   }
 
-  /// The part of a cell behind faces.
-  Cell bounded_by(Cell cell, const Faces& faces) {
-    std::vector<std::uint32_t> planes;
-    for (const Face& f : faces) planes.push_back(f.triangle);
-    for (const std::uint32_t t : planes) {
-      const bsp::Facet<3>& facet = facets_[t];
-      if (cell.facet_in(facet.piece.hyperplane) != nullptr) continue;
-      CellMaker::Halves halves = maker_.split(cell, facet.piece.hyperplane);
-      std::optional<Cell>& inside = facet.faces_plus ? halves.minus : halves.plus;
-      if (!inside) throw LogicError("nothing of a region is behind a face in it");
-      cell = std::move(*inside);
+  /// The part of a region inside the solid, if it is convex and its boundary there is one part: facets from the sides
+  /// that their neighbours and the region give them, and what is left of the facets of the region.
+  Cell inside_of(const Region& region) {
+    std::map<std::uint32_t, Bounds> bounds;  // by plane
+    for (const Face& f : region.faces) bounds[plane_of(f.triangle)].faces_plus = facets_[f.triangle].faces_plus;
+    for (const Edge& e : region.edges) {
+      const auto [f, g] = wedges_[e.wedge].faces;
+      if (plane_of(f) == plane_of(g)) continue;
+      bounds[plane_of(f)].by.push_back(behind(g));
+      bounds[plane_of(g)].by.push_back(behind(f));
     }
-    return cell;
+    Cell inside;
+    for (auto& [plane, of_plane] : bounds) {
+      bsp::Piece<3> polygon = bsp::whole(table_, plane);
+      for (const bsp::HalfSpace& h : of_plane.by) require(bsp::clip(table_, polygon, h));
+      for (const CellFacet& f : region.cell.facets)
+        if (!HyperplaneTable<3>::is_frame(f.plane)) require(bsp::clip(table_, polygon, behind(f)));
+      inside.facets.push_back(maker_.facet_of(polygon, of_plane.faces_plus));
+    }
+    for (const CellFacet& f : region.cell.facets) {
+      if (HyperplaneTable<3>::is_frame(f.plane)) continue;
+      bsp::Piece<3> polygon = maker_.piece_of(f);
+      const bool is_left = std::all_of(bounds.begin(), bounds.end(), [&](const auto& of_plane) {
+        return bsp::clip(table_, polygon, behind(of_plane.first, of_plane.second.faces_plus));
+      });
+      if (is_left) inside.facets.push_back(maker_.facet_of(polygon, f.faces_plus));
+    }
+    return inside;
   }
+
+  /// What bounds a facet: the half-spaces of the facets beside it.
+  struct Bounds {
+    bool faces_plus = false;
+    std::vector<bsp::HalfSpace> by;
+  };
+
+  static void require(bool is_left) {
+    if (!is_left) throw LogicError("a facet of a convex piece has no area");
+  }
+  static bsp::HalfSpace behind(std::uint32_t plane, bool faces_plus) {
+    return {plane, faces_plus ? Sign::negative : Sign::positive};
+  }
+  static bsp::HalfSpace behind(const CellFacet& f) { return behind(f.plane, f.faces_plus); }
+  [[nodiscard]] bsp::HalfSpace behind(std::uint32_t triangle) const {
+    return behind(plane_of(triangle), facets_[triangle].faces_plus);
+  }
+  [[nodiscard]] std::uint32_t plane_of(std::uint32_t triangle) const { return facets_[triangle].piece.hyperplane; }
 
   void add_piece(Cell cell) {
     const auto number = static_cast<std::uint32_t>(pieces_.size());
