@@ -7,13 +7,14 @@
 
 #include "strata/bsp/triangle_facets.h"
 #include "strata/convex/cell.h"
+#include "strata/convex/cut_planes.h"
 #include "strata/convex/wedges.h"
 #include "strata/mesh/defect.h"
 
 namespace strata::convex {
 namespace {
 
-constexpr std::size_t most_candidates = 12;  ///< planes through reflex edges that are tried
+constexpr std::size_t most_candidates = 32;  ///< planes through reflex edges that are tried
 
 /// A triangle of the boundary, as far as it is in a region.
 struct Face {
@@ -34,11 +35,16 @@ struct Region {
   std::vector<Edge> edges;
 };
 
+bool contains(const std::vector<std::uint32_t>& planes, std::uint32_t plane) {
+  return std::find(planes.begin(), planes.end(), plane) != planes.end();
+}
+
 class Decomposer {
  public:
   Decomposer(ExactMeshView mesh, const Monitor& monitor)
       : facets_(bsp::triangle_facets(table_, mesh)),
         wedges_(wedges_of(table_, facets_, mesh)),
+        planes_(cut_planes(table_, facets_, wedges_)),
         maker_(table_),
         monitor_(monitor),
         set_of_(facets_.size()) {}
@@ -68,8 +74,8 @@ class Decomposer {
       return;
     }
     Sides sides = split(std::move(region), *cut);
-    divide_side(std::move(sides.minus), sides.is_inside_minus);
-    divide_side(std::move(sides.plus), !sides.is_inside_minus);
+    divide_side(std::move(sides.minus), sides.is_inside[0]);
+    divide_side(std::move(sides.plus), sides.is_inside[1]);
     join(first, *cut);
   }
 
@@ -81,7 +87,9 @@ class Decomposer {
 
   struct Sides {
     Region minus, plus;
-    bool is_inside_minus = false;  ///< next to faces in the plane that divides
+    /// Of minus and plus, if there are no faces: next to faces in the plane that divides. If there are none, the plane goes
+    /// through a reflex edge, and what is outside there takes less than a side.
+    std::array<bool, 2> is_inside{true, true};
   };
 
   Sides split(Region region, std::uint32_t cut) {
@@ -95,7 +103,7 @@ class Decomposer {
       lie_[f.triangle] = parts.lie;
       switch (parts.lie) {
         case bsp::Lie::on:
-          sides.is_inside_minus = facets_[f.triangle].faces_plus;
+          sides.is_inside = {facets_[f.triangle].faces_plus, !facets_[f.triangle].faces_plus};
           break;
         case bsp::Lie::minus:
           sides.minus.faces.push_back(std::move(f));
@@ -148,7 +156,7 @@ class Decomposer {
       const Wedge& w = wedges_[e.wedge];
       if (!w.is_reflex) continue;
       reflex.push_back(&e);
-      for (const std::uint32_t f : w.faces) ++edges_in[facets_[f].piece.hyperplane];
+      for (const std::uint32_t plane : planes_[e.wedge]) ++edges_in[plane];
     }
     if (reflex.empty()) return std::nullopt;
     std::vector<std::pair<std::size_t, std::uint32_t>> candidates;
@@ -172,8 +180,7 @@ class Decomposer {
   [[nodiscard]] double worth(const std::vector<const Edge*>& reflex, std::uint32_t plane) const {
     double worth = 0;
     for (const Edge* e : reflex) {
-      const Wedge& w = wedges_[e->wedge];
-      if (w.planes[0] == plane || w.planes[1] == plane) {
+      if (contains(planes_[e->wedge], plane)) {
         worth += 1;
         continue;
       }
@@ -253,22 +260,34 @@ class Decomposer {
       bounds[plane_of(g)].by.push_back(behind(f));
     }
     Cell inside;
-    for (auto& [plane, of_plane] : bounds) {
-      bsp::Piece<3> polygon = bsp::whole(table_, plane);
-      for (const bsp::HalfSpace& h : of_plane.by) require(bsp::clip(table_, polygon, h));
-      for (const CellFacet& f : region.cell.facets)
-        if (!HyperplaneTable<3>::is_frame(f.plane)) require(bsp::clip(table_, polygon, behind(f)));
-      inside.facets.push_back(maker_.facet_of(polygon, of_plane.faces_plus));
-    }
     for (const CellFacet& f : region.cell.facets) {
       if (HyperplaneTable<3>::is_frame(f.plane)) continue;
       bsp::Piece<3> polygon = maker_.piece_of(f);
       const bool is_left = std::all_of(bounds.begin(), bounds.end(), [&](const auto& of_plane) {
-        return bsp::clip(table_, polygon, behind(of_plane.first, of_plane.second.faces_plus));
+        return clip(polygon, behind(of_plane.first, of_plane.second.faces_plus));
       });
       if (is_left) inside.facets.push_back(maker_.facet_of(polygon, f.faces_plus));
     }
+    const std::size_t of_region = inside.facets.size();
+    for (auto& [plane, of_plane] : bounds) {
+      bsp::Piece<3> polygon = bsp::whole(table_, plane);
+      for (const bsp::HalfSpace& h : of_plane.by) require(bsp::clip(table_, polygon, h));
+      for (std::size_t i = 0; i < of_region; ++i)
+        require(bsp::clip(table_, polygon, behind(inside.facets[i])));
+      inside.facets.push_back(maker_.facet_of(polygon, of_plane.faces_plus));
+    }
     return inside;
+  }
+
+  /// Clips a facet by the plane of another one. A side in that plane has it as its wall then: what was beyond it is cut
+  /// off.
+  bool clip(bsp::Piece<3>& polygon, const bsp::HalfSpace& h) const {
+    if (!bsp::clip(table_, polygon, h)) return false;
+    const std::size_t n = polygon.corners.size();
+    const auto is_on = [&](std::size_t i) { return table_.side(h.hyperplane, polygon.corners[i]) == Sign::zero; };
+    for (std::size_t i = 0; i < n; ++i)
+      if (is_on(i) && is_on((i + 1) % n)) polygon.walls[i] = h.hyperplane;
+    return true;
   }
 
   /// What bounds a facet: the half-spaces of the facets beside it.
@@ -329,6 +348,7 @@ class Decomposer {
   HyperplaneTable<3> table_;
   std::vector<bsp::Facet<3>> facets_;
   std::vector<Wedge> wedges_;
+  std::vector<std::vector<std::uint32_t>> planes_;  ///< by wedge, those that resolve it
   CellMaker maker_;
   const Monitor& monitor_;
   std::vector<std::uint32_t> set_of_;                ///< triangles of one part of a region, as a forest
