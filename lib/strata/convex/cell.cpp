@@ -1,6 +1,7 @@
 #include "strata/convex/cell.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -34,14 +35,14 @@ std::uint32_t CellMaker::add(Corner<3> corner) {
   return same_as_.back();
 }
 
-std::uint32_t CellMaker::root(std::uint32_t corner) {
+std::uint32_t CellMaker::representative(std::uint32_t corner) {
   while (same_as_[corner] != corner) corner = same_as_[corner] = same_as_[same_as_[corner]];
   return corner;
 }
 
 bool CellMaker::is_same(std::uint32_t a, std::uint32_t b) {
-  a = root(a);
-  b = root(b);
+  a = representative(a);
+  b = representative(b);
   if (a == b) return true;
   const Corner<3>&p = corners_[a], &q = corners_[b];
   for (std::size_t i = 0; i < 3; ++i)
@@ -50,6 +51,23 @@ bool CellMaker::is_same(std::uint32_t a, std::uint32_t b) {
     if (table_.side(plane, p) != Sign::zero) return false;
   same_as_[std::max(a, b)] = std::min(a, b);
   return true;
+}
+
+bool CellMaker::are_boxes_apart(const CellFacet& f, const CellFacet& g) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto range = [&](const CellFacet& facet) {
+      double lower = HUGE_VAL, upper = -HUGE_VAL;
+      for (const std::uint32_t c : facet.corners) {
+        lower = std::min(lower, corners_[c].at[i].lower());
+        upper = std::max(upper, corners_[c].at[i].upper());
+      }
+      return std::pair(lower, upper);
+    };
+    const auto [f_lower, f_upper] = range(f);
+    const auto [g_lower, g_upper] = range(g);
+    if (f_upper < g_lower || g_upper < f_lower) return true;
+  }
+  return false;
 }
 
 Cell CellMaker::space() {

@@ -52,12 +52,16 @@ class CellMaker {
 
   /// True when two corners are at the same place.
   [[nodiscard]] bool is_same(std::uint32_t a, std::uint32_t b);
+  /// One of those that have been found to be at the place of a corner.
+  [[nodiscard]] std::uint32_t representative(std::uint32_t corner);
+
+  /// True when boxes about two facets have nothing in common; false is no answer.
+  [[nodiscard]] bool are_boxes_apart(const CellFacet& f, const CellFacet& g) const;
 
  private:
   class Splitter;
   class Merger;
 
-  [[nodiscard]] std::uint32_t root(std::uint32_t corner);
   std::uint32_t add(Corner<3> corner);
 
   const HyperplaneTable<3>& table_;

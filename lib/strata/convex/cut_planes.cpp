@@ -8,9 +8,9 @@
 namespace strata::convex {
 namespace {
 
-constexpr std::size_t most_partners = 4;   ///< planes through an edge and another one
+constexpr std::size_t most_partners = 4;  ///< planes through an edge and another one
 constexpr std::size_t nearest_parallel = 2;
-constexpr double nearly = 0x1p-30;         ///< of an estimate; what is parallel is decided exactly
+constexpr double nearly = 0x1p-30;  ///< of an estimate; what is parallel is decided exactly
 
 class CutPlanes {
  public:
@@ -60,7 +60,8 @@ class CutPlanes {
       for (std::size_t i = 0; i < 2; ++i) at[end(w, i)].emplace_back(w, i);
     for (const auto& [place, edges] : at)
       for (std::size_t i = 0; i < edges.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) pair(edges[i].first, edges[j].first, end(edges[j].first, 1 - edges[j].second));
+        for (std::size_t j = 0; j < i; ++j)
+          pair(edges[i].first, edges[j].first, end(edges[j].first, 1 - edges[j].second));
   }
 
   /// Edges by estimated direction; each with those of the nearest middles.
@@ -99,7 +100,8 @@ class CutPlanes {
       const std::size_t count = std::min(parallel.size(), nearest_parallel);
       std::partial_sort(parallel.begin(), parallel.begin() + static_cast<std::ptrdiff_t>(count), parallel.end());
       for (std::size_t i = 0; i < count; ++i)
-        if (are_parallel(line.wedge, parallel[i].second)) pair(line.wedge, parallel[i].second, end(parallel[i].second, 0));
+        if (are_parallel(line.wedge, parallel[i].second))
+          pair(line.wedge, parallel[i].second, end(parallel[i].second, 0));
     }
   }
   [[nodiscard]] bool are_parallel(std::uint32_t v, std::uint32_t w) const {

@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "strata/convex/region.h"
+
+namespace strata::convex {
+namespace {
+
+constexpr std::size_t most_candidates = 32;    ///< planes through reflex edges that are tried
+constexpr std::size_t most_asked = 64;         ///< faces that are asked where they lie
+constexpr std::size_t parts_tried = 6;         ///< connected parts whose planes are tried, and planes of each
+constexpr double cost_of_divided_face = 0.05;  ///< where a reflex edge that is resolved is worth 1; measured
+
+/// Numbers from 0 to count - 1, at most so many, evenly spread.
+template <class Visit>
+void for_some(std::size_t count, std::size_t most, const Visit& visit) {
+  const std::size_t taken = std::min(count, most);
+  for (std::size_t k = 0; k < taken; ++k) visit(k * count / taken);
+}
+
+class CutChooser {
+ public:
+  CutChooser(const Surface& surface, const Region& region) : surface_(surface), region_(region) {
+    for (const Edge& e : region.edges)
+      if (surface.wedges[e.wedge].is_reflex) reflex_.push_back(&e);
+  }
+
+  std::optional<std::uint32_t> choose() const { return reflex_.empty() ? between_parts() : through_reflex_edges(); }
+
+ private:
+  using Part = std::vector<const Face*>;
+
+  [[nodiscard]] std::uint32_t through_reflex_edges() const {
+    std::uint32_t best = 0;
+    double highest = -HUGE_VAL;
+    for (const std::uint32_t plane : candidates()) {
+      const double worth = worth_of(plane) - cost_of_divided_face * divided_faces(plane);
+      if (worth <= highest) continue;
+      best = plane;
+      highest = worth;
+    }
+    return best;
+  }
+
+  /// The planes through most reflex edges.
+  [[nodiscard]] std::vector<std::uint32_t> candidates() const {
+    std::map<std::uint32_t, std::size_t> edges_in;
+    for (const Edge* e : reflex_)
+      for (const std::uint32_t plane : surface_.cut_planes[e->wedge]) ++edges_in[plane];
+    std::vector<std::pair<std::size_t, std::uint32_t>> planes;
+    for (const auto& [plane, count] : edges_in) planes.emplace_back(count, plane);
+    const std::size_t tried = std::min(planes.size(), most_candidates);
+    const auto comes_first = [](const auto& a, const auto& b) {
+      return a.first != b.first ? a.first > b.first : a.second < b.second;
+    };
+    std::partial_sort(planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(tried), planes.end(), comes_first);
+    std::vector<std::uint32_t> result;
+    for (std::size_t k = 0; k < tried; ++k) result.push_back(planes[k].second);
+    return result;
+  }
+
+  /// Reflex edges that a plane resolves, minus those that it divides.
+  [[nodiscard]] double worth_of(std::uint32_t plane) const {
+    double worth = 0;
+    for (const Edge* e : reflex_) {
+      const std::vector<std::uint32_t>& known = surface_.cut_planes[e->wedge];
+      if (std::find(known.begin(), known.end(), plane) != known.end()) {
+        worth += 1;
+        continue;
+      }
+      const Sign from = surface_.table.side(plane, e->ends[0]), to = surface_.table.side(plane, e->ends[1]);
+      if (from == Sign::zero && to == Sign::zero) worth += 1;
+      if (from * to == Sign::negative) worth -= 1;
+    }
+    return worth;
+  }
+
+  /// An estimate, from some faces and doubles that may be rounded.
+  [[nodiscard]] double divided_faces(std::uint32_t plane) const {
+    const std::size_t count = region_.faces.size();
+    double divided = 0;
+    for_some(count, most_asked, [&](std::size_t k) { divided += seems_divided(region_.faces[k], plane) ? 1 : 0; });
+    return divided * static_cast<double>(count) / static_cast<double>(std::min(count, most_asked));
+  }
+  [[nodiscard]] bool seems_divided(const Face& face, std::uint32_t plane) const {
+    const auto& form = surface_.table[plane].bounded();
+    bool minus = false, plus = false;
+    for (const Corner<3>& c : face.part.corners) {
+      double value = form[3].value, size = std::abs(value);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double product = form[i].value * c.at[i].value;
+        value += product;
+        size += std::abs(product);
+      }
+      constexpr double nearly = 0x1p-40;
+      minus |= value < -size * nearly;
+      plus |= value > size * nearly;
+    }
+    return minus && plus;
+  }
+
+  /// A plane of a face that divides few parts of the boundary and leaves about as many on either side.
+  [[nodiscard]] std::optional<std::uint32_t> between_parts() const {
+    const std::vector<Part> parts = connected_parts();
+    if (parts.size() == 1) return std::nullopt;
+    std::uint32_t best = 0;
+    double lowest = HUGE_VAL;
+    for_some(parts.size(), parts_tried, [&](std::size_t k) {
+      for_some(parts[k].size(), parts_tried, [&](std::size_t i) {
+        const std::uint32_t plane = surface_.plane_of(parts[k][i]->triangle);
+        if (const double cost = cost_between(parts, plane); cost < lowest) {
+          best = plane;
+          lowest = cost;
+        }
+      });
+    });
+    return best;
+  }
+
+  [[nodiscard]] double cost_between(const std::vector<Part>& parts, std::uint32_t plane) const {
+    constexpr double cost_of_divided_part = 4;
+    double divided = 0, minus = 0, plus = 0;
+    for (const Part& part : parts) {
+      bool is_minus = false, is_plus = false;
+      for (const Face* f : part) {
+        const bsp::Lie lie = bsp::lie_of(surface_.table, f->part, plane);
+        is_minus |= lie == bsp::Lie::minus || lie == bsp::Lie::both;
+        is_plus |= lie == bsp::Lie::plus || lie == bsp::Lie::both;
+        if (is_minus && is_plus) break;
+      }
+      divided += is_minus && is_plus ? 1 : 0;
+      minus += is_minus ? 1 : 0;
+      plus += is_plus ? 1 : 0;
+    }
+    return cost_of_divided_part * divided + std::max(minus, plus);
+  }
+
+  /// Faces connected over edges. In the order of their first faces.
+  [[nodiscard]] std::vector<Part> connected_parts() const {
+    std::map<std::uint32_t, std::uint32_t> parent;  // by triangle
+    for (const Face& f : region_.faces) parent.emplace(f.triangle, f.triangle);
+    const auto root = [&](std::uint32_t t) {
+      while (parent.at(t) != t) t = parent.at(t) = parent.at(parent.at(t));
+      return t;
+    };
+    for (const Edge& e : region_.edges) {
+      const auto [f, g] = surface_.wedges[e.wedge].faces;
+      parent.at(root(f)) = root(g);
+    }
+    std::map<std::uint32_t, std::size_t> number;
+    std::vector<Part> parts;
+    for (const Face& f : region_.faces) {
+      const auto [at, is_new] = number.try_emplace(root(f.triangle), parts.size());
+      if (is_new) parts.emplace_back();
+      parts[at->second].push_back(&f);
+    }
+    return parts;
+  }
+
+  const Surface& surface_;
+  const Region& region_;
+  std::vector<const Edge*> reflex_;
+};
+
+}  // namespace
+
+std::optional<std::uint32_t> choose_cut(const Surface& surface, const Region& region) {
+  return CutChooser(surface, region).choose();
+}
+
+}  // namespace strata::convex

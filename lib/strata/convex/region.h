@@ -1,0 +1,65 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "strata/convex/cell.h"
+#include "strata/convex/wedges.h"
+
+namespace strata::convex {
+
+/// A solid's boundary, prepared for being divided: triangles, wedges between them, planes that resolve reflex ones.
+struct Surface {
+  explicit Surface(ExactMeshView mesh);
+
+  HyperplaneTable<3> table;
+  std::vector<bsp::Facet<3>> facets;  ///< the triangles
+  std::vector<Wedge> wedges;
+  std::vector<std::vector<std::uint32_t>> cut_planes;  ///< by wedge (`cut_planes`)
+
+  [[nodiscard]] std::uint32_t plane_of(std::uint32_t triangle) const { return facets[triangle].piece.hyperplane; }
+};
+
+/// A triangle of the boundary, as far as it is in a region.
+struct Face {
+  std::uint32_t triangle = 0;
+  bsp::Piece<3> part;
+};
+
+/// A wedge, as far as its edge goes through a region or along its walls with both faces inside.
+struct Edge {
+  std::uint32_t wedge = 0;
+  std::array<Corner<3>, 2> ends;
+};
+
+/// A convex part of space and what is in it of a solid's boundary.
+struct Region {
+  Cell cell;
+  std::vector<Face> faces;
+  std::vector<Edge> edges;
+};
+
+/// All of space.
+[[nodiscard]] Region whole_region(const Surface& surface, CellMaker& maker);
+
+/// Both sides of a plane through a region. Where a side has no faces it is inside or outside as a whole.
+struct RegionSides {
+  Region minus, plus;
+  bool is_minus_inside = true, is_plus_inside = true;  ///< of sides without faces
+};
+
+/// Divides a region by a plane through one of its reflex edges or in which it has faces. Edges in the plane are
+/// resolved, and left out, unless their wedge is on one side as a whole. O(size).
+[[nodiscard]] RegionSides split(const Surface& surface, CellMaker& maker, Region region, std::uint32_t plane);
+
+/// A plane that divides a region well: among some planes through its reflex edges the one that resolves most of them
+/// and divides few edges and faces; without reflex edges, a plane of a face between connected parts of the boundary.
+/// Nothing if the boundary is one part without reflex edges: then the part of the region inside the solid is convex.
+/// O(size * candidates), of which there are at most 36.
+[[nodiscard]] std::optional<std::uint32_t> choose_cut(const Surface& surface, const Region& region);
+
+/// The part of a region inside the solid, where `choose_cut` finds nothing to divide. O(faces * facets of the cell).
+[[nodiscard]] Cell inside_of(const Surface& surface, CellMaker& maker, const Region& region);
+
+}  // namespace strata::convex
