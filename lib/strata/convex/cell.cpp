@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
+#include "strata/mesh/corner_hash.h"
 #include "strata/mesh/defect.h"
 
 namespace strata::convex {
@@ -29,10 +29,19 @@ const CellFacet* Cell::facet_in(std::uint32_t plane) const {
   return nullptr;
 }
 
+std::size_t CellMaker::NamesHash::operator()(const std::array<std::uint32_t, 3>& names) const {
+  return folded_product(std::uint64_t{names[0]} << 32 | names[1], names[2] ^ 0x9e3779b97f4a7c15u);
+}
+
 std::uint32_t CellMaker::add(Corner<3> corner) {
-  corners_.push_back(std::move(corner));
-  same_as_.push_back(static_cast<std::uint32_t>(same_as_.size()));
-  return same_as_.back();
+  std::array<std::uint32_t, 3> names = corner.names;
+  std::sort(names.begin(), names.end());
+  const auto [known, is_new] = numbers_.try_emplace(names, static_cast<std::uint32_t>(corners_.size()));
+  if (is_new) {
+    corners_.push_back(std::move(corner));
+    same_as_.push_back(known->second);
+  }
+  return known->second;
 }
 
 std::uint32_t CellMaker::representative(std::uint32_t corner) {
@@ -72,18 +81,11 @@ bool CellMaker::are_boxes_apart(const CellFacet& f, const CellFacet& g) const {
 
 Cell CellMaker::space() {
   Cell cell;
-  std::map<std::array<std::uint32_t, 3>, std::uint32_t> numbers;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const bool is_upper : {false, true}) {
       bsp::Piece<3> side = bsp::side_of_frame(table_, axis, is_upper);
       CellFacet facet{side.hyperplane, is_upper, {}, {}};
-      for (const Corner<3>& c : side.corners) {
-        std::array<std::uint32_t, 3> names = c.names;
-        std::sort(names.begin(), names.end());
-        const auto [known, is_new] = numbers.try_emplace(names);
-        if (is_new) known->second = add(c);
-        facet.corners.push_back(known->second);
-      }
+      for (const Corner<3>& c : side.corners) facet.corners.push_back(add(c));
       facet.walls.assign(side.walls.begin(), side.walls.end());
       if (!is_upper) turn_round(facet);
       cell.facets.push_back(std::move(facet));

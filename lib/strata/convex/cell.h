@@ -3,7 +3,7 @@
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <optional>
-#include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "strata/bsp/piece.h"
@@ -36,7 +36,7 @@ class CellMaker {
   /// All of space, up to the frame.
   [[nodiscard]] Cell space();
 
-  /// A polygon as a facet, and back. Its corners are new ones; they are the same as others only by `is_same`.
+  /// A polygon as a facet, and back.
   [[nodiscard]] CellFacet facet_of(const bsp::Piece<3>& polygon, bool faces_plus);
   [[nodiscard]] bsp::Piece<3> piece_of(const CellFacet& facet) const;
 
@@ -62,10 +62,15 @@ class CellMaker {
   class Splitter;
   class Merger;
 
+  struct NamesHash {
+    std::size_t operator()(const std::array<std::uint32_t, 3>& names) const;
+  };
+  /// The number of a corner; the same for all that have the same three names.
   std::uint32_t add(Corner<3> corner);
 
   const HyperplaneTable<3>& table_;
   std::vector<Corner<3>> corners_;
+  std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, NamesHash> numbers_;  ///< by names, rising
   std::vector<std::uint32_t> same_as_;  ///< corners found to be at one place, as a forest
 };
 
