@@ -18,13 +18,11 @@ using strata::bsp::Facet;
 using strata::bsp::Partition;
 using Point = std::array<double, 3>;
 
-constexpr double distance = 0.35;  ///< how far cells move away from the middle, relative to where they are
-
 Point operator-(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
 
 /// Polygons of a cell, seen counter-clockwise from outside.
-std::vector<std::vector<Point>> polygons_of(const std::vector<Facet<3>>& facets) {
-  std::vector<std::vector<Point>> polygons;
+CellPolygons polygons_of(const std::vector<Facet<3>>& facets) {
+  CellPolygons polygons;
   for (const Facet<3>& f : facets) {
     std::vector<Point> polygon;
     for (const auto& c : f.piece.corners) polygon.push_back({c.at[0].value, c.at[1].value, c.at[2].value});
@@ -56,9 +54,9 @@ struct Extent {
 /// Triangles as glTF has them: positions, flat normals, colours.
 class Picture {
  public:
-  explicit Picture(const Extent& all) : all_(all), middle_(all.middle()) {}
+  Picture(const Extent& all, double distance) : all_(all), middle_(all.middle()), distance_(distance) {}
 
-  void add_cell(const std::vector<std::vector<Point>>& polygons) {
+  void add_cell(const CellPolygons& polygons) {
     Extent cell;
     for (const auto& polygon : polygons)
       for (const Point& p : polygon) cell.add(p);
@@ -111,7 +109,7 @@ class Picture {
     std::array<Point, 3> at{};
     for (std::size_t k = 0; k < 3; ++k) {
       at[k] = placed(corners[k]);
-      for (std::size_t i = 0; i < 3; ++i) at[k][i] = static_cast<float>(at[k][i] + distance * away[i]);
+      for (std::size_t i = 0; i < 3; ++i) at[k][i] = static_cast<float>(at[k][i] + distance_ * away[i]);
     }
     const Point u = at[1] - at[0], v = at[2] - at[0];
     Point normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
@@ -137,6 +135,7 @@ class Picture {
 
   Extent all_;
   Point middle_;
+  double distance_;
   Extent extent_;
   std::string positions_, normals_, colours_;
   std::size_t cells_ = 0;
@@ -144,17 +143,21 @@ class Picture {
 
 }  // namespace
 
-void write_cells(const std::string& path, const strata::bsp::Partition<3>& region) {
-  std::vector<std::vector<std::vector<Point>>> cells;
+void write_cells(const std::string& path, const std::vector<CellPolygons>& cells, double distance) {
   Extent all;
-  strata::bsp::for_each_cell<3>(region, [&](const std::vector<Facet<3>>& facets) {
-    cells.push_back(polygons_of(facets));
-    for (const auto& polygon : cells.back())
+  for (const CellPolygons& cell : cells)
+    for (const auto& polygon : cell)
       for (const Point& p : polygon) all.add(p);
-  });
-  Picture picture(all);
-  for (const auto& cell : cells) picture.add_cell(cell);
+  Picture picture(all, distance);
+  for (const CellPolygons& cell : cells) picture.add_cell(cell);
   OutputFile file(path);
   file.write(picture.glb());
   file.finish();
+}
+
+void write_cells(const std::string& path, const Partition<3>& region) {
+  std::vector<CellPolygons> cells;
+  strata::bsp::for_each_cell<3>(region,
+                                [&](const std::vector<Facet<3>>& facets) { cells.push_back(polygons_of(facets)); });
+  write_cells(path, cells, exploded);
 }

@@ -167,6 +167,30 @@ void add_bsp(CLI::App& app, Settings& settings, Action& action) {
   verb->callback([&] { action = [&] { return run_bsp(settings); }; });
 }
 
+void add_decompose(CLI::App& app, Settings& settings, Action& action) {
+  CLI::App* verb = app.add_subcommand("decompose", "A solid as convex pieces, exactly");
+  add_common_options(*verb, settings, 1, 1);
+  add_input_class(*verb, settings);
+  verb->add_option("-o,--output", settings.output,
+                   "A folder for the pieces, a file each, and decomposition.json with their walls; or a picture (.glb)")
+      ->type_name("DIR|OUT.glb");
+  verb->add_option("--format", settings.output_format,
+                   "Of the files of a folder: off, obj, stl, ply, ...; xoff, which keeps rationals, unless told")
+      ->type_name("FORMAT");
+  verb->add_flag("--exploded", settings.exploded, "Pull the pieces of a picture apart");
+  verb->footer(fmt::format(
+      R"(Pieces have their interiors apart and make the solid together. Every vertex of a piece is a meet of planes through
+vertices of the solid. Where thousands of pieces are too many and approximations do, use V-HACD or CoACD.
+
+Examples:
+  strata decompose part.stl -o pieces
+  strata decompose part.stl -o pieces.glb --exploded --report -
+
+{})",
+      exit_codes));
+  verb->callback([&] { action = [&] { return run_decompose(settings); }; });
+}
+
 void add_locate(CLI::App& app, Settings& settings, Action& action) {
   CLI::App* verb =
       app.add_subcommand("locate", "Which points are in, on or out of solids, in which and on which faces?");
@@ -309,6 +333,7 @@ int main(int argc, char** argv) {
   add_draw(app, settings, draw_settings, action);
   add_layers(app, settings, action);
   add_bsp(app, settings, action);
+  add_decompose(app, settings, action);
   add_locate(app, settings, action);
   add_ray(app, settings, action);
   add_verify(app, settings, verify_settings, action);

@@ -29,6 +29,7 @@ struct Settings {
   std::string rays;             ///< path of the rays to cast; "-" is stdin
   bool all = false;             ///< list all solids at a point, or all hits of a ray
   bool first = false;           ///< list the first hit of a ray only
+  bool exploded = false;        ///< pieces pulled apart
   bool exact = false;           ///< rationals beside doubles
   unsigned threads = 0;         ///< 0: all cores
   bool quiet = false;

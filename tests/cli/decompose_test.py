@@ -1,0 +1,50 @@
+"""decompose: convex pieces as files, as a picture, as numbers."""
+import json
+import unittest
+from fractions import Fraction
+
+from bsp_test import read_glb, volume
+from tool import DATA, INVALID, USAGE, ToolTest, cube, open_cube
+
+
+class Decompose(ToolTest):
+    def test_pieces_of_a_bracket_make_it_again(self):
+        bracket = DATA / "bracket.off"
+        report = self.report("decompose", bracket, "-o", "pieces")
+        self.assertEqual({k: report["result"][k] for k in ("reflex_edges", "pieces", "walls")},
+                         {"reflex_edges": 1, "pieces": 2, "walls": 1})
+        listed = json.loads(self.path("pieces/decomposition.json").read_text())
+        files = [self.path("pieces") / p["file"] for p in listed["pieces"]]
+        self.assertTrue(all(f.suffix == ".xoff" for f in files))
+        self.run_tool("union", *files, "-o", "again.xoff")
+        self.run_tool("compare", "again.xoff", bracket)
+        self.assertEqual(sum(Fraction(p["volume_exact"]) for p in listed["pieces"]), Fraction(report["operands"][0]["volume"]))
+        self.assertEqual([w["pieces"] for w in listed["walls"]], [[0, 1]])
+        self.assertEqual(len(listed["walls"][0]["polygon"]), 4)
+
+    def test_pieces_of_a_gear_in_place_and_pulled_apart(self):
+        gear = DATA / "gear.off"
+        self.run_tool("decompose", gear, "-o", "in_place.glb")
+        self.run_tool("decompose", gear, "-o", "apart.glb", "--exploded")
+        sizes = []
+        for name in ("in_place.glb", "apart.glb"):
+            document, positions = read_glb(self.path(name).read_bytes())
+            sizes.append((volume(positions), document["accessors"][0]["max"][1]))
+        self.assertAlmostEqual(sizes[0][0], sizes[1][0], places=4)
+        self.assertLess(sizes[0][1] * 1.2, sizes[1][1])
+
+    def test_other_formats(self):
+        self.run_tool("decompose", self.file("a.off", cube()), "-o", "pieces", "--format", "stl")
+        self.assertEqual(len(self.path("pieces/piece-0.stl").read_bytes()), 84 + 12 * 50)
+
+    def test_what_makes_no_sense_is_refused(self):
+        a = self.file("a.off", cube())
+        self.run_tool("decompose", self.file("open.off", open_cube()), expect=INVALID)
+        self.run_tool("decompose", a, "-o", "pieces", "--exploded", expect=USAGE)
+        self.run_tool("decompose", a, "-o", "pieces.glb", "--format", "off", expect=USAGE)
+        self.run_tool("decompose", a, "-o", a, expect=USAGE)
+        self.run_tool("decompose", a, "-o", "pieces", "--format", "doc", expect=USAGE)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,125 @@
+#include "strata/convex/decompose.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "cell_file.h"
+#include "progress.h"
+#include "report.h"
+#include "scene_input.h"
+#include "stopwatch.h"
+#include "strata/mesh/measure.h"
+#include "verbs.h"
+#include "watch.h"
+
+namespace {
+
+using strata::convex::Decomposition;
+using strata::convex::Polytope;
+
+bool is_picture(const std::string& path) { return path == "-" || path.ends_with(".glb"); }
+
+void check_output(const Settings& settings) {
+  if (settings.exploded && !is_picture(settings.output))
+    throw UsageError("--exploded is for pictures: give -o the name of a .glb file");
+  if (is_picture(settings.output) && !settings.output_format.empty())
+    throw UsageError("pictures are written as glTF: --format is for the files of a folder");
+  std::error_code unknown;
+  if (!settings.output.empty() && !is_picture(settings.output) && std::filesystem::exists(settings.output, unknown) &&
+      !std::filesystem::is_directory(settings.output, unknown))
+    throw UsageError(fmt::format("{} is a file; pieces go into a folder or a .glb file", settings.output));
+}
+
+Json facts(const Decomposition& d) {
+  return {{"reflex_edges", d.reflex_edges},
+          {"cuts", d.cuts},
+          {"pieces", d.pieces.size()},
+          {"walls", d.walls.size()},
+          {"points", d.points.size()}};
+}
+
+void write_picture(const Decomposition& d, const Settings& settings) {
+  std::vector<CellPolygons> cells;
+  for (const auto& piece : d.pieces) {
+    CellPolygons& polygons = cells.emplace_back();
+    for (const Decomposition::Polygon& facet : piece) {
+      auto& polygon = polygons.emplace_back();
+      for (const std::uint32_t point : facet) polygon.push_back(d.points[point]);
+    }
+  }
+  write_cells(settings.output, cells, settings.exploded ? exploded : in_place);
+}
+
+Json walls(const Decomposition& d) {
+  Json list = Json::array();
+  for (const strata::convex::Wall& wall : d.walls) {
+    Json polygon = Json::array();
+    for (const std::uint32_t point : wall.polygon) polygon.push_back(d.points[point]);
+    list.push_back({{"pieces", wall.pieces}, {"polygon", std::move(polygon)}});
+  }
+  return list;
+}
+
+/// A file for every piece, and last decomposition.json, which names them and tells their walls.
+void write_folder(const Decomposition& d, const Settings& settings) {
+  const std::filesystem::path folder = settings.output;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw strata::IoError(settings.output, {}, fmt::format("cannot make the folder: {}", error.message()));
+  const std::string extension = settings.output_format.empty() ? "xoff" : settings.output_format;
+  const auto digits = fmt::format("{}", d.pieces.size()).size();
+  Json list = Json::array();
+  for (std::uint32_t p = 0; p < d.pieces.size(); ++p) {
+    const strata::ExactMesh mesh = mesh_of(d.polytope(p));
+    Settings of_piece = settings;
+    const std::string name = fmt::format("piece-{:0{}}.{}", p, digits, extension);
+    of_piece.output = (folder / name).string();
+    of_piece.output_format.clear();
+    write_output(of_piece, output_format(of_piece), mesh);
+    list.push_back({{"file", name}, {"facets", d.pieces[p].size()}, {"volume_exact", volume(mesh).str()}});
+  }
+  Json document = {{"pieces", std::move(list)}, {"walls", walls(d)}};
+  write_text((folder / "decomposition.json").string(), document.dump(1) + "\n");
+}
+
+}  // namespace
+
+ExitCode run_decompose(const Settings& settings) {
+  Watch watch(settings.timeout);
+  Stopwatch stopwatch;
+  check_output(settings);
+  Json report = {{"operation", "decompose"}, {"operands", nullptr}, {"result", nullptr}, {"seconds", Json::object()}};
+  const std::vector<LoadedMesh> operands = read_operands(settings);
+  report["seconds"]["read"] = stopwatch.lap();
+
+  watch.on_stop(OnStop::ask);
+  Decomposition d;
+  try {
+    const strata::Solid solid = make_solid(operands, 0, settings.input);
+    report["seconds"]["prepare"] = stopwatch.lap();
+    ProgressBar bar(settings.progress, settings.quiet);
+    const std::function<void(double)> progress = [&bar](double fraction) { bar.show(fraction); };
+    d = strata::convex::decompose(solid, strata::Monitor(&watch.token(), &progress));
+    report["seconds"]["decompose"] = stopwatch.lap();
+  } catch (const strata::Cancelled&) {
+    watch.on_stop(OnStop::leave);  // says why
+    throw;
+  }
+  report["result"] = facts(d);
+  report["peak_bytes"] = peak_bytes();
+
+  watch.on_stop(OnStop::finish);
+  stopwatch.lap();
+  if (!settings.output.empty()) is_picture(settings.output) ? write_picture(d, settings) : write_folder(d, settings);
+  report["seconds"]["write"] = stopwatch.lap();
+  if (!settings.quiet && settings.report != "-")
+    for (const auto& [key, value] : report["result"].items())
+      fmt::print(settings.output == "-" ? stderr : stdout, "{:12} {}\n", key, value.dump());
+  if (settings.report.empty()) return ExitCode::ok;
+  report["operands"] = operand_reports(operands, settings.input);
+  write_report(settings.report, std::move(report));
+  return ExitCode::ok;
+}
