@@ -24,6 +24,9 @@
 /// The binary space partition of a solid: its size, and its cells as a picture.
 [[nodiscard]] ExitCode run_bsp(const Settings& settings);
 
+/// The convex hull of meshes and points.
+[[nodiscard]] ExitCode run_hull(const Settings& settings);
+
 /// Where are points in a scene? Streams them from a file into another.
 [[nodiscard]] ExitCode run_locate(const Settings& settings);
 
