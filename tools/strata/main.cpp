@@ -171,7 +171,8 @@ void add_hull(CLI::App& app, Settings& settings, Action& action) {
   CLI::App* verb = app.add_subcommand("hull", "The convex hull of all vertices of meshes, and of points");
   verb->add_option("MESH", settings.operands, "Mesh files in any state; - is standard input")
       ->expected(0, CLI::detail::expected_max_vector_size);
-  verb->add_option("--points", settings.points, "More points: CSV with the columns x,y,z, or PLY; - is standard input (CSV)")
+  verb->add_option("--points", settings.points,
+                   "More points: CSV with the columns x,y,z, or PLY; - is standard input (CSV)")
       ->type_name("FILE");
   add_run_options(*verb, settings);
   add_output_options(*verb, settings);
