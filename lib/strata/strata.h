@@ -6,6 +6,8 @@
 #include "strata/bsp/partition.h"
 #include "strata/bsp/polygon.h"
 #include "strata/bsp/transform.h"
+#include "strata/convex/hull.h"
+#include "strata/convex/polytope.h"
 #include "strata/csg/check.h"
 #include "strata/csg/combine.h"
 #include "strata/csg/combine_layers.h"

@@ -191,6 +191,24 @@ Examples:
   verb->callback([&] { action = [&] { return run_decompose(settings); }; });
 }
 
+void add_hull(CLI::App& app, Settings& settings, Action& action) {
+  CLI::App* verb = app.add_subcommand("hull", "The convex hull of all vertices of meshes, and of points");
+  verb->add_option("MESH", settings.operands, "Mesh files in any state; - is standard input")
+      ->expected(0, CLI::detail::expected_max_vector_size);
+  verb->add_option("--points", settings.points,
+                   "More points: CSV with the columns x,y,z, or PLY; - is standard input (CSV)")
+      ->type_name("FILE");
+  add_run_options(*verb, settings);
+  add_output_options(*verb, settings);
+  verb->footer(fmt::format(R"(Examples:
+  strata hull part.stl bolt.obj -o hull.stl
+  strata hull --points cloud.csv -o hull.xoff --report -
+
+{})",
+                           exit_codes));
+  verb->callback([&] { action = [&] { return run_hull(settings); }; });
+}
+
 void add_locate(CLI::App& app, Settings& settings, Action& action) {
   CLI::App* verb =
       app.add_subcommand("locate", "Which points are in, on or out of solids, in which and on which faces?");
@@ -334,6 +352,7 @@ int main(int argc, char** argv) {
   add_layers(app, settings, action);
   add_bsp(app, settings, action);
   add_decompose(app, settings, action);
+  add_hull(app, settings, action);
   add_locate(app, settings, action);
   add_ray(app, settings, action);
   add_verify(app, settings, verify_settings, action);

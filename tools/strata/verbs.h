@@ -27,6 +27,9 @@
 /// A solid as convex pieces: files of a folder, or a picture.
 [[nodiscard]] ExitCode run_decompose(const Settings& settings);
 
+/// The convex hull of meshes and points.
+[[nodiscard]] ExitCode run_hull(const Settings& settings);
+
 /// Where are points in a scene? Streams them from a file into another.
 [[nodiscard]] ExitCode run_locate(const Settings& settings);
 
