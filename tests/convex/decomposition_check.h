@@ -101,6 +101,16 @@ inline std::string fault_of(const convex::Decomposition& d, const Solid& solid) 
     areas.add(area, -2);
   }
   if (!(areas == boundary_areas(solid.exact_mesh()))) return "walls are missing or too many";
+  Positions corners;
+  for (std::uint32_t v = 0; v < solid.mesh().vertices.size(); ++v) corners.push_back(solid.exact_mesh().position(v));
+  std::vector<RationalPoint> uncovered;
+  for (const Triangle& t : solid.mesh().triangles) uncovered.push_back(area_vector(corners, {t[0], t[1], t[2]}));
+  for (const convex::BoundaryPart& part : d.boundary) {
+    const RationalPoint area = area_vector(at, part.polygon);
+    for (std::size_t i = 0; i < 3; ++i) uncovered[part.triangle][i] -= area[i];
+  }
+  for (const RationalPoint& area : uncovered)
+    if (area != RationalPoint{0, 0, 0}) return "a triangle is not covered once";
   return {};
 }
 

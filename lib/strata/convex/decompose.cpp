@@ -8,6 +8,7 @@
 #include "strata/convex/piece_pool.h"
 #include "strata/convex/point_list.h"
 #include "strata/convex/region.h"
+#include "strata/mesh/defect.h"
 
 namespace strata::convex {
 namespace {
@@ -79,7 +80,12 @@ class Divider {
 class Gatherer {
  public:
   Gatherer(const Surface& surface, CellMaker& maker, const PiecePool& pool)
-      : table_(surface.table), maker_(maker), pool_(pool), list_(surface.table, maker), number_(pool.size()) {}
+      : surface_(surface),
+        table_(surface.table),
+        maker_(maker),
+        pool_(pool),
+        list_(surface.table, maker),
+        number_(pool.size()) {}
 
   Decomposition gather() {
     for (std::uint32_t p = 0; p < pool_.size(); ++p) {
@@ -91,6 +97,7 @@ class Gatherer {
     for (const auto& [plane, pieces] : pool_.by_plane()) add_walls(plane, pieces);
     std::sort(result_.walls.begin(), result_.walls.end(),
               [](const Wall& a, const Wall& b) { return a.pieces < b.pieces; });
+    add_boundary();
     sort_points();
     return std::move(result_);
   }
@@ -114,16 +121,39 @@ class Gatherer {
     }
   }
 
+  void add_boundary() {
+    for (std::uint32_t t = 0; t < surface_.facets.size(); ++t) {
+      const bsp::Facet<3>& triangle = surface_.facets[t];
+      const CellFacet face = maker_.facet_of(triangle.piece, triangle.faces_plus);
+      const auto pieces = pool_.by_plane().find(triangle.piece.hyperplane);
+      if (pieces == pool_.by_plane().end()) throw LogicError("no piece has a face of the solid");
+      for (const std::uint32_t p : pieces->second) {
+        if (pool_.is_gone(p)) continue;
+        const CellFacet& f = *pool_[p].facet_in(triangle.piece.hyperplane);
+        if (f.faces_plus != triangle.faces_plus) continue;
+        if (const auto common = common_part(face, p, f))
+          result_.boundary.push_back({number_[p], t, polygon_of(maker_.facet_of(*common, triangle.faces_plus))});
+      }
+    }
+  }
+
+  /// What a facet of piece p has in common with a polygon in its plane.
+  std::optional<bsp::Piece<3>> common_part(const CellFacet& polygon, std::uint32_t p, const CellFacet& facet) const {
+    if (maker_.are_boxes_apart(polygon, facet)) return std::nullopt;
+    bsp::Piece<3> common = maker_.piece_of(polygon);
+    for (const std::uint32_t wall : facet.walls)
+      if (!bsp::clip(table_, common, {wall, pool_[p].facet_in(wall)->faces_plus ? Sign::negative : Sign::positive}))
+        return std::nullopt;
+    return common;
+  }
+
   /// Between facets that look at one another, if they overlap.
   void add_wall(std::uint32_t p, const CellFacet& f, std::uint32_t q, const CellFacet& g) {
-    if (maker_.are_boxes_apart(f, g)) return;
-    bsp::Piece<3> common = maker_.piece_of(f);
-    for (const std::uint32_t wall : g.walls)
-      if (!bsp::clip(table_, common, {wall, pool_[q].facet_in(wall)->faces_plus ? Sign::negative : Sign::positive}))
-        return;
+    const auto common = common_part(f, q, g);
+    if (!common) return;
     const bool is_in_order = number_[p] < number_[q];
     result_.walls.push_back({{std::min(number_[p], number_[q]), std::max(number_[p], number_[q])},
-                             polygon_of(maker_.facet_of(common, is_in_order))});
+                             polygon_of(maker_.facet_of(*common, is_in_order))});
   }
 
   void sort_points() {
@@ -133,8 +163,10 @@ class Gatherer {
     };
     for (auto& piece : result_.pieces) std::for_each(piece.begin(), piece.end(), renumber);
     for (Wall& wall : result_.walls) renumber(wall.polygon);
+    for (BoundaryPart& part : result_.boundary) renumber(part.polygon);
   }
 
+  const Surface& surface_;
   const HyperplaneTable<3>& table_;
   CellMaker& maker_;
   const PiecePool& pool_;
@@ -166,7 +198,9 @@ Polytope Decomposition::polytope(std::uint32_t piece) const {
   for (const Polygon& facet : pieces[piece]) {
     std::vector<std::uint32_t>& loop = polytope.facets.emplace_back();
     for (const std::uint32_t point : facet) loop.push_back(number.at(point));
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
   }
+  std::sort(polytope.facets.begin(), polytope.facets.end());
   return polytope;
 }
 

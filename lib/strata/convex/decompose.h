@@ -15,6 +15,13 @@ struct Wall {
   std::vector<std::uint32_t> polygon;   ///< convex; counter-clockwise as seen from the second piece
 };
 
+/// A part of the solid's boundary: a piece has it in common with one triangle.
+struct BoundaryPart {
+  std::uint32_t piece = 0;
+  std::uint32_t triangle = 0;          ///< of the solid's mesh
+  std::vector<std::uint32_t> polygon;  ///< convex; counter-clockwise as seen from outside
+};
+
 /// A solid as convex pieces. All of them share one list of points: pieces that touch do so exactly.
 struct Decomposition {
   /// A convex polygon with outside on the side from where it is counter-clockwise.
@@ -24,6 +31,7 @@ struct Decomposition {
   std::vector<ExactVertex> exact;  ///< those for which rounding changed something
   std::vector<std::vector<Polygon>> pieces;  ///< by their facets, one per plane
   std::vector<Wall> walls;                   ///< by pieces
+  std::vector<BoundaryPart> boundary;        ///< by triangles, then pieces; all of the boundary
   std::size_t reflex_edges = 0;  ///< of the solid: angles of more than 180 degrees, non-manifold edges may have several
   std::size_t cuts = 0;          ///< planes that divided something, before pieces were joined
 
