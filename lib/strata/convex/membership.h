@@ -1,0 +1,55 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "strata/convex/polytope.h"
+#include "strata/convex/surface.h"
+#include "strata/exact/rational.h"
+#include "strata/kernel/box.h"
+#include "strata/mesh/exact_mesh.h"
+
+namespace strata::convex {
+
+/// A point moved by infinitely little: p + e n, e > 0.
+struct NearPoint {
+  RationalPoint p;
+  RationalPoint n;
+};
+
+/// Where such a point lies. `unknown`: n runs along a boundary that p lies on.
+enum class Side { out, in, unknown };
+
+/// With respect to a polytope of any dimension; of those below 3, nothing is inside. O(facets), exact.
+[[nodiscard]] Side side_of(const Polytope& polytope, const NearPoint& point);
+
+/// Pieces of an operand that cover its boundary, convex each: triangles of a solid, or one polytope as a whole.
+struct Pieces {
+  std::vector<Polytope> polytopes;
+  std::vector<Box> boxes;
+};
+
+[[nodiscard]] Pieces triangles_of(const ExactMesh& solid);
+[[nodiscard]] Pieces pieces_of(const Polytope& polytope);
+[[nodiscard]] Polytope triangle_polytope(ExactMeshView mesh, const Triangle& triangle);
+
+/// Tells whether points lie in the sum of two solids, or of a solid and a polytope, by its definition: x is in A + B
+/// if A meets x - B. Then their boundaries meet, or one holds a part of the other.
+class SumMembership {
+ public:
+  /// `b` is a solid, or null where the second operand is a polytope. What it is given must outlive it.
+  SumMembership(const ExactMesh& a, const Surface& of_a, const ExactMesh* b, const Surface& of_b,
+                const Polytope* whole_b);
+
+  /// Exact. O(n + sums of pieces near the point); n m for two solids.
+  [[nodiscard]] Side side(const NearPoint& point) const;
+
+ private:
+  const ExactMesh& a_;
+  const ExactMesh* b_;
+  Pieces pieces_of_a_, pieces_of_b_;
+  std::vector<std::vector<RationalPoint>> parts_of_a_, parts_of_b_;  ///< vertices of every shell
+};
+
+}  // namespace strata::convex

@@ -1,0 +1,131 @@
+#include "strata/convex/minkowski.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "strata/convex/convex_solid.h"
+#include "strata/convex/membership.h"
+#include "strata/convex/sum.h"
+#include "strata/csg/check.h"
+#include "support/shapes.h"
+#include "support/touching.h"
+#include "support/transform.h"
+
+namespace strata::convex {
+namespace {
+
+using test::Random;
+
+Solid box(const Vertex& lower, const Vertex& upper) { return Solid(test::box(lower, upper)); }
+
+Polytope polytope(const Mesh& mesh) { return *convex_solid(surface_of(test::exact(mesh))); }
+Polytope point(const Vertex& v) { return {0, {v}, {}, {}}; }
+
+/// By the definition, from pieces: a vertex of b and all triangles of a, each plus b. For convex b.
+Solid by_pieces(const Solid& a, const Polytope& b) {
+  std::vector<Solid> parts{minkowski_sum(a, Polytope{0, {b.vertices[0]}, {}, {}})};
+  for (const Triangle& t : a.mesh().triangles)
+    parts.push_back(Solid::trusted(mesh_of(sum(triangle_polytope(a.exact_mesh(), t), b))));
+  return unite(parts);
+}
+
+/// For any b: pairs of triangles, and a vertex of every part of each.
+Solid by_pieces(const Solid& a, const Solid& b) {
+  std::vector<Solid> parts;
+  for (const Vertex& v : b.mesh().vertices) parts.push_back(minkowski_sum(a, point(v)));
+  for (const Vertex& v : a.mesh().vertices) parts.push_back(minkowski_sum(b, point(v)));
+  for (const Triangle& t : a.mesh().triangles)
+    for (const Triangle& u : b.mesh().triangles) {
+      const Polytope piece = sum(triangle_polytope(a.exact_mesh(), t), triangle_polytope(b.exact_mesh(), u));
+      if (piece.dimension == 3) parts.push_back(Solid::trusted(mesh_of(piece)));
+    }
+  return unite(parts);
+}
+
+Mesh small_convex(Random& random) {
+  for (;;) {
+    std::vector<Vertex> points;
+    for (std::uint64_t i = 4 + random.below(3); i > 0; --i)
+      points.push_back({static_cast<double>(random.below(4)), static_cast<double>(random.below(4)),
+                        static_cast<double>(random.below(4))});
+    Mesh hull = test::convex_hull(points);
+    if (!hull.triangles.empty()) return hull;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("boxes add up to boxes, and moving is adding a point", "[convex][minkowski]") {
+  CHECK(minkowski_sum(box({0, 0, 0}, {1, 1, 1}), box({1, 2, 3}, {2, 4, 6})) == box({1, 2, 3}, {3, 5, 7}));
+  const Solid l{test::l_shape()};
+  CHECK(minkowski_sum(l, point({1, 2, 3})) == Solid(test::translated(test::l_shape(), {1, 2, 3})));
+  CHECK(minkowski_sum(l, Solid()).is_empty());
+  CHECK(minkowski_sum(Solid(), l).is_empty());
+}
+
+// Catches: voids that winding numbers leave where b holds a handle of a; rings in one plane, where they vanish at once.
+TEST_CASE("a box fills the hole and the cavity that it does not fit into", "[convex][minkowski]") {
+  const Solid with_hole{test::box_with_hole()}, with_cavity{test::box_with_cavity(2)};
+  for (const double side : {0.25, 1.0, 2.0, 3.0, 5.0}) {
+    CAPTURE(side);
+    const Mesh b = test::box({0, 0, 0}, {side, side, side});
+    CHECK(minkowski_sum(with_hole, Solid(b)) == by_pieces(with_hole, polytope(b)));
+    CHECK(minkowski_sum(with_cavity, Solid(b)) == by_pieces(with_cavity, polytope(b)));
+  }
+}
+
+TEST_CASE("random solids plus convex ones are what their pieces are", "[convex][minkowski][property]") {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Solid a{test::lattice_solid(random)};
+    const Mesh b = small_convex(random);
+    const Solid found = minkowski_sum(a, Solid(b));
+    REQUIRE(found == by_pieces(a, polytope(b)));
+  }
+}
+
+TEST_CASE("random solids plus others are what pairs of pieces are", "[convex][minkowski][property]") {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Mesh a = test::lattice_solid(random), b = test::lattice_solid(random);
+    if (a.triangles.size() * b.triangles.size() > 1500) continue;
+    const Solid found = minkowski_sum(Solid(a), Solid(b));
+    REQUIRE(found == by_pieces(Solid(a), Solid(b)));
+    REQUIRE(found == minkowski_sum(Solid(b), Solid(a)));
+  }
+}
+
+TEST_CASE("sums obey the laws of sums", "[convex][minkowski][property]") {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    Random random(1000 + seed);
+    const Solid a{test::lattice_solid(random)}, b{test::lattice_solid(random)}, c{small_convex(random)},
+        d{small_convex(random)};
+    const Solid a_c = minkowski_sum(a, c);
+    CHECK(minkowski_sum(a | b, c) == (a_c | minkowski_sum(b, c)));
+    CHECK(minkowski_sum(a_c, d) == minkowski_sum(a, minkowski_sum(c, d)));
+    CHECK((a_c - minkowski_sum(a | b, c)).is_empty());
+    const Solid eroded = erosion(a, c);
+    CHECK((minkowski_sum(eroded, c) - a).is_empty());
+    CHECK((a - erosion(a_c, c)).is_empty());
+  }
+}
+
+TEST_CASE("segments and polygons sweep solids", "[convex][minkowski][property]") {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Solid a{test::lattice_solid(random)};
+    const Mesh triangle{
+        {{0, 0, 0}, {0, 1, static_cast<double>(random.below(3))}, {1, static_cast<double>(random.below(2)), 0}},
+        {{0, 1, 2}}};
+    const Polytope polygon = triangle_polytope(ExactMesh{triangle, {}}, {0, 1, 2});
+    const Polytope sweep{1, {{0, 0, 0}, {1, static_cast<double>(random.below(2)), 0}}, {}, {}};
+    CHECK(minkowski_sum(a, sweep) == by_pieces(a, sweep));
+    CHECK(minkowski_sum(a, polygon) == by_pieces(a, polygon));
+  }
+}
+
+}  // namespace strata::convex
