@@ -23,9 +23,9 @@ void for_some(std::size_t count, std::size_t most, const Visit& visit) {
 
 class CutChooser {
  public:
-  CutChooser(const Surface& surface, const Region& region) : surface_(surface), region_(region) {
+  CutChooser(const PreparedBoundary& boundary, const Region& region) : boundary_(boundary), region_(region) {
     for (const Edge& e : region.edges)
-      if (surface.wedges[e.wedge].is_reflex) reflex_.push_back(&e);
+      if (boundary.wedges[e.wedge].is_reflex) reflex_.push_back(&e);
   }
 
   std::optional<std::uint32_t> choose() const { return reflex_.empty() ? between_parts() : through_reflex_edges(); }
@@ -49,7 +49,7 @@ class CutChooser {
   [[nodiscard]] std::vector<std::uint32_t> candidates() const {
     std::map<std::uint32_t, std::size_t> edges_in;
     for (const Edge* e : reflex_)
-      for (const std::uint32_t plane : surface_.cut_planes[e->wedge]) ++edges_in[plane];
+      for (const std::uint32_t plane : boundary_.cut_planes[e->wedge]) ++edges_in[plane];
     std::vector<std::pair<std::size_t, std::uint32_t>> planes;
     for (const auto& [plane, count] : edges_in) planes.emplace_back(count, plane);
     const std::size_t tried = std::min(planes.size(), most_candidates);
@@ -66,12 +66,12 @@ class CutChooser {
   [[nodiscard]] double worth_of(std::uint32_t plane) const {
     double worth = 0;
     for (const Edge* e : reflex_) {
-      const std::vector<std::uint32_t>& known = surface_.cut_planes[e->wedge];
+      const std::vector<std::uint32_t>& known = boundary_.cut_planes[e->wedge];
       if (std::find(known.begin(), known.end(), plane) != known.end()) {
         worth += 1;
         continue;
       }
-      const Sign from = surface_.table.side(plane, e->ends[0]), to = surface_.table.side(plane, e->ends[1]);
+      const Sign from = boundary_.table.side(plane, e->ends[0]), to = boundary_.table.side(plane, e->ends[1]);
       if (from == Sign::zero && to == Sign::zero) worth += 1;
       if (from * to == Sign::negative) worth -= 1;
     }
@@ -86,7 +86,7 @@ class CutChooser {
     return divided * static_cast<double>(count) / static_cast<double>(std::min(count, most_asked));
   }
   [[nodiscard]] bool seems_divided(const Face& face, std::uint32_t plane) const {
-    const auto& form = surface_.table[plane].bounded();
+    const auto& form = boundary_.table[plane].bounded();
     bool minus = false, plus = false;
     for (const Corner<3>& c : face.part.corners) {
       double value = form[3].value, size = std::abs(value);
@@ -110,7 +110,7 @@ class CutChooser {
     double lowest = HUGE_VAL;
     for_some(parts.size(), parts_tried, [&](std::size_t k) {
       for_some(parts[k].size(), parts_tried, [&](std::size_t i) {
-        const std::uint32_t plane = surface_.plane_of(parts[k][i]->triangle);
+        const std::uint32_t plane = boundary_.plane_of(parts[k][i]->triangle);
         if (const double cost = cost_between(parts, plane); cost < lowest) {
           best = plane;
           lowest = cost;
@@ -126,7 +126,7 @@ class CutChooser {
     for (const Part& part : parts) {
       bool is_minus = false, is_plus = false;
       for (const Face* f : part) {
-        const bsp::Lie lie = bsp::lie_of(surface_.table, f->part, plane);
+        const bsp::Lie lie = bsp::lie_of(boundary_.table, f->part, plane);
         is_minus |= lie == bsp::Lie::minus || lie == bsp::Lie::both;
         is_plus |= lie == bsp::Lie::plus || lie == bsp::Lie::both;
         if (is_minus && is_plus) break;
@@ -147,7 +147,7 @@ class CutChooser {
       return t;
     };
     for (const Edge& e : region_.edges) {
-      const auto [f, g] = surface_.wedges[e.wedge].faces;
+      const auto [f, g] = boundary_.wedges[e.wedge].faces;
       parent.at(root(f)) = root(g);
     }
     std::map<std::uint32_t, std::size_t> number;
@@ -160,15 +160,15 @@ class CutChooser {
     return parts;
   }
 
-  const Surface& surface_;
+  const PreparedBoundary& boundary_;
   const Region& region_;
   std::vector<const Edge*> reflex_;
 };
 
 }  // namespace
 
-std::optional<std::uint32_t> choose_cut(const Surface& surface, const Region& region) {
-  return CutChooser(surface, region).choose();
+std::optional<std::uint32_t> choose_cut(const PreparedBoundary& boundary, const Region& region) {
+  return CutChooser(boundary, region).choose();
 }
 
 }  // namespace strata::convex

@@ -16,12 +16,12 @@ namespace {
 /// Divides until everything is convex, and joins again what need not have been divided.
 class Divider {
  public:
-  Divider(const Surface& surface, CellMaker& maker, PiecePool& pool, const Monitor& monitor)
-      : surface_(surface), maker_(maker), pool_(pool), monitor_(monitor) {}
+  Divider(const PreparedBoundary& boundary, CellMaker& maker, PiecePool& pool, const Monitor& monitor)
+      : boundary_(boundary), maker_(maker), pool_(pool), monitor_(monitor) {}
 
   /// Returns the number of cuts.
   std::size_t run() {
-    tasks_.push_back({whole_region(surface_, maker_), 0, 0, 1});
+    tasks_.push_back({whole_region(boundary_, maker_), 0, 0, 1});
     while (!tasks_.empty()) {
       monitor_.check();
       Task task = std::move(tasks_.back());
@@ -44,14 +44,14 @@ class Divider {
   };
 
   void divide(Region region, double share) {
-    const std::optional<std::uint32_t> cut = choose_cut(surface_, region);
+    const std::optional<std::uint32_t> cut = choose_cut(boundary_, region);
     if (!cut) {
-      pool_.add(inside_of(surface_, maker_, region));
+      pool_.add(inside_of(boundary_, maker_, region));
       done_ += share;
       return monitor_.report(done_);
     }
     ++cuts_;
-    RegionSides sides = split(surface_, maker_, std::move(region), *cut);
+    RegionSides sides = split(boundary_, maker_, std::move(region), *cut);
     const auto minus = static_cast<double>(sides.minus.faces.size()),
                plus = static_cast<double>(sides.plus.faces.size());
     const double of_minus = minus + plus > 0 ? minus / (minus + plus) : 0.5;
@@ -67,7 +67,7 @@ class Divider {
       pool_.add(std::move(region.cell));
   }
 
-  const Surface& surface_;
+  const PreparedBoundary& boundary_;
   CellMaker& maker_;
   PiecePool& pool_;
   const Monitor& monitor_;
@@ -79,12 +79,12 @@ class Divider {
 /// Numbers the pieces that are left and finds the walls between them.
 class Gatherer {
  public:
-  Gatherer(const Surface& surface, CellMaker& maker, const PiecePool& pool)
-      : surface_(surface),
-        table_(surface.table),
+  Gatherer(const PreparedBoundary& boundary, CellMaker& maker, const PiecePool& pool)
+      : boundary_(boundary),
+        table_(boundary.table),
         maker_(maker),
         pool_(pool),
-        list_(surface.table, maker),
+        list_(boundary.table, maker),
         number_(pool.size()) {}
 
   Decomposition gather() {
@@ -122,8 +122,8 @@ class Gatherer {
   }
 
   void add_boundary() {
-    for (std::uint32_t t = 0; t < surface_.facets.size(); ++t) {
-      const bsp::Facet<3>& triangle = surface_.facets[t];
+    for (std::uint32_t t = 0; t < boundary_.facets.size(); ++t) {
+      const bsp::Facet<3>& triangle = boundary_.facets[t];
       const CellFacet face = maker_.facet_of(triangle.piece, triangle.faces_plus);
       const auto pieces = pool_.by_plane().find(triangle.piece.hyperplane);
       if (pieces == pool_.by_plane().end()) throw LogicError("no piece has a face of the solid");
@@ -166,7 +166,7 @@ class Gatherer {
     for (BoundaryPart& part : result_.boundary) renumber(part.polygon);
   }
 
-  const Surface& surface_;
+  const PreparedBoundary& boundary_;
   const HyperplaneTable<3>& table_;
   CellMaker& maker_;
   const PiecePool& pool_;
@@ -206,14 +206,14 @@ Polytope Decomposition::polytope(std::uint32_t piece) const {
 
 Decomposition decompose(const Solid& solid, const Monitor& monitor) {
   if (solid.is_empty()) return {};
-  const Surface surface(solid.exact_mesh());
-  CellMaker maker(surface.table);
+  const PreparedBoundary boundary(solid.exact_mesh());
+  CellMaker maker(boundary.table);
   PiecePool pool(maker);
-  const std::size_t cuts = Divider(surface, maker, pool, monitor).run();
-  Decomposition result = Gatherer(surface, maker, pool).gather();
+  const std::size_t cuts = Divider(boundary, maker, pool, monitor).run();
+  Decomposition result = Gatherer(boundary, maker, pool).gather();
   result.cuts = cuts;
   result.reflex_edges = static_cast<std::size_t>(
-      std::count_if(surface.wedges.begin(), surface.wedges.end(), [](const Wedge& w) { return w.is_reflex; }));
+      std::count_if(boundary.wedges.begin(), boundary.wedges.end(), [](const Wedge& w) { return w.is_reflex; }));
   return result;
 }
 

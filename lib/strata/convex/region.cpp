@@ -15,14 +15,14 @@ namespace {
 /// Where the faces of a region lie, by triangle.
 using Lies = std::unordered_map<std::uint32_t, bsp::Lie>;
 
-Lies split_faces(const Surface& surface, std::vector<Face>& faces, std::uint32_t plane, RegionSides& sides) {
+Lies split_faces(const PreparedBoundary& boundary, std::vector<Face>& faces, std::uint32_t plane, RegionSides& sides) {
   Lies lies;
   for (Face& f : faces) {
-    bsp::Split<3> parts = bsp::split(surface.table, f.part, plane);
+    bsp::Split<3> parts = bsp::split(boundary.table, f.part, plane);
     lies.emplace(f.triangle, parts.lie);
     switch (parts.lie) {
       case bsp::Lie::on:
-        sides.is_minus_inside = surface.facets[f.triangle].faces_plus;
+        sides.is_minus_inside = boundary.facets[f.triangle].faces_plus;
         sides.is_plus_inside = !sides.is_minus_inside;
         break;
       case bsp::Lie::minus:
@@ -40,9 +40,10 @@ Lies split_faces(const Surface& surface, std::vector<Face>& faces, std::uint32_t
   return lies;
 }
 
-void split_edge(const Surface& surface, const Edge& e, std::uint32_t plane, const Lies& lies, RegionSides& sides) {
-  const Wedge& w = surface.wedges[e.wedge];
-  const Sign from = surface.table.side(plane, e.ends[0]), to = surface.table.side(plane, e.ends[1]);
+void split_edge(const PreparedBoundary& boundary, const Edge& e, std::uint32_t plane, const Lies& lies,
+                RegionSides& sides) {
+  const Wedge& w = boundary.wedges[e.wedge];
+  const Sign from = boundary.table.side(plane, e.ends[0]), to = boundary.table.side(plane, e.ends[1]);
   const auto edges_on = [&](Sign side) -> std::vector<Edge>& {
     return (side == Sign::negative ? sides.minus : sides.plus).edges;
   };
@@ -52,7 +53,7 @@ void split_edge(const Surface& surface, const Edge& e, std::uint32_t plane, cons
     if (lie == bsp::Lie::minus) sides.minus.edges.push_back(e);
     if (lie == bsp::Lie::plus) sides.plus.edges.push_back(e);
   } else if (from * to == Sign::negative) {
-    const Corner<3> middle = surface.table.meet({w.planes[0], w.planes[1], plane});
+    const Corner<3> middle = boundary.table.meet({w.planes[0], w.planes[1], plane});
     edges_on(from).push_back({e.wedge, {e.ends[0], middle}});
     edges_on(to).push_back({e.wedge, {middle, e.ends[1]}});
   } else {
@@ -71,16 +72,16 @@ bsp::HalfSpace behind(std::uint32_t plane, bool faces_plus) {
   return {plane, faces_plus ? Sign::negative : Sign::positive};
 }
 
-BoundsByPlane bounds_of(const Surface& surface, const Region& region) {
+BoundsByPlane bounds_of(const PreparedBoundary& boundary, const Region& region) {
   BoundsByPlane bounds;
   for (const Face& f : region.faces)
-    bounds[surface.plane_of(f.triangle)].faces_plus = surface.facets[f.triangle].faces_plus;
+    bounds[boundary.plane_of(f.triangle)].faces_plus = boundary.facets[f.triangle].faces_plus;
   const auto add = [&](std::uint32_t of, std::uint32_t by) {
-    bounds[surface.plane_of(of)].by.push_back(behind(surface.plane_of(by), surface.facets[by].faces_plus));
+    bounds[boundary.plane_of(of)].by.push_back(behind(boundary.plane_of(by), boundary.facets[by].faces_plus));
   };
   for (const Edge& e : region.edges) {
-    const auto [f, g] = surface.wedges[e.wedge].faces;
-    if (surface.plane_of(f) == surface.plane_of(g)) continue;
+    const auto [f, g] = boundary.wedges[e.wedge].faces;
+    if (boundary.plane_of(f) == boundary.plane_of(g)) continue;
     add(f, g);
     add(g, f);
   }
@@ -100,52 +101,52 @@ bool clip_facet(const HyperplaneTable<3>& table, bsp::Piece<3>& polygon, const b
 
 }  // namespace
 
-Surface::Surface(ExactMeshView mesh)
+PreparedBoundary::PreparedBoundary(ExactMeshView mesh)
     : facets(bsp::triangle_facets(table, mesh)),
       wedges(wedges_of(table, facets, mesh)),
       cut_planes(convex::cut_planes(table, facets, wedges)) {}
 
-Region whole_region(const Surface& surface, CellMaker& maker) {
+Region whole_region(const PreparedBoundary& boundary, CellMaker& maker) {
   Region all{maker.space(), {}, {}};
-  for (std::uint32_t t = 0; t < surface.facets.size(); ++t) all.faces.push_back({t, surface.facets[t].piece});
-  for (std::uint32_t w = 0; w < surface.wedges.size(); ++w) all.edges.push_back({w, surface.wedges[w].ends});
+  for (std::uint32_t t = 0; t < boundary.facets.size(); ++t) all.faces.push_back({t, boundary.facets[t].piece});
+  for (std::uint32_t w = 0; w < boundary.wedges.size(); ++w) all.edges.push_back({w, boundary.wedges[w].ends});
   return all;
 }
 
 // A side without faces is outside or inside as a whole. If the region has faces in the plane, they tell which. If not,
 // the plane goes through a reflex edge, beside which the outside takes less than half of the way round: so it is
 // inside.
-RegionSides split(const Surface& surface, CellMaker& maker, Region region, std::uint32_t plane) {
+RegionSides split(const PreparedBoundary& boundary, CellMaker& maker, Region region, std::uint32_t plane) {
   RegionSides sides;
   CellMaker::Halves halves = maker.split(region.cell, plane);
   if (!halves.minus || !halves.plus) throw LogicError("a plane through a region does not divide it");
   sides.minus.cell = std::move(*halves.minus);
   sides.plus.cell = std::move(*halves.plus);
-  const Lies lies = split_faces(surface, region.faces, plane, sides);
-  for (const Edge& e : region.edges) split_edge(surface, e, plane, lies, sides);
+  const Lies lies = split_faces(boundary, region.faces, plane, sides);
+  for (const Edge& e : region.edges) split_edge(boundary, e, plane, lies, sides);
   return sides;
 }
 
 // The region's own facets come first: of these only the ones that are left bound the others.
-Cell inside_of(const Surface& surface, CellMaker& maker, const Region& region) {
-  const BoundsByPlane bounds = bounds_of(surface, region);
+Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region& region) {
+  const BoundsByPlane bounds = bounds_of(boundary, region);
   Cell inside;
   for (const CellFacet& f : region.cell.facets) {
     if (HyperplaneTable<3>::is_frame(f.plane)) continue;
     bsp::Piece<3> polygon = maker.piece_of(f);
     const bool is_left = std::all_of(bounds.begin(), bounds.end(), [&](const auto& of_plane) {
-      return clip_facet(surface.table, polygon, behind(of_plane.first, of_plane.second.faces_plus));
+      return clip_facet(boundary.table, polygon, behind(of_plane.first, of_plane.second.faces_plus));
     });
     if (is_left) inside.facets.push_back(maker.facet_of(polygon, f.faces_plus));
   }
   std::vector<bsp::HalfSpace> of_region;
   for (const CellFacet& f : inside.facets) of_region.push_back(behind(f.plane, f.faces_plus));
   for (const auto& [plane, of_plane] : bounds) {
-    bsp::Piece<3> polygon = bsp::whole(surface.table, plane);
+    bsp::Piece<3> polygon = bsp::whole(boundary.table, plane);
     for (const std::vector<bsp::HalfSpace>* by :
          {&of_plane.by, static_cast<const std::vector<bsp::HalfSpace>*>(&of_region)})
       for (const bsp::HalfSpace& h : *by)
-        if (!bsp::clip(surface.table, polygon, h)) throw LogicError("a facet of a convex piece has no area");
+        if (!bsp::clip(boundary.table, polygon, h)) throw LogicError("a facet of a convex piece has no area");
     inside.facets.push_back(maker.facet_of(polygon, of_plane.faces_plus));
   }
   return inside;

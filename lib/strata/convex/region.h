@@ -10,8 +10,8 @@
 namespace strata::convex {
 
 /// A solid's boundary, prepared for being divided: triangles, wedges between them, planes that resolve reflex ones.
-struct Surface {
-  explicit Surface(ExactMeshView mesh);
+struct PreparedBoundary {
+  explicit PreparedBoundary(ExactMeshView mesh);
 
   HyperplaneTable<3> table;
   std::vector<bsp::Facet<3>> facets;  ///< the triangles
@@ -41,7 +41,7 @@ struct Region {
 };
 
 /// All of space.
-[[nodiscard]] Region whole_region(const Surface& surface, CellMaker& maker);
+[[nodiscard]] Region whole_region(const PreparedBoundary& boundary, CellMaker& maker);
 
 /// Both sides of a plane through a region. Where a side has no faces it is inside or outside as a whole.
 struct RegionSides {
@@ -51,15 +51,15 @@ struct RegionSides {
 
 /// Divides a region by a plane through one of its reflex edges or in which it has faces. Edges in the plane are
 /// resolved, and left out, unless their wedge is on one side as a whole. O(size).
-[[nodiscard]] RegionSides split(const Surface& surface, CellMaker& maker, Region region, std::uint32_t plane);
+[[nodiscard]] RegionSides split(const PreparedBoundary& boundary, CellMaker& maker, Region region, std::uint32_t plane);
 
 /// A plane that divides a region well: among some planes through its reflex edges the one that resolves most of them
 /// and divides few edges and faces; without reflex edges, a plane of a face between connected parts of the boundary.
 /// Nothing if the boundary is one part without reflex edges: then the part of the region inside the solid is convex.
 /// O(size * candidates), of which there are at most 36.
-[[nodiscard]] std::optional<std::uint32_t> choose_cut(const Surface& surface, const Region& region);
+[[nodiscard]] std::optional<std::uint32_t> choose_cut(const PreparedBoundary& boundary, const Region& region);
 
 /// The part of a region inside the solid, where `choose_cut` finds nothing to divide. O(faces * facets of the cell).
-[[nodiscard]] Cell inside_of(const Surface& surface, CellMaker& maker, const Region& region);
+[[nodiscard]] Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region& region);
 
 }  // namespace strata::convex
