@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace strata::convex {
@@ -17,7 +18,10 @@ class CutPlanes {
   CutPlanes(HyperplaneTable<3>& table, std::span<const bsp::Facet<3>> facets, std::span<const Wedge> wedges)
       : table_(table), facets_(facets), wedges_(wedges), through_(wedges.size()) {
     for (std::uint32_t w = 0; w < wedges.size(); ++w)
-      if (wedges[w].is_reflex) reflex_.push_back(w);
+      if (wedges[w].is_reflex) {
+        reflex_.push_back(w);
+        ends_[w] = {table.position(wedges[w].ends[0]), table.position(wedges[w].ends[1])};
+      }
   }
 
   std::vector<std::vector<std::uint32_t>> all() {
@@ -34,13 +38,11 @@ class CutPlanes {
     if (std::find(planes.begin(), planes.end(), plane) == planes.end()) planes.push_back(plane);
   }
 
-  [[nodiscard]] RationalPoint end(std::uint32_t wedge, std::size_t i) const {
-    return table_.position(wedges_[wedge].ends[i]);
-  }
+  [[nodiscard]] const RationalPoint& end(std::uint32_t wedge, std::size_t i) const { return ends_.at(wedge)[i]; }
   /// Through an edge and a point; nothing if the point is on its line.
   void pair(std::uint32_t v, std::uint32_t w, const RationalPoint& apex) {
     if (through_[v].size() >= 2 + most_partners || through_[w].size() >= 2 + most_partners) return;
-    const RationalPoint p = end(v, 0), q = end(v, 1);
+    const RationalPoint &p = end(v, 0), &q = end(v, 1);
     if (are_collinear(p, q, apex)) return;
     const std::uint32_t plane = table_.add(plane_through(p, q, apex).hyperplane);
     note(v, plane);
@@ -105,7 +107,7 @@ class CutPlanes {
     }
   }
   [[nodiscard]] bool are_parallel(std::uint32_t v, std::uint32_t w) const {
-    const RationalPoint a = end(v, 0), b = end(v, 1), c = end(w, 0);
+    const RationalPoint &a = end(v, 0), &b = end(v, 1), &c = end(w, 0);
     RationalPoint d = end(w, 1);
     for (std::size_t i = 0; i < 3; ++i) d[i] += a[i] - c[i];
     return are_collinear(a, b, d);
@@ -116,6 +118,7 @@ class CutPlanes {
   std::span<const Wedge> wedges_;
   std::vector<std::vector<std::uint32_t>> through_;
   std::vector<std::uint32_t> reflex_;
+  std::unordered_map<std::uint32_t, std::array<RationalPoint, 2>> ends_;  ///< of reflex edges
 };
 
 }  // namespace

@@ -157,9 +157,9 @@ class Gatherer {
   }
 
   void sort_points() {
-    const std::vector<std::uint32_t> rank = list_.sorted(result_.points, result_.exact);
+    const std::vector<std::uint32_t> point_of = list_.sorted(result_.points, result_.exact);
     const auto renumber = [&](std::vector<std::uint32_t>& polygon) {
-      for (std::uint32_t& point : polygon) point = rank[point];
+      for (std::uint32_t& point : polygon) point = point_of[point];
     };
     for (auto& piece : result_.pieces) std::for_each(piece.begin(), piece.end(), renumber);
     for (Wall& wall : result_.walls) renumber(wall.polygon);
