@@ -9,7 +9,7 @@
 namespace strata::convex {
 namespace {
 
-constexpr std::size_t most_candidates = 32;    ///< planes through reflex edges that are tried
+constexpr std::size_t most_candidates = 128;   ///< planes through reflex edges that are tried
 constexpr std::size_t most_asked = 64;         ///< faces that are asked where they lie
 constexpr std::size_t parts_tried = 6;         ///< connected parts whose planes are tried, and planes of each
 constexpr double cost_of_divided_face = 0.05;  ///< where a reflex edge that is resolved is worth 1; measured
@@ -33,11 +33,15 @@ class CutChooser {
  private:
   using Part = std::vector<const Face*>;
 
+  /// The plane that is worth most: reflex edges that it is known to resolve, minus those that it divides, minus a
+  /// little for faces.
   [[nodiscard]] std::uint32_t through_reflex_edges() const {
     std::uint32_t best = 0;
     double highest = -HUGE_VAL;
-    for (const std::uint32_t plane : candidates()) {
-      const double worth = worth_of(plane) - cost_of_divided_face * divided_faces(plane);
+    for (const auto& [plane, edges] : candidates()) {
+      if (edges <= highest) break;
+      double worth = edges - divided_edges(plane, edges - highest);
+      if (worth > highest) worth -= cost_of_divided_face * divided_faces(plane);
       if (worth <= highest) continue;
       best = plane;
       highest = worth;
@@ -45,37 +49,36 @@ class CutChooser {
     return best;
   }
 
-  /// The planes through most reflex edges.
-  [[nodiscard]] std::vector<std::uint32_t> candidates() const {
-    std::map<std::uint32_t, std::size_t> edges_in;
+  struct Candidate {
+    std::uint32_t plane = 0;
+    double edges = 0;  ///< reflex ones that it is known to go through
+  };
+
+  /// The planes through most reflex edges come first.
+  [[nodiscard]] std::vector<Candidate> candidates() const {
+    std::map<std::uint32_t, double> edges_in;
     for (const Edge* e : reflex_)
       for (const std::uint32_t plane : boundary_.cut_planes[e->wedge]) ++edges_in[plane];
-    std::vector<std::pair<std::size_t, std::uint32_t>> planes;
-    for (const auto& [plane, count] : edges_in) planes.emplace_back(count, plane);
+    std::vector<Candidate> planes;
+    for (const auto& [plane, edges] : edges_in) planes.push_back({plane, edges});
     const std::size_t tried = std::min(planes.size(), most_candidates);
-    const auto comes_first = [](const auto& a, const auto& b) {
-      return a.first != b.first ? a.first > b.first : a.second < b.second;
+    const auto comes_first = [](const Candidate& a, const Candidate& b) {
+      return a.edges != b.edges ? a.edges > b.edges : a.plane < b.plane;
     };
     std::partial_sort(planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(tried), planes.end(), comes_first);
-    std::vector<std::uint32_t> result;
-    for (std::size_t k = 0; k < tried; ++k) result.push_back(planes[k].second);
-    return result;
+    planes.resize(tried);
+    return planes;
   }
 
-  /// Reflex edges that a plane resolves, minus those that it divides.
-  [[nodiscard]] double worth_of(std::uint32_t plane) const {
-    double worth = 0;
+  /// Reflex edges that a plane divides; no more than `enough` are counted.
+  [[nodiscard]] double divided_edges(std::uint32_t plane, double enough) const {
+    double divided = 0;
     for (const Edge* e : reflex_) {
-      const std::vector<std::uint32_t>& known = boundary_.cut_planes[e->wedge];
-      if (std::find(known.begin(), known.end(), plane) != known.end()) {
-        worth += 1;
-        continue;
-      }
-      const Sign from = boundary_.table.side(plane, e->ends[0]), to = boundary_.table.side(plane, e->ends[1]);
-      if (from == Sign::zero && to == Sign::zero) worth += 1;
-      if (from * to == Sign::negative) worth -= 1;
+      const Sign from = boundary_.table.side(plane, e->ends[0]);
+      if (from == Sign::zero || from * boundary_.table.side(plane, e->ends[1]) != Sign::negative) continue;
+      if (++divided >= enough) break;
     }
-    return worth;
+    return divided;
   }
 
   /// An estimate, from some faces and doubles that may be rounded.

@@ -56,7 +56,7 @@ struct RegionSides {
 /// A plane that divides a region well: among some planes through its reflex edges the one that resolves most of them
 /// and divides few edges and faces; without reflex edges, a plane of a face between connected parts of the boundary.
 /// Nothing if the boundary is one part without reflex edges: then the part of the region inside the solid is convex.
-/// O(size * candidates), of which there are at most 36.
+/// O(size * candidates), of which there are at most 128.
 [[nodiscard]] std::optional<std::uint32_t> choose_cut(const PreparedBoundary& boundary, const Region& region);
 
 /// The part of a region inside the solid, where `choose_cut` finds nothing to divide. O(faces * facets of the cell).
