@@ -163,11 +163,12 @@ TEST_CASE("minus zero is zero", "[convex]") {
 
 // Catches: coplanar triangles left apart, points inside facets or edges kept.
 TEST_CASE("grids have eight corners and six facets, flat grids four corners", "[convex][degenerate]") {
-  for (const double unit : {1.0, 0.1, 1e-300, 1e300 / 16}) {
+  for (const double unit : {1.0, 0.1, 1e-300, 0x1p-1040, 1e300 / 16}) {
     CAPTURE(unit);
     const Polytope box = checked_hull(grid(10, 10, 10, unit));
     CHECK(box.vertices.size() == 8);
     CHECK(box.facets.size() == 6);
+    CHECK(are_equal(convex_hull(grid(19, 19, 19, unit)), convex_hull(grid(2, 2, 2, 18 * unit))));
     for (const Points& flat : {grid(1, 9, 8, unit), grid(9, 1, 8, unit), grid(9, 8, 1, unit)}) {
       const Polytope rectangle = checked_hull(flat);
       CHECK(rectangle.dimension == 2);
@@ -313,6 +314,32 @@ TEST_CASE("many points have one hull for any number of threads", "[convex]") {
     CHECK(t.open_edges == 0);
     CHECK(hull.vertices.size() > 100);
     CHECK(are_equal(hull, convex_hull(hull.vertices)));
+  }
+}
+
+// Catches: candidates that are left out, numbers of points mixed up on the way.
+TEST_CASE("many points have the hull of the corners of a few at a time", "[convex][property]") {
+  test::Random random(6);
+  const auto coordinate = [&](int kind) {
+    return kind == 0   ? random.between(-9, 9)
+           : kind == 1 ? random.unit()
+           : kind == 2 ? random.between(-99, 99) * 0.1
+                       : std::ldexp(random.unit() - 0.5, random.between(-60, 0)) * 1e-280;
+  };
+  for (const int kind : {0, 1, 2, 3}) {
+    CAPTURE(kind);
+    std::vector<RationalPoint> places;
+    Points points, corners;
+    for (int n = 0; n < 6000; ++n) points.push_back({coordinate(kind), coordinate(kind), coordinate(kind)});
+    for (std::size_t begin = 0; begin < points.size(); begin += 1000) {
+      const Polytope part = convex_hull(std::span(points).subspan(begin, 1000));
+      corners.insert(corners.end(), part.vertices.begin(), part.vertices.end());
+    }
+    const Polytope hull = convex_hull(points);
+    REQUIRE(are_equal(hull, convex_hull(corners)));
+    REQUIRE(violations(hull).empty());
+    for (const Vertex& p : points) places.push_back(divided(p, 3));
+    REQUIRE(convex_hull(exact_mesh(places)).facets == hull.facets);
   }
 }
 
