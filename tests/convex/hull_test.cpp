@@ -246,6 +246,26 @@ TEST_CASE("hulls of points of mixed magnitudes are exact", "[convex][property]")
   }
 }
 
+// Catches: doubles taken for exact where they are not, on lattices that are nearly small.
+TEST_CASE("points of nearly one plane on lattices of every width are told apart", "[convex][degenerate][property]") {
+  test::Random random(7);
+  for (int bits = 8; bits <= 52; ++bits) {
+    CAPTURE(bits);
+    const double large = std::ldexp(1, bits - 3);
+    const auto any = [&] { return std::floor(large * random.unit()); };
+    for (std::uint64_t round = 0; round < test::rounds(20); ++round) {
+      Points points;
+      const Vertex from{any(), any(), any()}, u{any(), -any(), any()}, v{-any(), any(), any()};
+      for (int n = random.between(4, 12); n > 0; --n) {
+        const int s = random.between(-1, 1), t = random.between(-1, 1);
+        points.push_back({from[0] + s * u[0] + t * v[0], from[1] + s * u[1] + t * v[1], from[2] + s * u[2] + t * v[2]});
+        points.back()[2] += random.once_in(3) ? random.between(-1, 1) : 0;
+      }
+      (void)checked_hull(points);
+    }
+  }
+}
+
 /// A step of one ulp decides whether a point of a facet is in, on or above it.
 TEST_CASE("one ulp makes a corner", "[convex][degenerate]") {
   test::Random random(3);
@@ -358,6 +378,10 @@ TEST_CASE("the hull of solids holds all of them", "[convex]") {
   const Solid cut = box(0) - solid_of(convex_hull(Points{{0.5, 0, 0}, {2, 0, 0}, {2, 3, 0}, {2, 0, 3}, {0.5, 0, 7}}));
   const std::vector<Solid> one{cut};
   CHECK(violations(convex_hull(one)).empty());
+  Mesh tetrahedron = mesh_of(convex_hull(Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})).mesh;
+  tetrahedron.vertices.push_back({9, 9, 9});  // of no face
+  const std::vector<Solid> with_unused{Solid(tetrahedron)};
+  CHECK(convex_hull(with_unused).vertices.size() == 4);
 }
 
 TEST_CASE("what is no point is refused", "[convex]") {
