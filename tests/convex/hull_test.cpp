@@ -163,11 +163,12 @@ TEST_CASE("minus zero is zero", "[convex]") {
 
 // Catches: coplanar triangles left apart, points inside facets or edges kept.
 TEST_CASE("grids have eight corners and six facets, flat grids four corners", "[convex][degenerate]") {
-  for (const double unit : {1.0, 0.1, 1e-300, 1e300 / 16}) {
+  for (const double unit : {1.0, 0.1, 1e-300, 0x1p-1040, 1e300 / 16}) {
     CAPTURE(unit);
     const Polytope box = checked_hull(grid(10, 10, 10, unit));
     CHECK(box.vertices.size() == 8);
     CHECK(box.facets.size() == 6);
+    CHECK(are_equal(convex_hull(grid(19, 19, 19, unit)), convex_hull(grid(2, 2, 2, 18 * unit))));
     for (const Points& flat : {grid(1, 9, 8, unit), grid(9, 1, 8, unit), grid(9, 8, 1, unit)}) {
       const Polytope rectangle = checked_hull(flat);
       CHECK(rectangle.dimension == 2);
@@ -245,6 +246,26 @@ TEST_CASE("hulls of points of mixed magnitudes are exact", "[convex][property]")
   }
 }
 
+// Catches: doubles taken for exact where they are not, on lattices that are nearly small.
+TEST_CASE("points of nearly one plane on lattices of every width are told apart", "[convex][degenerate][property]") {
+  test::Random random(7);
+  for (int bits = 8; bits <= 52; ++bits) {
+    CAPTURE(bits);
+    const double large = std::ldexp(1, bits - 3);
+    const auto any = [&] { return std::floor(large * random.unit()); };
+    for (std::uint64_t round = 0; round < test::rounds(20); ++round) {
+      Points points;
+      const Vertex from{any(), any(), any()}, u{any(), -any(), any()}, v{-any(), any(), any()};
+      for (int n = random.between(4, 12); n > 0; --n) {
+        const int s = random.between(-1, 1), t = random.between(-1, 1);
+        points.push_back({from[0] + s * u[0] + t * v[0], from[1] + s * u[1] + t * v[1], from[2] + s * u[2] + t * v[2]});
+        points.back()[2] += random.once_in(3) ? random.between(-1, 1) : 0;
+      }
+      (void)checked_hull(points);
+    }
+  }
+}
+
 /// A step of one ulp decides whether a point of a facet is in, on or above it.
 TEST_CASE("one ulp makes a corner", "[convex][degenerate]") {
   test::Random random(3);
@@ -316,6 +337,32 @@ TEST_CASE("many points have one hull for any number of threads", "[convex]") {
   }
 }
 
+// Catches: candidates that are left out, numbers of points mixed up on the way.
+TEST_CASE("many points have the hull of the corners of a few at a time", "[convex][property]") {
+  test::Random random(6);
+  const auto coordinate = [&](int kind) {
+    return kind == 0   ? random.between(-9, 9)
+           : kind == 1 ? random.unit()
+           : kind == 2 ? random.between(-99, 99) * 0.1
+                       : std::ldexp(random.unit() - 0.5, random.between(-60, 0)) * 1e-280;
+  };
+  for (const int kind : {0, 1, 2, 3}) {
+    CAPTURE(kind);
+    std::vector<RationalPoint> places;
+    Points points, corners;
+    for (int n = 0; n < 6000; ++n) points.push_back({coordinate(kind), coordinate(kind), coordinate(kind)});
+    for (std::size_t begin = 0; begin < points.size(); begin += 1000) {
+      const Polytope part = convex_hull(std::span(points).subspan(begin, 1000));
+      corners.insert(corners.end(), part.vertices.begin(), part.vertices.end());
+    }
+    const Polytope hull = convex_hull(points);
+    REQUIRE(are_equal(hull, convex_hull(corners)));
+    REQUIRE(violations(hull).empty());
+    for (const Vertex& p : points) places.push_back(divided(p, 3));
+    REQUIRE(convex_hull(exact_mesh(places)).facets == hull.facets);
+  }
+}
+
 TEST_CASE("the hull of solids holds all of them", "[convex]") {
   const auto box = [](double at) {
     const Points points{{at, 0, 0},     {at + 1, 0, 0}, {at, 1, 0}, {at, 0, 1},
@@ -331,6 +378,10 @@ TEST_CASE("the hull of solids holds all of them", "[convex]") {
   const Solid cut = box(0) - solid_of(convex_hull(Points{{0.5, 0, 0}, {2, 0, 0}, {2, 3, 0}, {2, 0, 3}, {0.5, 0, 7}}));
   const std::vector<Solid> one{cut};
   CHECK(violations(convex_hull(one)).empty());
+  Mesh tetrahedron = mesh_of(convex_hull(Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})).mesh;
+  tetrahedron.vertices.push_back({9, 9, 9});  // of no face
+  const std::vector<Solid> with_unused{Solid(tetrahedron)};
+  CHECK(convex_hull(with_unused).vertices.size() == 4);
 }
 
 TEST_CASE("what is no point is refused", "[convex]") {

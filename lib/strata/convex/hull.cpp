@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "strata/convex/affine_span.h"
+#include "strata/convex/candidates.h"
 #include "strata/convex/facets.h"
 #include "strata/convex/point_cloud.h"
 #include "strata/convex/polygon_hull.h"
@@ -82,8 +83,8 @@ Polytope polygon(const PointCloud& cloud, const std::vector<std::uint32_t>& span
   return result;
 }
 
-Polytope solid(const PointCloud& cloud, const std::vector<std::uint32_t>& span) {
-  Quickhull hull(cloud, {span[0], span[1], span[2], span[3]});
+Polytope solid(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simplex) {
+  Quickhull hull(cloud, simplex);
   std::vector<std::uint32_t> points(cloud.size());
   std::iota(points.begin(), points.end(), 0);
   hull.add(points);
@@ -95,12 +96,28 @@ Polytope solid(const PointCloud& cloud, const std::vector<std::uint32_t>& span) 
   return result;
 }
 
+/// The same by those points only that may be extreme.
+Polytope solid_of_many(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simplex) {
+  ExactMesh chosen;
+  for (const std::uint32_t p : candidates(cloud, simplex)) {
+    if (const RationalPoint* place = cloud.exact(p))
+      chosen.exact.push_back({static_cast<std::uint32_t>(chosen.mesh.vertices.size()), *place});
+    chosen.mesh.vertices.push_back(cloud.at(p));
+  }
+  return solid(PointCloud(chosen), {0, 1, 2, 3});
+}
+
 Polytope hull_of(const PointCloud& cloud) {
   const std::vector<std::uint32_t> span = affine_span(cloud);
   std::vector<std::uint32_t> number(cloud.size());
-  Polytope result = span.size() == 4   ? solid(cloud, span)
-                    : span.size() == 3 ? polygon(cloud, span)
-                                       : with_vertices(cloud, span, number);
+  constexpr std::uint32_t many = 2000;
+  Polytope result;
+  if (span.size() == 4) {
+    const std::array<std::uint32_t, 4> simplex{span[0], span[1], span[2], span[3]};
+    result = cloud.size() < many ? solid(cloud, simplex) : solid_of_many(cloud, simplex);
+  } else {
+    result = span.size() == 3 ? polygon(cloud, span) : with_vertices(cloud, span, number);
+  }
   result.dimension = static_cast<int>(span.size()) - 1;
   return result;
 }

@@ -91,8 +91,9 @@ void PointCloud::measure() {
   std::array<double, 3> error{};
   for (const Rounded& r : rounded_)
     for (std::size_t i = 0; i < 3; ++i) error[i] = std::max(error[i], rounding_of(at_[r.point][i]));
-  for (std::size_t i = 0; i < 3 && !box.empty(); ++i)
-    extent_[i] = Bounded(box.upper[i], error[i]) - Bounded(box.lower[i], error[i]);
+  if (box.empty()) return;
+  lowest_ = box.lower;
+  for (std::size_t i = 0; i < 3; ++i) extent_[i] = Bounded(box.upper[i], error[i]) - Bounded(box.lower[i], error[i]);
   small_lattice_ = rounded_.empty() && fit_small_lattice(at_);
 }
 

@@ -28,6 +28,8 @@ class PointCloud {
   [[nodiscard]] std::array<Bounded, 3> bounded(std::uint32_t p) const;
   /// For every axis the largest difference of two coordinates, with a bound: what no difference of points exceeds.
   [[nodiscard]] const std::array<Bounded, 3>& extent() const { return extent_; }
+  /// The lowest coordinates, in nearest doubles.
+  [[nodiscard]] const Vertex& lowest() const { return lowest_; }
   /// True when orient3d of any four points is exact in doubles, rounding nowhere.
   [[nodiscard]] bool is_small_lattice() const { return small_lattice_; }
 
@@ -58,6 +60,7 @@ class PointCloud {
 
   std::span<const Vertex> at_;
   std::vector<Rounded> rounded_;
+  Vertex lowest_{};
   std::array<Bounded, 3> extent_{};
   bool small_lattice_ = false;
 };

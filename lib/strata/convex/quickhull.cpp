@@ -164,6 +164,13 @@ void Quickhull::share_out(std::uint32_t point) {
   }
 }
 
+std::vector<Quickhull::Plane> Quickhull::planes() const {
+  std::vector<Plane> result;
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    if (mark_[f] != none) result.push_back(planes_[f]);
+  return result;
+}
+
 bool Quickhull::is_flat(std::uint32_t face, std::uint32_t edge) const {
   const Face& beyond = faces_[faces_[face].neighbor[edge]];
   const std::uint32_t p = beyond.corner[(edge_to(beyond, face) + 2) % 3];

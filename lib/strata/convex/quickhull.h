@@ -24,24 +24,6 @@ class Quickhull {
     std::array<std::uint32_t, 3> neighbor;  ///< across the edge from corner i to the next
   };
 
-  /// The hull of four points that are not coplanar, with others to come.
-  Quickhull(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simplex);
-
-  /// Makes the hull that of the points so far and these.
-  void add(std::span<const std::uint32_t> points);
-
-  /// The triangles by number, and some numbers that are `is_used` by none.
-  [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
-  [[nodiscard]] bool is_used(std::uint32_t face) const { return mark_[face] != none; }
-  /// True when the triangle beyond an edge of a face is in its plane.
-  [[nodiscard]] bool is_flat(std::uint32_t face, std::uint32_t edge) const;
-
-  /// Which edge of a face is the one to a neighbour.
-  [[nodiscard]] static std::uint32_t edge_to(const Face& face, std::uint32_t neighbor) {
-    return face.neighbor[0] == neighbor ? 0 : face.neighbor[1] == neighbor ? 1 : 2;
-  }
-
- private:
   /// Which side points are on, in doubles: `height` above the plane is certain beyond `bound`.
   struct Plane {
     Vertex anchor{}, normal{};
@@ -51,6 +33,26 @@ class Quickhull {
       return normal[0] * (p[0] - anchor[0]) + normal[1] * (p[1] - anchor[1]) + normal[2] * (p[2] - anchor[2]);
     }
   };
+  /// The hull of four points that are not coplanar, with others to come.
+  Quickhull(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simplex);
+
+  /// Makes the hull that of the points so far and these, which are different numbers.
+  void add(std::span<const std::uint32_t> points);
+
+  /// The triangles by number, and some numbers that are `is_used` by none.
+  [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
+  [[nodiscard]] bool is_used(std::uint32_t face) const { return mark_[face] != none; }
+  /// The planes of the triangles.
+  [[nodiscard]] std::vector<Plane> planes() const;
+  /// True when the triangle beyond an edge of a face is in its plane.
+  [[nodiscard]] bool is_flat(std::uint32_t face, std::uint32_t edge) const;
+
+  /// Which edge of a face is the one to a neighbour.
+  [[nodiscard]] static std::uint32_t edge_to(const Face& face, std::uint32_t neighbor) {
+    return face.neighbor[0] == neighbor ? 0 : face.neighbor[1] == neighbor ? 1 : 2;
+  }
+
+ private:
   struct Waiting {
     std::uint32_t first = none;     ///< of a list through next_
     std::uint32_t farthest = none;  ///< of them, as doubles have it
