@@ -207,6 +207,7 @@ void add_hull(CLI::App& app, Settings& settings, Action& action) {
 {})",
                            exit_codes));
   verb->callback([&] { action = [&] { return run_hull(settings); }; });
+}
 
 void add_minkowski(CLI::App& app, Settings& settings, Action& action) {
   const auto add = [&](const char* name, const char* what, bool subtract) {
