@@ -85,7 +85,7 @@ TEST_CASE("parts that touch in a face are one solid to an erosion", "[convex][mi
 // Catches: faces and edges in rings under a polygon in parallel, where no sum of a face and it has a volume.
 TEST_CASE("a polygon closes the holes of rings in parallel planes", "[convex][minkowski]") {
   const Solid ring{test::box_with_hole()};
-  for (const double side : {0.5, 1.0, 2.0, 4.0}) {
+  for (const double side : {1.0, 4.0}) {
     CAPTURE(side);
     const Polytope square{2, {{0, 0, 0}, {0, side, 0}, {side, 0, 0}, {side, side, 0}}, {}, {{0, 2, 3, 1}}};
     const Polytope slab = polytope(test::box({0, 0, 0}, {side, side, 1}));
@@ -106,7 +106,7 @@ TEST_CASE("random solids plus convex ones are what their pieces are", "[convex][
 }
 
 TEST_CASE("random solids plus others are what pairs of pieces are", "[convex][minkowski][property]") {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
     CAPTURE(seed);
     Random random(seed);
     const Mesh a = test::lattice_solid(random), b = test::lattice_solid(random);
