@@ -9,6 +9,7 @@
 #include "strata/convex/decompose.h"
 #include "strata/convex/hull.h"
 #include "strata/convex/minkowski.h"
+#include "strata/convex/offset.h"
 #include "strata/convex/polytope.h"
 #include "strata/convex/sum.h"
 #include "strata/convex/volumes.h"

@@ -139,7 +139,7 @@ TEST_CASE("sums of polytopes on small lattices are the hulls of all sums of vert
 
 // Catches: rounded sums taken for exact ones.
 TEST_CASE("sums of sums are exact in rationals", "[convex][sum][property]") {
-  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
     CAPTURE(seed);
     Random random(seed);
     Polytope a = random_polytope(random), b = random_polytope(random), c = random_polytope(random);

@@ -1,8 +1,11 @@
 #include "oracle/nef.h"
 
+#include <CGAL/Nef_2/debug.h>  // minkowski_sum_3.h uses what it does not include
+
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_incremental_builder_3.h>
 #include <CGAL/assertions_behaviour.h>
+#include <CGAL/minkowski_sum_3.h>
 
 #include <algorithm>
 #include <deque>
@@ -177,6 +180,13 @@ NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands, Wa
       if (way == Way::regularized) result = result.regularization();
     }
     return std::make_shared<const NefSolid::Data>(NefSolid::Data{result});
+  }));
+}
+
+NefSolid nef_minkowski_sum(const NefSolid& a, const NefSolid& b) {
+  return NefSolid(guarded([&] {
+    Nef x = a.data_->nef, y = b.data_->nef;  // they are changed
+    return std::make_shared<const NefSolid::Data>(NefSolid::Data{CGAL::minkowski_sum_3(x, y)});
   }));
 }
 

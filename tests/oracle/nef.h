@@ -47,6 +47,7 @@ class NefSolid {
 
   /// As a regular solid: facets() gives the boundary of the closure of the interior. Throws OracleFailed.
   friend NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands, Way way);
+  friend NefSolid nef_minkowski_sum(const NefSolid& a, const NefSolid& b);
 
  private:
   struct Data;
@@ -55,6 +56,9 @@ class NefSolid {
 };
 
 [[nodiscard]] NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands, Way way = Way::in_order);
+
+/// By CGAL::minkowski_sum_3. Throws OracleFailed.
+[[nodiscard]] NefSolid nef_minkowski_sum(const NefSolid& a, const NefSolid& b);
 
 /// Canonical form of the regularized Boolean, by CGAL. Throws OracleFailed.
 [[nodiscard]] CanonicalForm nef_boolean(Operation operation, std::span<const ExactMesh> operands,

@@ -209,6 +209,41 @@ void add_hull(CLI::App& app, Settings& settings, Action& action) {
   verb->callback([&] { action = [&] { return run_hull(settings); }; });
 }
 
+void add_minkowski(CLI::App& app, Settings& settings, Action& action) {
+  const auto add = [&](const char* name, const char* what, bool subtract) {
+    CLI::App* verb = app.add_subcommand(name, what);
+    add_common_options(*verb, settings, 2, 2);
+    add_input_class(*verb, settings);
+    add_output_options(*verb, settings);
+    verb->footer(fmt::format("Example:\n  strata {} A.stl B.stl -o OUT.stl\n\n{}", name, exit_codes));
+    verb->callback([&, subtract] { action = [&, subtract] { return run_minkowski(settings, subtract); }; });
+  };
+  add("minkowski", "The Minkowski sum: all sums of a point of the first mesh and one of the second", false);
+  add("erosion", "Where the second mesh may be moved to and still be within the first", true);
+
+  CLI::App* verb = app.add_subcommand("offset", "A mesh grown or shrunk by a ball of many facets");
+  add_common_options(*verb, settings, 1, 1);
+  verb->add_option("--by", settings.distance, "The distance, in units of the mesh; negative shrinks")
+      ->required()
+      ->type_name("R");
+  verb->add_option("--facets", settings.facets, "About how many facets the ball has, 20 to 500000")
+      ->type_name("N")
+      ->check(CLI::Range(20, 500'000))
+      ->capture_default_str();
+  add_input_class(*verb, settings);
+  add_output_options(*verb, settings);
+  verb->footer(fmt::format(
+      R"(The ball contains the sphere of that radius and lies in one larger by a factor of 1 + excess, which the report has.
+
+Examples:
+  strata offset part.stl --by 0.5 -o grown.stl --report -
+  strata offset part.stl --by -0.5 --facets 80 -o shrunk.xoff
+
+{})",
+      exit_codes));
+  verb->callback([&] { action = [&] { return run_offset(settings); }; });
+}
+
 void add_locate(CLI::App& app, Settings& settings, Action& action) {
   CLI::App* verb =
       app.add_subcommand("locate", "Which points are in, on or out of solids, in which and on which faces?");
@@ -353,6 +388,7 @@ int main(int argc, char** argv) {
   add_bsp(app, settings, action);
   add_decompose(app, settings, action);
   add_hull(app, settings, action);
+  add_minkowski(app, settings, action);
   add_locate(app, settings, action);
   add_ray(app, settings, action);
   add_verify(app, settings, verify_settings, action);

@@ -35,3 +35,9 @@
 
 /// Where do rays meet a scene? Streams them from a file, and their hits into another.
 [[nodiscard]] ExitCode run_ray(const Settings& settings);
+
+/// The Minkowski sum of two solids, or the erosion of the first one by the second.
+[[nodiscard]] ExitCode run_minkowski(const Settings& settings, bool subtract);
+
+/// A solid grown or shrunk by a polyhedral ball.
+[[nodiscard]] ExitCode run_offset(const Settings& settings);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -15,6 +15,7 @@
 #include "strata/convex/membership.h"
 #include "strata/convex/sum.h"
 #include "strata/convex/surface.h"
+#include "strata/csg/arena.h"
 #include "strata/csg/combine.h"
 #include "strata/exact/failure.h"
 #include "strata/kernel/disjoint_sets.h"
@@ -62,22 +63,26 @@ void mark_as_checked(ExactMesh& mesh) {
 
 /// Faces connected by edges that two faces have.
 std::vector<std::vector<std::uint32_t>> patches_of(const Mesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::uint32_t, int>> faces_at;
+  struct SideOf {
+    std::uint32_t low = 0, high = 0, face = 0;
+    auto operator<=>(const SideOf&) const = default;
+  };
+  std::vector<SideOf> sides;
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t v = mesh.triangles[f][i], w = mesh.triangles[f][(i + 1) % 3];
+      sides.push_back({std::min(v, w), std::max(v, w), f});
+    }
+  std::sort(sides.begin(), sides.end());
   DisjointSets<std::uint32_t> parts(mesh.triangles.size());
-  for (int pass = 0; pass < 2; ++pass)
-    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::pair<std::uint32_t, std::uint32_t> ends =
-            std::minmax(mesh.triangles[f][i], mesh.triangles[f][(i + 1) % 3]);
-        auto& [first, count] = faces_at.try_emplace(ends, f, 0).first->second;
-        if (pass == 0) ++count;
-        if (pass == 1 && count == 2) parts.unite(first, f);
-      }
-  std::map<std::uint32_t, std::vector<std::uint32_t>> patches;
+  for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
+    while (j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high) ++j;
+    if (j == i + 2) parts.unite(sides[i].face, sides[i + 1].face);
+  }
+  std::vector<std::vector<std::uint32_t>> patches(mesh.triangles.size());
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) patches[parts.find(f)].push_back(f);
-  std::vector<std::vector<std::uint32_t>> result;
-  for (auto& [root, patch] : patches) result.push_back(std::move(patch));
-  return result;
+  std::erase_if(patches, [](const auto& patch) { return patch.empty(); });
+  return patches;
 }
 
 /// Is what is in front of a patch part of the sum as well?
@@ -132,7 +137,10 @@ class General {
 
   Solid run() {
     const Monitor monitor(options_.cancel);
-    Convolution found = convolution(of_a_, of_b_, monitor);
+    Convolution found;
+    arena_for(options_, of_a_.faces.size() + of_b_.faces.size()).execute([&] {
+      found = convolution(of_a_, of_b_, monitor);
+    });
     mark_as_checked(found.surface);
     std::vector<ExactMesh> parts{std::move(found.surface)};
     add_rings(found, parts);
@@ -187,9 +195,14 @@ Mesh room_around(const Solid& a, const BoundingBox& of_b) {
   return box;
 }
 
-/// What is between a box and the solid within: the box's faces, and those of the solid turned over.
-ExactMesh rest_of(const Mesh& room, const ExactMesh& solid) {
-  ExactMesh rest = solid;
+/// What is between a box and the solid within: the box's faces, and those of the solid turned over. Parts of the solid
+/// that touch in faces are united before: their common walls are no part of the rest.
+ExactMesh rest_of(const Mesh& room, const Solid& solid, const Options& options) {
+  Options quiet = options;
+  quiet.progress = {};
+  const ExactMesh given[] = {solid.exact_mesh()};
+  BooleanResult united = unite_checked(given, InputClass::overlapping, quiet);
+  ExactMesh rest{std::move(united.mesh), std::move(united.exact)};
   for (Triangle& t : rest.mesh.triangles) std::swap(t[1], t[2]);
   const auto first = static_cast<std::uint32_t>(rest.mesh.vertices.size());
   rest.mesh.vertices.insert(rest.mesh.vertices.end(), room.vertices.begin(), room.vertices.end());
@@ -262,7 +275,7 @@ Solid erosion(const Solid& a, const Polytope& b, const Options& options) {
       of_b.upper[i] = std::max(of_b.upper[i], v[i]);
     }
   const Mesh room = room_around(a, of_b);
-  const Solid rest = Solid::trusted(rest_of(room, a.exact_mesh()));
+  const Solid rest = Solid::trusted(rest_of(room, a, options));
   return uncovered(room, minkowski_sum(rest, reflected(b), options), options);
 }
 
@@ -270,7 +283,7 @@ Solid erosion(const Solid& a, const Solid& b, const Options& options) {
   if (b.is_empty()) throw std::invalid_argument("an erosion by nothing is all of space");
   if (a.is_empty()) return {};
   const Mesh room = room_around(a, b.bounding_box());
-  const Solid rest = Solid::trusted(rest_of(room, a.exact_mesh()));
+  const Solid rest = Solid::trusted(rest_of(room, a, options));
   return uncovered(room, minkowski_sum(rest, Solid::trusted(turned_about_origin(b.exact_mesh())), options), options);
 }
 
