@@ -101,31 +101,4 @@ std::optional<Polytope> convex_solid(const Surface& surface) {
   return convex_solid_on<Integer>(surface, lattice);
 }
 
-Polytope tetrahedron(const std::array<RationalPoint, 4>& corners) {
-  std::array<RationalPoint, 4> c = corners;
-  std::sort(c.begin(), c.end());
-  Polytope result;
-  result.dimension = 3;
-  for (std::uint32_t i = 0; i < 4; ++i) {
-    Vertex v;
-    bool is_double = true;
-    for (std::size_t k = 0; k < 3; ++k) {
-      v[k] = to_nearest_double(c[i][k]);
-      is_double = is_double && to_rational(v[k]) == c[i][k];
-    }
-    result.vertices.push_back(v);
-    if (!is_double) result.exact.push_back({i, c[i]});
-  }
-  const auto edge = [&](std::size_t i) {
-    return RationalPoint{c[i][0] - c[0][0], c[i][1] - c[0][1], c[i][2] - c[0][2]};
-  };
-  const RationalPoint u = edge(1), v = edge(2), w = edge(3);
-  const Rational volume =
-      w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) + w[2] * (u[0] * v[1] - u[1] * v[0]);
-  result.facets = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-  if (volume < 0)
-    for (auto& loop : result.facets) std::swap(loop[1], loop[2]);
-  return result;
-}
-
 }  // namespace strata::convex

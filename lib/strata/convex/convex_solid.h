@@ -1,18 +1,13 @@
 #pragma once
-#include <array>
 #include <optional>
 
 #include "strata/convex/polytope.h"
 #include "strata/convex/surface.h"
-#include "strata/exact/rational.h"
 
 namespace strata::convex {
 
 /// A solid as a polytope, if it is convex: one part without cavities whose edges are convex or flat. Exact.
 /// O(n log n). A closed connected surface that is convex at all of its edges and fans bounds a convex solid.
 [[nodiscard]] std::optional<Polytope> convex_solid(const Surface& surface);
-
-/// The tetrahedron with these corners, which are not in one plane.
-[[nodiscard]] Polytope tetrahedron(const std::array<RationalPoint, 4>& corners);
 
 }  // namespace strata::convex

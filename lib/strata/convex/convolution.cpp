@@ -69,6 +69,8 @@ class Convolver {
         monitor_(monitor) {}
 
   Convolution run() {
+    if (has_rings(a_, a_directions_, b_directions_)) return {{}, true};
+    if (!b_.is_convex && has_rings(b_, b_directions_, a_directions_)) return {{}, true};
     find_crossings();
     monitor_.check();
     add_parallelograms();
@@ -80,10 +82,7 @@ class Convolver {
     monitor_.check();
     add_faces(
         b_, jumps_of_a, a_, [&](std::size_t fan, std::uint32_t face) { return bound_of_a(fan, face); }, true);
-    Convolution result;
-    result.rings_of_a = rings(a_, a_directions_, b_directions_);
-    if (!b_.is_convex) result.rings_of_b = rings(b_, b_directions_, a_directions_);
-    result.surface = std::move(sums_.points());
+    Convolution result{std::move(sums_.points()), false};
     result.surface.mesh.triangles = std::move(triangles_);
     return result;
   }
@@ -303,19 +302,15 @@ class Convolver {
     std::vector<Step> steps_;
   };
 
-  /// Faces of `own` that lie in rings that face as some face of the other surface does.
-  static std::vector<std::uint32_t> rings(const Surface& surface, const Directions<N>& own,
-                                          const Directions<N>& other) {
-    std::vector<std::uint32_t> found;
+  /// Is there a ring of one surface that faces as some face of the other one does?
+  static bool has_rings(const Surface& surface, const Directions<N>& own, const Directions<N>& other) {
     for (const std::uint32_t m : different_normals(other)) {
       std::vector<std::uint32_t> level;
       for (std::uint32_t e = 0; e < surface.edges.size(); ++e)
         if (product_sign(other.normals, m, own.edges, e) == 0) level.push_back(e);
-      if (level.size() >= 3) add_rings(surface, own, other, m, level, found);
+      if (level.size() >= 3 && has_ring(surface, own, other, m, level)) return true;
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
+    return false;
   }
 
   /// A face for every direction; some directions more than once, by normals of different lengths.
@@ -336,8 +331,8 @@ class Convolver {
 
   /// Of the edges at right angles to a normal and the faces between them, those from which nothing near rises: parts
   /// with as many edges as vertices and faces, or more, surround something.
-  static void add_rings(const Surface& surface, const Directions<N>& own, const Directions<N>& other, std::uint32_t m,
-                        const std::vector<std::uint32_t>& level, std::vector<std::uint32_t>& found) {
+  static bool has_ring(const Surface& surface, const Directions<N>& own, const Directions<N>& other, std::uint32_t m,
+                       const std::vector<std::uint32_t>& level) {
     std::map<std::uint32_t, int> level_sides;
     for (const std::uint32_t e : level)
       for (const std::uint32_t f : {surface.edges[e].left, surface.edges[e].right}) ++level_sides[f];
@@ -369,10 +364,8 @@ class Convolver {
     for (const auto& [v, n] : number) ++characteristic[parts.find(n)];
     for (const std::uint32_t e : edges) --characteristic[parts.find(number[surface.edges[e].from])];
     for (const auto& [f, v] : faces) ++characteristic[parts.find(number[v])];
-    const auto is_ring = [&](std::uint32_t v) { return characteristic[parts.find(number[v])] <= 0; };
-    for (const std::uint32_t e : edges)
-      if (is_ring(surface.edges[e].from))
-        for (const std::uint32_t f : {surface.edges[e].left, surface.edges[e].right}) found.push_back(f);
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](std::uint32_t e) { return characteristic[parts.find(number[surface.edges[e].from])] <= 0; });
   }
 
   const Surface& a_;

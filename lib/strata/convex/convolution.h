@@ -14,9 +14,9 @@ struct Convolution {
   /// Closed as a chain of geometric sides (a side may be opposite to several in one line). Its winding numbers are 0
   /// outside A + B and positive just inside of nearly all of its boundary; theory.md, "Minkowski sums".
   ExactMesh surface;
-  /// Faces of A that lie in rings in one plane, of which a face of B is parallel: there winding numbers may vanish
-  /// just inside of the boundary. Sums of these faces with B cover it. Likewise faces of B.
-  std::vector<std::uint32_t> rings_of_a, rings_of_b;
+  /// A flat part of one boundary that surrounds a hole may come to lie on a face of the other operand. Then winding
+  /// numbers may vanish just inside of A + B, and no surface is made.
+  bool has_rings = false;
 };
 
 /// Of the boundary of a solid and that of a solid or of a polytope of any dimension. The lattice of each operand

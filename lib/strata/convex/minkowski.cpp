@@ -12,12 +12,13 @@
 
 #include "strata/convex/convex_solid.h"
 #include "strata/convex/convolution.h"
+#include "strata/convex/decompose.h"
+#include "strata/convex/hull.h"
 #include "strata/convex/membership.h"
 #include "strata/convex/sum.h"
 #include "strata/convex/surface.h"
 #include "strata/csg/arena.h"
 #include "strata/csg/combine.h"
-#include "strata/exact/failure.h"
 #include "strata/kernel/disjoint_sets.h"
 #include "strata/mesh/monitor.h"
 
@@ -85,43 +86,37 @@ std::vector<std::vector<std::uint32_t>> patches_of(const Mesh& mesh) {
   return patches;
 }
 
-/// Is what is in front of a patch part of the sum as well?
-bool is_inner(const ExactMesh& mesh, const std::vector<std::uint32_t>& patch, const SumMembership& membership) {
+/// Is what is in front of a patch part of the sum as well? Nothing if no point that is tried tells.
+std::optional<bool> is_inner(const ExactMesh& mesh, const std::vector<std::uint32_t>& patch,
+                             const SumMembership& membership) {
   constexpr int tries = 64;
   for (int k = 1; k <= tries; ++k) {
     const Triangle& t = mesh.mesh.triangles[patch[static_cast<std::size_t>(k - 1) % patch.size()]];
-    switch (membership.side({inner_point(mesh, t, k + 1), exact_normal(mesh, t)})) {
-      case Side::in:
-        return true;
-      case Side::out:
-        return false;
-      case Side::unknown:
-        break;
-    }
+    const Side side = membership.side({inner_point(mesh, t, k + 1), exact_normal(mesh, t)});
+    if (side != Side::unknown) return side == Side::in;
   }
-  throw LogicError("no point in front of a part of a Minkowski sum is in general position");
+  return std::nullopt;
 }
 
-ExactMesh without_inner_patches(ExactMesh mesh, const SumMembership& membership) {
+/// Nothing if some patch is not decided.
+std::optional<ExactMesh> without_inner_patches(ExactMesh mesh, const SumMembership& membership) {
   std::vector<Triangle> kept;
-  for (const auto& patch : patches_of(mesh.mesh))
-    if (!is_inner(mesh, patch, membership))
+  for (const auto& patch : patches_of(mesh.mesh)) {
+    const std::optional<bool> inner = is_inner(mesh, patch, membership);
+    if (!inner) return std::nullopt;
+    if (!*inner)
       for (const std::uint32_t f : patch) kept.push_back(mesh.mesh.triangles[f]);
-  if (kept.size() == mesh.mesh.triangles.size()) return mesh;
-  mesh.mesh.triangles = std::move(kept);
+  }
+  if (kept.size() < mesh.mesh.triangles.size()) mesh.mesh.triangles = std::move(kept);
   return mesh;
 }
 
-/// A tetrahedron within a solid over one of its faces.
-Polytope inner_tetrahedron(const Solid& solid, const Triangle& t) {
-  const ExactMesh& mesh = solid.exact_mesh();
-  const RationalPoint n = exact_normal(mesh, t), middle = inner_point(mesh, t, 1);
-  for (Rational height = 1;; height /= 16) {
-    RationalPoint apex;
-    for (std::size_t i = 0; i < 3; ++i) apex[i] = middle[i] - height * n[i];
-    const Polytope found = tetrahedron({mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]), apex});
-    if ((Solid::trusted(mesh_of(found)) - solid).is_empty()) return found;
-  }
+/// Convex pieces of a solid.
+std::vector<Polytope> convex_pieces(const Solid& solid, const Monitor& monitor) {
+  const Decomposition d = decompose(solid, monitor);
+  std::vector<Polytope> pieces;
+  for (std::uint32_t p = 0; p < d.pieces.size(); ++p) pieces.push_back(d.polytope(p));
+  return pieces;
 }
 
 /// Two operands, of which the first one is a solid; the second one is a solid too, or a polytope.
@@ -141,32 +136,32 @@ class General {
     arena_for(options_, of_a_.faces.size() + of_b_.faces.size()).execute([&] {
       found = convolution(of_a_, of_b_, monitor);
     });
-    mark_as_checked(found.surface);
-    std::vector<ExactMesh> parts{std::move(found.surface)};
-    add_rings(found, parts);
-    BooleanResult resolved = unite_checked(parts, InputClass::overlapping, options_);
-    const SumMembership membership(a_.exact_mesh(), of_a_, b_ != nullptr ? &b_->exact_mesh() : nullptr, of_b_,
-                                   whole_b_);
-    return Solid::trusted(without_inner_patches({std::move(resolved.mesh), std::move(resolved.exact)}, membership));
+    if (!found.has_rings)
+      if (auto sum = resolved(std::move(found.surface))) return Solid::trusted(std::move(*sum));
+    return by_pieces(monitor);
   }
 
  private:
-  void add_rings(const Convolution& found, std::vector<ExactMesh>& parts) {
-    Options quiet = options_;
-    quiet.progress = {};
-    const ExactMesh& a = a_.exact_mesh();
-    for (const std::uint32_t f : found.rings_of_a) {
-      const Triangle& t = a.mesh.triangles[f];
-      if (b_ != nullptr) {
-        parts.push_back(minkowski_sum(*b_, inner_tetrahedron(a_, t), quiet).exact_mesh());
-      } else {
-        const Polytope piece = whole_b_->dimension == 3 ? triangle_polytope(a, t) : inner_tetrahedron(a_, t);
-        parts.push_back(mesh_of(sum(piece, *whole_b_)));
+  /// The surface of the sum, from the convolution.
+  std::optional<ExactMesh> resolved(ExactMesh surface) const {
+    mark_as_checked(surface);
+    BooleanResult outer = unite_checked(std::span(&surface, 1), InputClass::overlapping, options_);
+    const SumMembership membership(a_.exact_mesh(), of_a_, b_ != nullptr ? &b_->exact_mesh() : nullptr, of_b_,
+                                   whole_b_);
+    return without_inner_patches({std::move(outer.mesh), std::move(outer.exact)}, membership);
+  }
+
+  /// The union of the sums of all pairs of convex pieces.
+  Solid by_pieces(const Monitor& monitor) const {
+    const std::vector<Polytope> of_a = convex_pieces(a_, monitor);
+    const std::vector<Polytope> of_b = b_ != nullptr ? convex_pieces(*b_, monitor) : std::vector{*whole_b_};
+    std::vector<Solid> sums;
+    for (const Polytope& p : of_a)
+      for (const Polytope& q : of_b) {
+        monitor.check();
+        sums.push_back(solid_of(sum(p, q)));
       }
-    }
-    for (const std::uint32_t f : found.rings_of_b)
-      parts.push_back(
-          minkowski_sum(a_, inner_tetrahedron(*b_, b_->exact_mesh().mesh.triangles[f]), quiet).exact_mesh());
+    return combine_solids(Operation::unite, sums, options_);
   }
 
   const Solid& a_;
@@ -175,8 +170,6 @@ class General {
   const Options& options_;
   const Surface of_a_, of_b_;
 };
-
-Solid solid_of(const Polytope& polytope) { return Solid::trusted(mesh_of(polytope)); }
 
 /// A box about all places from which something of the size of b reaches a, and more: powers of two.
 Mesh room_around(const Solid& a, const BoundingBox& of_b) {
