@@ -43,6 +43,8 @@ class Decompose(ToolTest):
         self.run_tool("decompose", a, "-o", "pieces", "--exploded", expect=USAGE)
         self.run_tool("decompose", a, "-o", "pieces.glb", "--format", "off", expect=USAGE)
         self.run_tool("decompose", a, "-o", a, expect=USAGE)
+        self.run_tool("decompose", a, "-o", "twice")
+        self.run_tool("decompose", a, "-o", "twice", expect=USAGE)
         self.run_tool("decompose", a, "-o", "pieces", "--format", "doc", expect=USAGE)
 
 

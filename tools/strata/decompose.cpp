@@ -20,17 +20,21 @@ namespace {
 using strata::convex::Decomposition;
 using strata::convex::Polytope;
 
-bool is_picture(const std::string& path) { return path == "-" || path.ends_with(".glb"); }
+bool is_picture(const std::string& path) { return path == "-" || path.ends_with(".glb") || path.ends_with(".GLB"); }
 
 void check_output(const Settings& settings) {
   if (settings.exploded && !is_picture(settings.output))
     throw UsageError("--exploded is for pictures: give -o the name of a .glb file");
   if (is_picture(settings.output) && !settings.output_format.empty())
     throw UsageError("pictures are written as glTF: --format is for the files of a folder");
+  if (settings.output.empty() || is_picture(settings.output)) return;
   std::error_code unknown;
-  if (!settings.output.empty() && !is_picture(settings.output) && std::filesystem::exists(settings.output, unknown) &&
-      !std::filesystem::is_directory(settings.output, unknown))
+  const std::filesystem::path folder = settings.output;
+  if (!std::filesystem::exists(folder, unknown)) return;
+  if (!std::filesystem::is_directory(folder, unknown))
     throw UsageError(fmt::format("{} is a file; pieces go into a folder or a .glb file", settings.output));
+  if (!std::filesystem::is_empty(folder, unknown))
+    throw UsageError(fmt::format("the folder {} is not empty: pieces of different solids would mix", settings.output));
 }
 
 Json facts(const Decomposition& d) {
@@ -53,11 +57,22 @@ void write_picture(const Decomposition& d, const Settings& settings) {
   write_cells(settings.output, cells, settings.exploded ? exploded : in_place);
 }
 
+/// A coordinate: a number, or a fraction as text where doubles are not exact.
+Json place(const Decomposition& d, std::uint32_t point) {
+  const strata::RationalPoint p = d.position(point);
+  Json xyz = Json::array();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double x = d.points[point][i];
+    xyz.push_back(strata::to_rational(x) == p[i] ? Json(x) : Json(p[i].str()));
+  }
+  return xyz;
+}
+
 Json walls(const Decomposition& d) {
   Json list = Json::array();
   for (const strata::convex::Wall& wall : d.walls) {
     Json polygon = Json::array();
-    for (const std::uint32_t point : wall.polygon) polygon.push_back(d.points[point]);
+    for (const std::uint32_t point : wall.polygon) polygon.push_back(place(d, point));
     list.push_back({{"pieces", wall.pieces}, {"polygon", std::move(polygon)}});
   }
   return list;

@@ -115,16 +115,20 @@ bsp::Piece<3> CellMaker::piece_of(const CellFacet& facet) const {
 class CellMaker::Splitter {
  public:
   Splitter(CellMaker& maker, const Cell& cell, std::uint32_t plane) : maker_(maker), cell_(cell), plane_(plane) {
-    boost::container::small_vector<std::uint32_t, 48> corners;
-    for (const CellFacet& f : cell.facets) corners.insert(corners.end(), f.corners.begin(), f.corners.end());
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    for (const std::uint32_t c : corners) signs_.emplace_back(c, maker.table_.side(plane, maker.corners_[c]));
+    maker.signs_.resize(maker.corners_.size());
+    ++maker.split_;
+    for (const CellFacet& f : cell.facets)
+      for (const std::uint32_t c : f.corners) {
+        auto& [split, sign] = maker.signs_[c];
+        if (split == maker.split_) continue;
+        split = maker.split_;
+        sign = maker.table_.side(plane, maker.corners_[c]);
+        is_minus_ |= sign == Sign::negative;
+        is_plus_ |= sign == Sign::positive;
+      }
   }
 
-  [[nodiscard]] bool reaches(Sign side) const {
-    return std::any_of(signs_.begin(), signs_.end(), [&](const auto& s) { return s.second == side; });
-  }
+  [[nodiscard]] bool reaches(Sign side) const { return side == minus_side ? is_minus_ : is_plus_; }
 
   /// The part on one side. Requires that the cell is on both.
   Cell part(Sign side) {
@@ -142,9 +146,7 @@ class CellMaker::Splitter {
     std::uint32_t from, to, wall;
   };
 
-  [[nodiscard]] Sign sign(std::uint32_t corner) const {
-    return std::lower_bound(signs_.begin(), signs_.end(), std::pair(corner, Sign::negative))->second;
-  }
+  [[nodiscard]] Sign sign(std::uint32_t corner) const { return maker_.signs_[corner].second; }
 
   std::uint32_t crossing(std::uint32_t a, std::uint32_t b, std::uint32_t plane, std::uint32_t wall) {
     const auto [low, high] = std::minmax(a, b);
@@ -199,7 +201,7 @@ class CellMaker::Splitter {
   CellMaker& maker_;
   const Cell& cell_;
   std::uint32_t plane_;
-  boost::container::small_vector<std::pair<std::uint32_t, Sign>, 16> signs_;
+  bool is_minus_ = false, is_plus_ = false;
   boost::container::small_vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>, 8> crossings_;
 };
 

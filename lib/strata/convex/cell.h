@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "strata/bsp/piece.h"
@@ -43,11 +44,12 @@ class CellMaker {
   struct Halves {
     std::optional<Cell> minus, plus;  ///< of which at least one is there
   };
-  /// The parts on both sides of a plane, those with an interior. O(size of the cell).
+  /// The parts on both sides of a plane, those with an interior. O(size of the cell + k^2) for a section
+  /// of k sides.
   [[nodiscard]] Halves split(const Cell& cell, std::uint32_t plane);
 
-  /// The union of two cells with their interiors apart, on different sides of a plane, if it is convex. They are if
-  /// both have the same facet in this plane and no angle beside it is more than 180 degrees. O(size).
+  /// The union of two cells with their interiors apart, on different sides of a plane, if it is convex. It is
+  /// exactly if both have the same facet in this plane and no angle beside it is more than 180 degrees. O(size).
   [[nodiscard]] std::optional<Cell> merged(const Cell& a, const Cell& b, std::uint32_t plane);
 
   /// True when two corners are at the same place.
@@ -71,7 +73,9 @@ class CellMaker {
   const HyperplaneTable<3>& table_;
   std::vector<Corner<3>> corners_;
   std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, NamesHash> numbers_;  ///< by names, rising
-  std::vector<std::uint32_t> same_as_;  ///< corners found to be at one place, as a forest
+  std::vector<std::pair<std::uint32_t, Sign>> signs_;  ///< of corners, and in which division that was
+  std::uint32_t split_ = 0;                            ///< the number of the last division
+  std::vector<std::uint32_t> same_as_;                 ///< corners found to be at one place, as a forest
 };
 
 }  // namespace strata::convex

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "strata/convex/region.h"
@@ -9,10 +8,11 @@
 namespace strata::convex {
 namespace {
 
-constexpr std::size_t most_candidates = 128;   ///< planes through reflex edges that are tried
-constexpr std::size_t most_asked = 64;         ///< faces that are asked where they lie
-constexpr std::size_t parts_tried = 6;         ///< connected parts whose planes are tried, and planes of each
-constexpr double cost_of_divided_face = 0.05;  ///< where a reflex edge that is resolved is worth 1; measured
+constexpr std::size_t most_candidates = 128;    ///< planes through reflex edges that are tried
+constexpr std::size_t most_edges_asked = 1024;  ///< reflex edges that are asked whether they are divided
+constexpr std::size_t most_asked = 64;          ///< faces that are asked where they lie
+constexpr std::size_t parts_tried = 6;          ///< connected parts whose planes are tried, and planes of each
+constexpr double cost_of_divided_face = 0.05;   ///< where a reflex edge that is resolved is worth 1; measured
 
 /// Numbers from 0 to count - 1, at most so many, evenly spread.
 template <class Visit>
@@ -56,11 +56,17 @@ class CutChooser {
 
   /// The planes through most reflex edges come first.
   [[nodiscard]] std::vector<Candidate> candidates() const {
-    std::map<std::uint32_t, double> edges_in;
-    for (const Edge* e : reflex_)
-      for (const std::uint32_t plane : boundary_.cut_planes[e->wedge]) ++edges_in[plane];
+    std::vector<std::uint32_t> of_edges;
+    for (const Edge* e : reflex_) {
+      const std::vector<std::uint32_t>& through = boundary_.cut_planes[e->wedge];
+      of_edges.insert(of_edges.end(), through.begin(), through.end());
+    }
+    std::sort(of_edges.begin(), of_edges.end());
     std::vector<Candidate> planes;
-    for (const auto& [plane, edges] : edges_in) planes.push_back({plane, edges});
+    for (const std::uint32_t plane : of_edges) {
+      if (planes.empty() || planes.back().plane != plane) planes.push_back({plane, 0});
+      planes.back().edges += 1;
+    }
     const std::size_t tried = std::min(planes.size(), most_candidates);
     const auto comes_first = [](const Candidate& a, const Candidate& b) {
       return a.edges != b.edges ? a.edges > b.edges : a.plane < b.plane;
@@ -70,13 +76,15 @@ class CutChooser {
     return planes;
   }
 
-  /// Reflex edges that a plane divides; no more than `enough` are counted.
+  /// Reflex edges that a plane divides, no more than `enough` are counted. Of many edges some are asked for all.
   [[nodiscard]] double divided_edges(std::uint32_t plane, double enough) const {
+    const std::size_t count = reflex_.size(), asked = std::min(count, most_edges_asked);
+    const double each = static_cast<double>(count) / static_cast<double>(asked);
     double divided = 0;
-    for (const Edge* e : reflex_) {
-      const Sign from = boundary_.table.side(plane, e->ends[0]);
-      if (from == Sign::zero || from * boundary_.table.side(plane, e->ends[1]) != Sign::negative) continue;
-      if (++divided >= enough) break;
+    for (std::size_t k = 0; k < asked && divided < enough; ++k) {
+      const Edge& e = *reflex_[k * count / asked];
+      const Sign from = boundary_.table.side(plane, e.ends[0]);
+      if (from != Sign::zero && from * boundary_.table.side(plane, e.ends[1]) == Sign::negative) divided += each;
     }
     return divided;
   }

@@ -15,8 +15,9 @@ constexpr double nearly = 0x1p-30;  ///< of an estimate; what is parallel is dec
 
 class CutPlanes {
  public:
-  CutPlanes(HyperplaneTable<3>& table, std::span<const bsp::Facet<3>> facets, std::span<const Wedge> wedges)
-      : table_(table), facets_(facets), wedges_(wedges), through_(wedges.size()) {
+  CutPlanes(HyperplaneTable<3>& table, std::span<const bsp::Facet<3>> facets, std::span<const Wedge> wedges,
+            const Monitor& monitor)
+      : monitor_(monitor), table_(table), facets_(facets), wedges_(wedges), through_(wedges.size()) {
     for (std::uint32_t w = 0; w < wedges.size(); ++w)
       if (wedges[w].is_reflex) {
         reflex_.push_back(w);
@@ -39,7 +40,7 @@ class CutPlanes {
   }
 
   [[nodiscard]] const RationalPoint& end(std::uint32_t wedge, std::size_t i) const { return ends_.at(wedge)[i]; }
-  /// Through an edge and a point; nothing if the point is on its line.
+  /// Notes the plane through edge v and a point of edge w for both, unless one has enough or the point is on v's line.
   void pair(std::uint32_t v, std::uint32_t w, const RationalPoint& apex) {
     if (through_[v].size() >= 2 + most_partners || through_[w].size() >= 2 + most_partners) return;
     const RationalPoint &p = end(v, 0), &q = end(v, 1);
@@ -89,6 +90,7 @@ class CutPlanes {
       lines.push_back(line);
     }
     for (const Line& line : lines) {
+      monitor_.check();
       std::vector<std::pair<double, std::uint32_t>> parallel;
       for (const Line& other : lines) {
         double apart = 0, distance = 0;
@@ -113,6 +115,7 @@ class CutPlanes {
     return are_collinear(a, b, d);
   }
 
+  const Monitor& monitor_;
   HyperplaneTable<3>& table_;
   std::span<const bsp::Facet<3>> facets_;
   std::span<const Wedge> wedges_;
@@ -124,8 +127,8 @@ class CutPlanes {
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> cut_planes(HyperplaneTable<3>& table, std::span<const bsp::Facet<3>> facets,
-                                                   std::span<const Wedge> wedges) {
-  return CutPlanes(table, facets, wedges).all();
+                                                   std::span<const Wedge> wedges, const Monitor& monitor) {
+  return CutPlanes(table, facets, wedges, monitor).all();
 }
 
 }  // namespace strata::convex

@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "strata/convex/piece_pool.h"
 #include "strata/convex/point_list.h"
 #include "strata/convex/region.h"
-#include "strata/mesh/defect.h"
 
 namespace strata::convex {
 namespace {
+
+constexpr double share_of_division = 0.8;  ///< of the time, an estimate; the rest is for walls and points
 
 /// Divides until everything is convex, and joins again what need not have been divided.
 class Divider {
@@ -48,7 +50,7 @@ class Divider {
     if (!cut) {
       pool_.add(inside_of(boundary_, maker_, region));
       done_ += share;
-      return monitor_.report(done_);
+      return monitor_.report(share_of_division * done_);
     }
     ++cuts_;
     RegionSides sides = split(boundary_, maker_, std::move(region), *cut);
@@ -79,11 +81,12 @@ class Divider {
 /// Numbers the pieces that are left and finds the walls between them.
 class Gatherer {
  public:
-  Gatherer(const PreparedBoundary& boundary, CellMaker& maker, const PiecePool& pool)
+  Gatherer(const PreparedBoundary& boundary, CellMaker& maker, const PiecePool& pool, const Monitor& monitor)
       : boundary_(boundary),
         table_(boundary.table),
         maker_(maker),
         pool_(pool),
+        monitor_(monitor),
         list_(boundary.table, maker),
         number_(pool.size()) {}
 
@@ -94,10 +97,7 @@ class Gatherer {
       std::vector<Decomposition::Polygon>& facets = result_.pieces.emplace_back();
       for (const CellFacet& f : pool_[p].facets) facets.push_back(polygon_of(f));
     }
-    for (const auto& [plane, pieces] : pool_.by_plane()) add_walls(plane, pieces);
-    std::sort(result_.walls.begin(), result_.walls.end(),
-              [](const Wall& a, const Wall& b) { return a.pieces < b.pieces; });
-    add_boundary();
+    add_walls_and_boundary();
     sort_points();
     return std::move(result_);
   }
@@ -109,51 +109,78 @@ class Gatherer {
     return polygon;
   }
 
-  void add_walls(std::uint32_t plane, const std::vector<std::uint32_t>& pieces) {
+  /// Plane by plane, in any order: both lists are sorted by what no two entries have in common.
+  void add_walls_and_boundary() {
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> triangles;  // by plane
+    for (std::uint32_t t = 0; t < boundary_.facets.size(); ++t) triangles[boundary_.plane_of(t)].push_back(t);
+    std::size_t done = 0;
+    for (const auto& [plane, pieces] : pool_.by_plane()) {
+      monitor_.check();
+      const std::vector<BoundedFacet> facets = facets_in(plane, pieces);
+      add_walls(facets);
+      if (const auto found = triangles.find(plane); found != triangles.end())
+        for (const std::uint32_t t : found->second) add_boundary(t, facets);
+      const double fraction = static_cast<double>(++done) / static_cast<double>(pool_.by_plane().size());
+      monitor_.report(share_of_division + (1 - share_of_division) * fraction);
+    }
+    std::sort(result_.walls.begin(), result_.walls.end(),
+              [](const Wall& a, const Wall& b) { return a.pieces < b.pieces; });
+    std::sort(result_.boundary.begin(), result_.boundary.end(), [](const BoundaryPart& a, const BoundaryPart& b) {
+      return std::pair(a.triangle, a.piece) < std::pair(b.triangle, b.piece);
+    });
+  }
+
+  /// A facet of a piece, and the half-spaces that bound it in its plane.
+  struct BoundedFacet {
+    std::uint32_t piece = 0;
+    const CellFacet* facet = nullptr;
+    std::vector<bsp::HalfSpace> by;
+  };
+
+  /// Those in a plane, of the pieces that are left.
+  [[nodiscard]] std::vector<BoundedFacet> facets_in(std::uint32_t plane,
+                                                    const std::vector<std::uint32_t>& pieces) const {
+    std::vector<BoundedFacet> facets;
     for (const std::uint32_t p : pieces) {
       if (pool_.is_gone(p)) continue;
-      const CellFacet& f = *pool_[p].facet_in(plane);
-      if (!f.faces_plus) continue;
-      for (const std::uint32_t q : pieces) {
-        if (pool_.is_gone(q)) continue;
-        if (const CellFacet& g = *pool_[q].facet_in(plane); !g.faces_plus) add_wall(p, f, q, g);
+      BoundedFacet& f = facets.emplace_back(BoundedFacet{number_[p], pool_[p].facet_in(plane), {}});
+      for (const std::uint32_t wall : f.facet->walls)
+        f.by.push_back({wall, pool_[p].facet_in(wall)->faces_plus ? Sign::negative : Sign::positive});
+    }
+    return facets;
+  }
+
+  /// Between facets that look at one another and overlap. Two convex pieces have one wall at most.
+  void add_walls(const std::vector<BoundedFacet>& facets) {
+    for (const BoundedFacet& f : facets) {
+      if (!f.facet->faces_plus) continue;
+      for (const BoundedFacet& g : facets) {
+        if (g.facet->faces_plus) continue;
+        const auto common = common_part(*f.facet, g);
+        if (!common) continue;
+        const auto [low, high] = std::minmax(f.piece, g.piece);
+        result_.walls.push_back({{low, high}, polygon_of(maker_.facet_of(*common, low == f.piece))});
       }
     }
   }
 
-  void add_boundary() {
-    for (std::uint32_t t = 0; t < boundary_.facets.size(); ++t) {
-      const bsp::Facet<3>& triangle = boundary_.facets[t];
-      const CellFacet face = maker_.facet_of(triangle.piece, triangle.faces_plus);
-      const auto pieces = pool_.by_plane().find(triangle.piece.hyperplane);
-      if (pieces == pool_.by_plane().end()) throw LogicError("no piece has a face of the solid");
-      for (const std::uint32_t p : pieces->second) {
-        if (pool_.is_gone(p)) continue;
-        const CellFacet& f = *pool_[p].facet_in(triangle.piece.hyperplane);
-        if (f.faces_plus != triangle.faces_plus) continue;
-        if (const auto common = common_part(face, p, f))
-          result_.boundary.push_back({number_[p], t, polygon_of(maker_.facet_of(*common, triangle.faces_plus))});
-      }
+  void add_boundary(std::uint32_t triangle, const std::vector<BoundedFacet>& facets) {
+    const bsp::Facet<3>& t = boundary_.facets[triangle];
+    const CellFacet face = maker_.facet_of(t.piece, t.faces_plus);
+    for (const BoundedFacet& f : facets) {
+      if (f.facet->faces_plus != t.faces_plus) continue;
+      if (const auto common = common_part(face, f))
+        result_.boundary.push_back({f.piece, triangle, polygon_of(maker_.facet_of(*common, t.faces_plus))});
     }
   }
 
-  /// What a facet of piece p has in common with a polygon in its plane.
-  std::optional<bsp::Piece<3>> common_part(const CellFacet& polygon, std::uint32_t p, const CellFacet& facet) const {
-    if (maker_.are_boxes_apart(polygon, facet)) return std::nullopt;
+  /// What a polygon and a facet in its plane have in common.
+  [[nodiscard]] std::optional<bsp::Piece<3>> common_part(const CellFacet& polygon, const BoundedFacet& facet) const {
+    if (maker_.are_boxes_apart(polygon, *facet.facet)) return std::nullopt;
     bsp::Piece<3> common = maker_.piece_of(polygon);
-    for (const std::uint32_t wall : facet.walls)
-      if (!bsp::clip(table_, common, {wall, pool_[p].facet_in(wall)->faces_plus ? Sign::negative : Sign::positive}))
-        return std::nullopt;
+    for (const bsp::HalfSpace& h : facet.by)
+      if (!bsp::clip(table_, common, h)) return std::nullopt;
     return common;
-  }
-
-  /// Between facets that look at one another, if they overlap.
-  void add_wall(std::uint32_t p, const CellFacet& f, std::uint32_t q, const CellFacet& g) {
-    const auto common = common_part(f, q, g);
-    if (!common) return;
-    const bool is_in_order = number_[p] < number_[q];
-    result_.walls.push_back({{std::min(number_[p], number_[q]), std::max(number_[p], number_[q])},
-                             polygon_of(maker_.facet_of(*common, is_in_order))});
   }
 
   void sort_points() {
@@ -170,6 +197,7 @@ class Gatherer {
   const HyperplaneTable<3>& table_;
   CellMaker& maker_;
   const PiecePool& pool_;
+  const Monitor& monitor_;
   PointList list_;
   std::vector<std::uint32_t> number_;  ///< in the result, by number in the pool
   Decomposition result_;
@@ -206,11 +234,11 @@ Polytope Decomposition::polytope(std::uint32_t piece) const {
 
 Decomposition decompose(const Solid& solid, const Monitor& monitor) {
   if (solid.is_empty()) return {};
-  const PreparedBoundary boundary(solid.exact_mesh());
+  const PreparedBoundary boundary(solid.exact_mesh(), monitor);
   CellMaker maker(boundary.table);
   PiecePool pool(maker);
   const std::size_t cuts = Divider(boundary, maker, pool, monitor).run();
-  Decomposition result = Gatherer(boundary, maker, pool).gather();
+  Decomposition result = Gatherer(boundary, maker, pool, monitor).gather();
   result.cuts = cuts;
   result.reflex_edges = static_cast<std::size_t>(
       std::count_if(boundary.wedges.begin(), boundary.wedges.end(), [](const Wedge& w) { return w.is_reflex; }));

@@ -27,13 +27,13 @@ struct Decomposition {
   /// A convex polygon with outside on the side from where it is counter-clockwise.
   using Polygon = std::vector<std::uint32_t>;
 
-  std::vector<Vertex> points;      ///< in lexicographic order of their exact places, rounded to nearest doubles
+  std::vector<Vertex> points;      ///< corners of pieces, walls and boundary parts, by exact places; nearest doubles
   std::vector<ExactVertex> exact;  ///< those for which rounding changed something
   std::vector<std::vector<Polygon>> pieces;  ///< by their facets, one per plane
   std::vector<Wall> walls;                   ///< by pieces
   std::vector<BoundaryPart> boundary;        ///< by triangles, then pieces; all of the boundary
   std::size_t reflex_edges = 0;  ///< of the solid: angles of more than 180 degrees, non-manifold edges may have several
-  std::size_t cuts = 0;          ///< planes that divided something, before pieces were joined
+  std::size_t cuts = 0;          ///< divisions of a region by a plane, before pieces were joined
 
   [[nodiscard]] RationalPoint position(std::uint32_t point) const;
   [[nodiscard]] Polytope polytope(std::uint32_t piece) const;  ///< O(size of the piece)
@@ -46,9 +46,11 @@ struct Decomposition {
 /// joined. So every vertex of a piece is a meet of three planes, and each plane goes through three vertices of the
 /// solid: coefficients do not grow. Any genus, cavities, several components, edges and vertices that touch.
 ///
-/// r reflex edges give O(r^2) pieces; most solids need about r, convex ones one. A minimum is NP-hard to find.
-/// Expected O(n log n) for solids whose cuts are short; theory.md, "Decomposition". The same for any machine.
-/// Source of the problem: Chazelle, Convex partitions of polyhedra, 1984. Throws Cancelled.
+/// r reflex edges take O(r^2) cuts; most solids have about r pieces, and none of the tests has more than r + r^2 / 4
+/// besides one for each part of its inside. A minimum is NP-hard to find. Expected O(n log n) where cuts leave parts of
+/// about one size; O(n^2) where every cut takes off little, as about a cavity with thousands of faces. The same on any
+/// machine. Requires triangles with area (std::invalid_argument), as those of a solid that was checked.
+/// Source of the problem: Chazelle, Convex partitions of polyhedra, 1984; theory.md, "Decomposition". Throws Cancelled.
 [[nodiscard]] Decomposition decompose(const Solid& solid, const Monitor& monitor = {});
 
 }  // namespace strata::convex

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 
@@ -101,10 +102,14 @@ bool clip_facet(const HyperplaneTable<3>& table, bsp::Piece<3>& polygon, const b
 
 }  // namespace
 
-PreparedBoundary::PreparedBoundary(ExactMeshView mesh)
-    : facets(bsp::triangle_facets(table, mesh)),
-      wedges(wedges_of(table, facets, mesh)),
-      cut_planes(convex::cut_planes(table, facets, wedges)) {}
+PreparedBoundary::PreparedBoundary(ExactMeshView mesh, const Monitor& monitor)
+    : facets(bsp::triangle_facets(table, mesh)) {
+  if (facets.size() != mesh.mesh.triangles.size()) throw std::invalid_argument("a triangle of a solid has no area");
+  monitor.check();
+  wedges = wedges_of(table, facets, mesh);
+  monitor.check();
+  cut_planes = convex::cut_planes(table, facets, wedges, monitor);
+}
 
 Region whole_region(const PreparedBoundary& boundary, CellMaker& maker) {
   Region all{maker.space(), {}, {}};

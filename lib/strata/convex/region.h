@@ -1,17 +1,19 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "strata/convex/cell.h"
 #include "strata/convex/wedges.h"
+#include "strata/mesh/monitor.h"
 
 namespace strata::convex {
 
 /// A solid's boundary, prepared for being divided: triangles, wedges between them, planes that resolve reflex ones.
 struct PreparedBoundary {
-  explicit PreparedBoundary(ExactMeshView mesh);
+  /// Throws std::invalid_argument where a triangle has no area, Cancelled.
+  PreparedBoundary(ExactMeshView mesh, const Monitor& monitor);
 
   HyperplaneTable<3> table;
   std::vector<bsp::Facet<3>> facets;  ///< the triangles
@@ -59,7 +61,8 @@ struct RegionSides {
 /// O(size * candidates), of which there are at most 128.
 [[nodiscard]] std::optional<std::uint32_t> choose_cut(const PreparedBoundary& boundary, const Region& region);
 
-/// The part of a region inside the solid, where `choose_cut` finds nothing to divide. O(faces * facets of the cell).
+/// The part of a region inside the solid, where `choose_cut` finds nothing to divide. O(faces * facets of
+/// the cell + squares of sides of facets).
 [[nodiscard]] Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region& region);
 
 }  // namespace strata::convex

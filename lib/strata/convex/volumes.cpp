@@ -21,6 +21,27 @@ ExactMesh turned(const ExactMesh& mesh) {
   return result;
 }
 
+/// Some triangles of a mesh, with the vertices that they use.
+ExactMesh part_of(const ExactMesh& mesh, const std::vector<std::uint32_t>& triangles) {
+  std::map<std::uint32_t, std::uint32_t> number;
+  for (const std::uint32_t t : triangles)
+    for (const std::uint32_t v : mesh.mesh.triangles[t]) number.emplace(v, 0);
+  ExactMesh part;
+  auto rational = mesh.exact.begin();
+  for (auto& [v, n] : number) {
+    n = static_cast<std::uint32_t>(part.mesh.vertices.size());
+    part.mesh.vertices.push_back(mesh.mesh.vertices[v]);
+    rational = std::lower_bound(rational, mesh.exact.end(), v,
+                                [](const ExactVertex& e, std::uint32_t w) { return e.vertex < w; });
+    if (rational != mesh.exact.end() && rational->vertex == v) part.exact.push_back({n, rational->position});
+  }
+  for (const std::uint32_t t : triangles) {
+    const auto [a, b, c] = mesh.mesh.triangles[t];
+    part.mesh.triangles.push_back({number.at(a), number.at(b), number.at(c)});
+  }
+  return part;
+}
+
 /// A connected part of the boundary as seen from outside the solid, as triangles of the turned mesh.
 struct OuterShell {
   std::vector<std::uint32_t> triangles;
@@ -48,9 +69,7 @@ std::vector<OuterShell> outer_shells(const ExactMesh& outside) {
     shells[at->second].triangles.push_back(t);
   }
   for (OuterShell& shell : shells) {
-    shell.mesh.mesh.vertices = outside.mesh.vertices;
-    shell.mesh.exact = outside.exact;
-    for (const std::uint32_t t : shell.triangles) shell.mesh.mesh.triangles.push_back(outside.mesh.triangles[t]);
+    shell.mesh = part_of(outside, shell.triangles);
     shell.is_cavity = orientation(shell.mesh) == Sign::positive;
   }
   return shells;

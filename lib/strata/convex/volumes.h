@@ -10,7 +10,8 @@ namespace strata::convex {
 /// What a volume of space is: a piece of the solid is selected, the outside and cavities are not.
 enum class Mark { outer, cavity, piece };
 
-/// A connected part of a volume's boundary, as interfaces by number, rising.
+/// A part of a volume's boundary that is connected over edges as seen from inside the volume, as interfaces by number,
+/// rising. Seen from outside, two cubes that touch in an edge are one part, two that touch in a vertex are two.
 using Shell = std::vector<std::uint32_t>;
 
 /// A part of space between interfaces.
@@ -38,8 +39,8 @@ struct VolumeComplex {
   std::uint32_t first_piece = 1;
 };
 
-/// Requires that the decomposition is that of the solid. Expected O(n log n) beside the pairs of coplanar triangles and
-/// facets whose boxes meet; a cavity with something floating in the solid costs a search tree.
+/// Requires that the decomposition is that of the solid. Expected O(n log n); where
+/// there are cavities and more outer shells than one, beside a search tree for each cavity.
 [[nodiscard]] VolumeComplex volumes_of(const Solid& solid, const Decomposition& decomposition);
 
 }  // namespace strata::convex
