@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <memory>
 #include <set>
 
 // Seen to fail: boxes without the step around rational vertices (rational corner), all faces at a rim counted as
@@ -253,6 +254,26 @@ TEST_CASE("a rational corner is not missed by a step", "[layers][rays][degenerat
   REQUIRE(hit);
   CHECK(hit->place == RationalPoint{Rational(1, 3), 0, 0});
   CHECK(hit->passage == Passage::touching);
+}
+
+TEST_CASE("many rays and segments at once have the answers of each", "[layers][rays]") {
+  const RayCaster caster(test::scene_of({test::icosphere({0, 0, 0}, 1, 2)}));
+  test::Random random(5);
+  std::vector<Ray> rays;
+  std::vector<Segment> segments;
+  for (int n = 0; n < 500; ++n) {
+    const auto point = [&] { return Vertex{4 * random.unit() - 2, 4 * random.unit() - 2, 4 * random.unit() - 2}; };
+    rays.push_back({point(), point()});
+    segments.push_back({point(), point()});
+  }
+  std::vector<std::vector<RoundedHit>> hits(rays.size());
+  caster.all_rounded(rays, hits);
+  const auto met = std::make_unique<bool[]>(segments.size());
+  caster.any(segments, {met.get(), segments.size()});
+  for (std::size_t n = 0; n < rays.size(); ++n) {
+    REQUIRE(hits[n] == caster.all_rounded(rays[n]));
+    REQUIRE(met[n] == caster.any(segments[n]));
+  }
 }
 
 TEST_CASE("segments within a solid meet nothing, single points what they lie on", "[layers][rays]") {

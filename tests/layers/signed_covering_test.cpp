@@ -83,6 +83,18 @@ TEST_CASE("scales and places of all sizes are taken as they are", "[layers][dege
   }
 }
 
+TEST_CASE("differences beyond all doubles are no obstacle", "[layers][degenerate]") {
+  const double far = 1.5e308;
+  const Scene scene = test::scene_of({test::box({far / 2, far / 2, far / 2}, {far, far, far})});
+  for (const Vertex& at : {Vertex{-far, -far, -far}, Vertex{-far, far, 0}, Vertex{0, 0, 0}}) {
+    const SignedCovering covering(scene, Origin::point(at));
+    const std::vector<Vertex> points{{far * 0.75, far * 0.75, far * 0.75}, {far, far * 0.75, far * 0.75}, {-far, 0, 0}};
+    std::vector<Where> where(points.size());
+    covering.membership(points, where);
+    CHECK(where == std::vector<Where>{Where::in, Where::on, Where::out});
+  }
+}
+
 TEST_CASE("an origin that is none is refused", "[layers]") {
   const Scene scene = test::scene_of({test::box({0, 0, 0}, {1, 1, 1})});
   CHECK_THROWS_AS(SignedCovering(scene, Origin::direction({0, 0, 0})), std::invalid_argument);

@@ -4,6 +4,7 @@
 
 #include "layers/rational_rays.h"
 #include "layers/scenes.h"
+#include "strata/layers/seen_edges.h"
 
 using namespace strata;
 
@@ -97,6 +98,18 @@ TEST_CASE("seen stretches and regions agree with rational rays", "[layers][prope
       REQUIRE(count == (inside_seen == PlainView::Seen::yes ? 1 : 0));
     }
   }
+}
+
+TEST_CASE("an edge seen end on is not drawn", "[layers][visibility][degenerate]") {
+  const Scene scene = test::scene_of({test::box({0, 0, 0}, {1, 1, 1})});
+  const Visibility visibility{LayerDecomposition(scene, Origin::point({0, 0, 5}))};
+  std::size_t drawn = 0;
+  for (const SeenEdge& e : find_seen_edges(visibility, 30)) {
+    const auto at = [&](std::uint32_t v) { return scene.carriers().vertex(v); };
+    CHECK_FALSE((at(e.a)[0] == 0 && at(e.b)[0] == 0 && at(e.a)[1] == 0 && at(e.b)[1] == 0));
+    drawn += e.seen.empty() ? 0 : 1;
+  }
+  CHECK(drawn == 4);  // the top
 }
 
 TEST_CASE("edges that coincide as seen are hidden by what lies on their own side", "[layers][degenerate]") {
