@@ -170,8 +170,8 @@ class Summation {
         signs[f * columns + g] =
             static_cast<signed char>(product_sign(a_.directions().normals, f, b_.directions().edges, g));
     for (std::uint32_t e = 0; e < a.edges.size(); ++e) {
-      const signed char* left = &signs[a.edges[e].left * columns];
-      const signed char* right = &signs[a.edges[e].right * columns];
+      const signed char* left = signs.data() + a.edges[e].left * columns;
+      const signed char* right = signs.data() + a.edges[e].right * columns;
       for (std::uint32_t g = 0; g < columns; ++g)
         if (left[g] * right[g] < 0 && crosses(e, g, left[g])) facets.push_back(parallelogram(e, g, left[g] > 0));
     }
