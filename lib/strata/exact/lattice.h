@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "strata/exact/long_int.h"
 #include "strata/exact/rational.h"
 #include "strata/exact/wide_int.h"
 
@@ -77,6 +78,9 @@ class Lattice {
   template <int Limbs>
   static WideInt<Limbs> shifted(std::uint64_t m, int shift, bool negative, const WideInt<Limbs>*) {
     return WideInt<Limbs>::shifted(m, shift, negative);
+  }
+  static LongInt shifted(std::uint64_t m, int shift, bool negative, const LongInt*) {
+    return LongInt::shifted(m, shift, negative);
   }
   static Integer shifted(std::uint64_t m, int shift, bool negative, const Integer*) {
     Integer r = m;

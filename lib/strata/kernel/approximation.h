@@ -20,11 +20,16 @@ template <class Real>
 
 template <class Real>
 [[nodiscard]] RealPoint<Real> approximate_vertex(const Carriers& carriers, std::uint32_t v) {
-  const auto& p = carriers.vertex(v);
-  if (carriers.has_doubles(v)) return {p[0], p[1], p[2]};
-  if (const MeetOfPlanes* meet = carriers.meet(v)) return as<Real>(meet->at);
+  const VertexPlace place = carriers.place(v);
+  const auto& p = *place.nearest;
+  if (place.has_doubles()) return {p[0], p[1], p[2]};
+  if (place.meet != nullptr) return as<Real>(place.meet->at);
   RealPoint<Real> r;
-  for (std::size_t i = 0; i < 3; ++i) r[i] = Bounded{p[i], std::abs(p[i]) * Bounded::rounding + Bounded::underflow};
+  for (std::size_t i = 0; i < 3; ++i) {
+    r[i] = Bounded{p[i], std::abs(p[i]) * Bounded::rounding + Bounded::underflow};
+    if constexpr (std::is_same_v<Real, Twofold>)
+      if (place.remainder != nullptr) r[i] = Twofold(p[i], (*place.remainder)[i], 0);
+  }
   return r;
 }
 

@@ -1,8 +1,10 @@
 #include "strata/kernel/carriers.h"
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "strata/exact/lattice.h"
 #include "strata/kernel/disjoint_sets.h"
 
 namespace strata {
@@ -11,26 +13,88 @@ namespace {
 
 constexpr std::uint32_t not_listed = 0xffffffffu;
 
-/// Where each vertex is listed among those that are not doubles, if there are any.
-template <class Listed>
-std::shared_ptr<const std::vector<std::uint32_t>> places(std::size_t vertices, std::span<const Listed> listed) {
-  if (listed.empty()) return nullptr;
-  const auto list = std::make_shared<std::vector<std::uint32_t>>(vertices, not_listed);
-  for (std::uint32_t i = 0; i < listed.size(); ++i) (*list)[listed[i].vertex] = i;
-  return list;
+const RationalPoint* rational_of(const ExactVertex& v) { return &v.position; }
+const RationalPoint* rational_of(const PlacedVertex& v) { return v.rational; }
+
+/// x - nearest, if that is a double, where x has a numerator of more than two limbs or the nearest double is subnormal.
+std::optional<double> long_remainder_of(const Rational& x, double nearest) {
+  const Rational rest = x - to_rational(nearest);
+  const double remainder = to_nearest_double(rest);
+  return to_rational(remainder) == rest ? std::optional(remainder) : std::nullopt;
+}
+
+/// x - nearest, if that is a double.
+std::optional<double> remainder_of(const Rational& x, double nearest) {
+  const mpz_srcptr n = mpq_numref(x.backend().data()), d = mpq_denref(x.backend().data());
+  const auto shift = static_cast<int>(mpz_scan1(d, 0));
+  const bool is_dyadic = static_cast<std::size_t>(shift) + 1 == mpz_sizeinbase(d, 2);
+  if (!is_dyadic || !std::isfinite(nearest)) return std::nullopt;
+  static_assert(GMP_NUMB_BITS == 64);
+  using Wide = unsigned __int128;
+  const DoubleParts parts(nearest);
+  // x = numerator / 2^shift, and the double is a multiple of 2^-shift unless it is x rounded to fewer bits.
+  const int up = parts.exponent + shift;
+  if (mpz_size(n) > 2 || shift > 1000 || up < 0 || up > 64) return long_remainder_of(x, nearest);
+  const Wide numerator = Wide{mpz_getlimbn(n, 1)} << 64 | mpz_getlimbn(n, 0), rounded = Wide{parts.magnitude} << up;
+  const bool is_above = numerator > rounded;
+  const Wide rest = is_above ? numerator - rounded : rounded - numerator;
+  const double size = static_cast<double>(rest);
+  if (static_cast<Wide>(size) != rest) return std::nullopt;
+  return std::ldexp(is_above != parts.negative ? size : -size, -shift);
+}
+
+/// exact - nearest, if that is three doubles.
+std::optional<Carriers::Coordinates> remainder_of(const RationalPoint& exact, const Carriers::Coordinates& nearest) {
+  Carriers::Coordinates remainder;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto rest = remainder_of(exact[i], nearest[i]);
+    if (!rest) return std::nullopt;
+    remainder[i] = *rest;
+  }
+  return remainder;
+}
+
+/// p over the least common denominator.
+HPoint<Integer> homogeneous(const RationalPoint& p) {
+  Integer w = denominator(p[0]);
+  for (std::size_t i = 1; i < 3; ++i)
+    if (denominator(p[i]) != w) w = lcm(w, denominator(p[i]));
+  std::array<Integer, 3> n;
+  for (std::size_t i = 0; i < 3; ++i) n[i] = denominator(p[i]) == w ? numerator(p[i]) : Integer(numerator(p[i]) * (w / denominator(p[i])));
+  return {n[0], n[1], n[2], w, w == 1};
 }
 
 }  // namespace
 
+template <class Listed>
+std::shared_ptr<const Carriers::Listing> Carriers::listing_of(std::span<const Coordinates> points,
+                                                              std::span<const Listed> listed) {
+  if (listed.empty()) return nullptr;
+  const auto listing = std::make_shared<Listing>();
+  listing->place.assign(points.size(), not_listed);
+  listing->form.resize(listed.size());
+  for (std::uint32_t i = 0; i < listed.size(); ++i) {
+    const std::uint32_t vertex = listed[i].vertex;
+    listing->place[vertex] = i;
+    const RationalPoint* exact = rational_of(listed[i]);
+    if (exact == nullptr) continue;
+    if (const auto remainder = remainder_of(*exact, points[vertex]))
+      listing->form[i] = *remainder;
+    else
+      listing->form[i] = homogeneous(*exact);
+  }
+  return listing;
+}
+
 void Carriers::add(std::span<const Coordinates> points, std::span<const Indices> faces,
                    std::span<const ExactVertex> exact, const std::optional<Box>& bounds) {
-  add({points, faces, exact, {}, {}, places(points.size(), exact), vertex_end_, face_end_, bounds});
+  add({points, faces, exact, {}, {}, listing_of(points, exact), vertex_end_, face_end_, bounds});
 }
 
 void Carriers::add(std::span<const Coordinates> points, std::span<const Indices> faces,
                    std::span<const PlacedVertex> placed, std::span<const SourcePlane* const> planes,
                    const Box& bounds) {
-  add({points, faces, {}, placed, planes, places(points.size(), placed), vertex_end_, face_end_, bounds});
+  add({points, faces, {}, placed, planes, listing_of(points, placed), vertex_end_, face_end_, bounds});
 }
 
 void Carriers::add(Block block) {
@@ -39,7 +103,7 @@ void Carriers::add(Block block) {
     throw std::length_error("more than 2^32 - 2 vertices or faces in one evaluation");
   vertex_end_ += static_cast<std::uint32_t>(block.points.size());
   face_end_ += static_cast<std::uint32_t>(block.faces.size());
-  has_rationals_ = has_rationals_ || block.place != nullptr;
+  has_rationals_ = has_rationals_ || block.listing != nullptr;
   has_planes_ = has_planes_ || !block.planes.empty();
   blocks_.push_back(std::move(block));
   constexpr std::uint32_t many = 64;
@@ -71,13 +135,17 @@ void Carriers::identify(std::span<const std::pair<std::uint32_t, std::uint32_t>>
   for (std::uint32_t v = 0; v < vertex_end_; ++v) same_[v] = sets.find(v);
 }
 
-Carriers::Place Carriers::find_place(std::uint32_t vertex) const {
+VertexPlace Carriers::listed_place(std::uint32_t vertex) const {
   const Block& b = blocks_[find<true>(vertex)];
-  if (b.place == nullptr) return {};
-  const std::uint32_t place = (*b.place)[vertex - b.first_vertex];
-  if (place == not_listed) return {};
-  if (b.exact.empty()) return {true, b.placed[place].rational, b.placed[place].meet};
-  return {true, &b.exact[place].position, nullptr};
+  const std::uint32_t i = vertex - b.first_vertex;
+  VertexPlace place{&b.points[i]};
+  if (b.listing == nullptr || b.listing->place[i] == not_listed) return place;
+  const std::uint32_t at = b.listing->place[i];
+  place.rational = b.exact.empty() ? b.placed[at].rational : &b.exact[at].position;
+  if (b.exact.empty()) place.meet = b.placed[at].meet;
+  place.remainder = std::get_if<Coordinates>(&b.listing->form[at]);
+  place.homogeneous = std::get_if<HPoint<Integer>>(&b.listing->form[at]);
+  return place;
 }
 
 }  // namespace strata

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "strata/kernel/box.h"
@@ -18,6 +19,20 @@ struct PlacedVertex {
   std::uint32_t vertex = 0;
   const RationalPoint* rational = nullptr;
   const MeetOfPlanes* meet = nullptr;
+};
+
+/// How a vertex is given. At most one of `rational` and `meet` is not null; if both are null, its doubles are exact.
+struct VertexPlace {
+  const std::array<double, 3>* nearest = nullptr;  ///< the doubles nearest to it
+  const RationalPoint* rational = nullptr;
+  const MeetOfPlanes* meet = nullptr;
+  /// What a rational vertex has beyond its doubles, where that is three doubles again: the vertex is the sum of both.
+  /// Sums and halves of doubles are such vertices. Otherwise null.
+  const std::array<double, 3>* remainder = nullptr;
+  /// The rational over the least common denominator, if there is no remainder.
+  const HPoint<Integer>* homogeneous = nullptr;
+
+  [[nodiscard]] bool has_doubles() const { return rational == nullptr && meet == nullptr; }
 };
 
 /// The input of one evaluation: points and faces of all operands under one global numbering.
@@ -79,18 +94,21 @@ class Carriers {
     const Indices v{t[0] + b.first_vertex, t[1] + b.first_vertex, t[2] + b.first_vertex};
     return same_.empty() ? v : Indices{same_[v[0]], same_[v[1]], same_[v[2]]};
   }
+  [[nodiscard]] VertexPlace place(std::uint32_t vertex) const {
+    return has_rationals_ ? listed_place(vertex) : VertexPlace{&this->vertex(vertex)};
+  }
   /// True when a vertex is where its doubles say.
-  [[nodiscard]] bool has_doubles(std::uint32_t vertex) const { return !has_rationals_ || !find_place(vertex).listed; }
+  [[nodiscard]] bool has_doubles(std::uint32_t vertex) const { return !has_rationals_ || place(vertex).has_doubles(); }
   [[nodiscard]] bool has_doubles(const Indices& v) const {
     return !has_rationals_ || (has_doubles(v[0]) && has_doubles(v[1]) && has_doubles(v[2]));
   }
   /// The rational place of a vertex, or null when that is given by doubles or planes.
   [[nodiscard]] const RationalPoint* exact(std::uint32_t vertex) const {
-    return has_rationals_ ? find_place(vertex).rational : nullptr;
+    return has_rationals_ ? place(vertex).rational : nullptr;
   }
   /// The planes that meet in a vertex, or null when that is given by doubles or rationals.
   [[nodiscard]] const MeetOfPlanes* meet(std::uint32_t vertex) const {
-    return has_rationals_ ? find_place(vertex).meet : nullptr;
+    return has_rationals_ ? place(vertex).meet : nullptr;
   }
   /// The plane that a face is a part of, or null when that is the one through its corners.
   [[nodiscard]] const SourcePlane* source_plane(std::uint32_t face) const {
@@ -104,26 +122,28 @@ class Carriers {
   [[nodiscard]] bool has_rationals() const { return has_rationals_; }
 
  private:
+  /// Vertices that are not doubles.
+  struct Listing {
+    std::vector<std::uint32_t> place;  ///< in `exact` or `placed`, or none, per vertex
+    std::vector<std::variant<std::monostate, Coordinates, HPoint<Integer>>> form;  ///< per place: see VertexPlace
+  };
+  template <class Listed>
+  static std::shared_ptr<const Listing> listing_of(std::span<const Coordinates> points,
+                                                   std::span<const Listed> listed);
+
   struct Block {
     std::span<const Coordinates> points;
     std::span<const Indices> faces;
     std::span<const ExactVertex> exact;
     std::span<const PlacedVertex> placed;
     std::span<const SourcePlane* const> planes;
-    std::shared_ptr<const std::vector<std::uint32_t>>
-        place;  ///< in `exact` or `placed`, or none, per vertex; if any is listed
+    std::shared_ptr<const Listing> listing;  ///< if any vertex is listed
     std::uint32_t first_vertex = 0;
     std::uint32_t first_face = 0;
     std::optional<Box> bounds;
   };
 
-  struct Place {
-    bool listed = false;
-    const RationalPoint* rational = nullptr;
-    const MeetOfPlanes* meet = nullptr;
-  };
-  [[nodiscard]] Place find_place(std::uint32_t vertex) const;
-
+  [[nodiscard]] VertexPlace listed_place(std::uint32_t vertex) const;
   void add(Block block);
   void list_operand(std::uint32_t operand);
 

@@ -72,11 +72,14 @@ Ground::Ground(const Carriers& carriers, std::span<const Point* const> points) {
 }
 
 void Ground::add_vertex(const Carriers& carriers, std::uint32_t v) {
-  if (!carriers.has_doubles(v)) {
+  const VertexPlace place = carriers.place(v);
+  if (!place.has_doubles() && place.remainder == nullptr) {
     rational_ = true;
     return;
   }
-  for (const double x : carriers.vertex(v)) lattice_.add(x);
+  for (const double x : *place.nearest) lattice_.add(x);
+  if (place.remainder != nullptr)
+    for (const double x : *place.remainder) lattice_.add(x);
 }
 
 void Ground::add_face(const Carriers& carriers, std::uint32_t f) {

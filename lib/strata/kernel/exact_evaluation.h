@@ -27,7 +27,8 @@ struct PlaneWidth {
 [[nodiscard]] int width_of_value(PlaneWidth plane, PointWidth p);
 [[nodiscard]] int width_of_turn(PointWidth p, PointWidth q, PointWidth r);
 
-/// The lattice of all input coordinates behind some points, and whether any of them is rational.
+/// The lattice of all input coordinates behind some points, and whether any of them is a rational that is not the sum of
+/// two doubles. Such a sum is less than the power of two above the first, as that is the double nearest to it.
 class Ground {
  public:
   Ground(const Carriers& carriers, std::span<const Point* const> points);
@@ -43,23 +44,28 @@ class Ground {
   bool rational_ = false;
 };
 
-/// Evaluates points and planes in exact integers, in units of the lattice.
+/// Evaluates points and planes in exact integers, in units of the lattice. Integers of a fixed number of bits hold
+/// vertices that are doubles or sums of two; the others hold all, or say that they are lost.
 template <class Int>
 class ExactEvaluation {
+  static constexpr bool any_size = std::is_same_v<Int, Integer> || std::is_same_v<Int, LongInt>;
+
  public:
   ExactEvaluation(const Carriers& carriers, const Lattice& lattice) : carriers_(carriers), lattice_(lattice) {}
 
   [[nodiscard]] HPoint<Int> vertex(std::uint32_t v) const {
-    if constexpr (std::is_same_v<Int, Integer>) {
-      if (const MeetOfPlanes* place = carriers_.meet(v)) return on_lattice(place->exact());
-      if (const RationalPoint* p = carriers_.exact(v)) return rational(*p);
+    const VertexPlace place = carriers_.place(v);
+    if (place.remainder != nullptr) return on_lattice(*place.nearest, *place.remainder);
+    if constexpr (any_size) {
+      if (place.meet != nullptr) return meet_of_planes(*place.meet);
+      if (place.homogeneous != nullptr) return on_lattice(of_this_type(*place.homogeneous));
     }
-    return on_lattice(carriers_.vertex(v));
+    return on_lattice(*place.nearest);
   }
 
   [[nodiscard]] HPlane<Int> face(std::uint32_t f) const {
-    if constexpr (std::is_same_v<Int, Integer>) {
-      if (const SourcePlane* plane = carriers_.source_plane(f)) return on_lattice(plane->exact());
+    if constexpr (any_size) {
+      if (const SourcePlane* plane = carriers_.source_plane(f)) return on_lattice(of_this_type(plane->exact()));
     }
     const auto [a, b, c] = carriers_.face(f);
     return plane_through(vertex(a), vertex(b), vertex(c));
@@ -79,7 +85,7 @@ class ExactEvaluation {
       case PointName::Kind::weighted:
         return weighted(id[0], id[1]);
       case PointName::Kind::free:
-        return on_lattice({p.at[0].value, p.at[1].value, p.at[2].value});
+        return on_lattice(Carriers::Coordinates{p.at[0].value, p.at[1].value, p.at[2].value});
     }
     return {};
   }
@@ -89,30 +95,38 @@ class ExactEvaluation {
     return {lattice_.integer<Int>(p[0]), lattice_.integer<Int>(p[1]), lattice_.integer<Int>(p[2]), Int(1), true};
   }
 
-  /// p / 2^unit over a common denominator.
-  [[nodiscard]] HPoint<Int> rational(const RationalPoint& p) const {
-    Integer w = 1;
-    for (const Rational& x : p) w = lcm(w, denominator(x));
-    std::array<Integer, 3> n;
-    for (std::size_t i = 0; i < 3; ++i) n[i] = numerator(p[i]) * (w / denominator(p[i]));
-    HPoint<Integer> r = on_lattice({n[0], n[1], n[2], w, false});
-    r.unit = r.w == 1;
-    return r;
+  /// p + q, of which every coordinate has the size of p's.
+  [[nodiscard]] HPoint<Int> on_lattice(const Carriers::Coordinates& p, const Carriers::Coordinates& q) const {
+    const auto sum = [&](std::size_t i) { return Int(lattice_.integer<Int>(p[i]) + lattice_.integer<Int>(q[i])); };
+    return {sum(0), sum(1), sum(2), Int(1), true};
+  }
+
+  [[nodiscard]] static HPoint<Int> of_this_type(const HPoint<Integer>& p) {
+    return {Int(p.x), Int(p.y), Int(p.z), Int(p.w), p.unit};
+  }
+  [[nodiscard]] static HPlane<Int> of_this_type(const HPlane<Integer>& p) {
+    return {Int(p.a), Int(p.b), Int(p.c), Int(p.d)};
+  }
+
+  [[nodiscard]] HPoint<Int> meet_of_planes(const MeetOfPlanes& p) const {
+    const auto plane = [&](std::size_t i) { return of_this_type(p.planes[i]->exact()); };
+    return on_lattice(meet(plane(0), plane(1), plane(2)));
   }
 
   /// A point or plane given in units of 1.
-  [[nodiscard]] HPoint<Integer> on_lattice(HPoint<Integer> p) const {
+  [[nodiscard]] HPoint<Int> on_lattice(HPoint<Int> p) const {
     const int unit = lattice_.unit();
-    if (unit > 0) p.w <<= static_cast<unsigned>(unit);
+    if (unit > 0) p.w = Int(p.w << unit);
     if (unit < 0)
-      for (Integer* x : {&p.x, &p.y, &p.z}) *x <<= static_cast<unsigned>(-unit);
+      for (Int* x : {&p.x, &p.y, &p.z}) *x = Int(*x << -unit);
+    p.unit = p.unit && unit <= 0;
     return p;
   }
-  [[nodiscard]] HPlane<Integer> on_lattice(HPlane<Integer> p) const {
+  [[nodiscard]] HPlane<Int> on_lattice(HPlane<Int> p) const {
     const int unit = lattice_.unit();
-    if (unit < 0) p.d <<= static_cast<unsigned>(-unit);
+    if (unit < 0) p.d = Int(p.d << -unit);
     if (unit > 0)
-      for (Integer* x : {&p.a, &p.b, &p.c}) *x <<= static_cast<unsigned>(unit);
+      for (Int* x : {&p.a, &p.b, &p.c}) *x = Int(*x << unit);
     return p;
   }
 

@@ -16,6 +16,14 @@
 namespace strata {
 namespace {
 
+/// Sign of an integer of any size, `ask(null)` of a type: LongInt where that holds it, Integer otherwise.
+template <class Ask>
+Sign sign_of_any_size(Tier tier, const Ask& ask) {
+  const LongInt value = ask(static_cast<const LongInt*>(nullptr));
+  count(value.is_lost() ? Tier::unbounded : tier);
+  return value.is_lost() ? sign_of_integer(Integer(ask(static_cast<const Integer*>(nullptr)))) : value.sign();
+}
+
 /// Sign of an integer, `ask(null)` of the least type that has `bits` bits.
 template <class Ask>
 Sign sign_in_bits(int bits, const Ask& ask) {
@@ -25,9 +33,7 @@ Sign sign_in_bits(int bits, const Ask& ask) {
   };
   if (bits <= 128) return sign(Tier::bits_128, static_cast<const WideInt<2>*>(nullptr));
   if (bits <= 256) return sign(Tier::bits_256, static_cast<const WideInt<4>*>(nullptr));
-  if (bits <= 512) return sign(Tier::bits_512, static_cast<const WideInt<8>*>(nullptr));
-  if (bits <= 1024) return sign(Tier::bits_1024, static_cast<const WideInt<16>*>(nullptr));
-  return sign(Tier::unbounded, static_cast<const Integer*>(nullptr));
+  return sign_of_any_size(bits <= 512 ? Tier::bits_512 : bits <= 1024 ? Tier::bits_1024 : Tier::bits_4096, ask);
 }
 
 /// Bits for a value of `width` bits and its sign, from integers of a lattice, which are shifted in limbs.
@@ -40,9 +46,9 @@ Sign decide(const Carriers& carriers, std::initializer_list<const Point*> points
             const Question& question) {
   const Ground ground(carriers, {points.begin(), points.size()});
   const Lattice& lattice = ground.lattice();
-  const int bits = ground.rational() ? 1 << 30 : bits_for(width(lattice.bits()), lattice);
-  return sign_in_bits(bits,
-                      [&]<class Int>(const Int*) { return Int(question(ExactEvaluation<Int>(carriers, lattice))); });
+  const auto ask = [&]<class Int>(const Int*) { return Int(question(ExactEvaluation<Int>(carriers, lattice))); };
+  if (ground.rational()) return sign_of_any_size(Tier::bits_4096, ask);
+  return sign_in_bits(bits_for(width(lattice.bits()), lattice), ask);
 }
 
 std::optional<Sign> filtered(const Bounded& value) {
@@ -226,11 +232,12 @@ Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p) 
   if (const auto sign = filtered_side_of_face(carriers, face, p)) return *sign;
   if (carriers.source_plane(face) != nullptr) {
     if (const auto sign = filtered(side_of(approximate_plane<Twofold>(carriers, face), p.fine))) return *sign;
-    count(Tier::unbounded);
     const Point* const one[] = {&p};
     const Ground ground(carriers, one);
-    const ExactEvaluation<Integer> exact(carriers, ground.lattice());
-    return sign_of_integer(value_at(exact.face(face), exact.point(p)));
+    return sign_of_any_size(Tier::bits_4096, [&]<class Int>(const Int*) {
+      const ExactEvaluation<Int> exact(carriers, ground.lattice());
+      return Int(value_at(exact.face(face), exact.point(p)));
+    });
   }
   const auto v = carriers.face(face);
   return orient3d(carriers, input_point(carriers, v[0]), input_point(carriers, v[1]), input_point(carriers, v[2]), p);

@@ -1,0 +1,147 @@
+#pragma once
+#include <gmp.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+
+#include "strata/exact/rational.h"
+#include "strata/exact/sign.h"
+
+namespace strata {
+
+/// Signed integer of up to 4096 bits, held in place: its length is that of its value, and nothing is allocated.
+/// A result that does not fit is *lost*: so is everything that is computed from it, and it has no sign. Whoever asks for
+/// a sign asks `is_lost` before, and turns to Integer. Products and sums are GMP's low-level ones.
+class LongInt {
+ public:
+  static constexpr int limb_capacity = 64;
+  static constexpr int bits = 64 * limb_capacity;
+
+  LongInt() = default;
+  LongInt(std::int64_t x) : is_negative_(x < 0) {  // NOLINT: small integers are long ones
+    limb_[0] = is_negative_ ? -static_cast<std::uint64_t>(x) : static_cast<std::uint64_t>(x);
+    size_ = x != 0 ? 1 : 0;
+  }
+  explicit LongInt(const Integer& x) : is_negative_(x.sign() < 0) {
+    const mpz_srcptr z = x.backend().data();
+    if (mpz_size(z) > limb_capacity)
+      lose();
+    else
+      take(mpz_limbs_read(z), static_cast<int>(mpz_size(z)));
+  }
+  LongInt(const LongInt& other) : size_(other.size_), is_negative_(other.is_negative_) {
+    if (!is_lost()) std::copy_n(other.limb_, size_, limb_);
+  }
+  LongInt& operator=(const LongInt& other) {
+    if (this == &other) return *this;
+    size_ = other.size_;
+    is_negative_ = other.is_negative_;
+    if (!is_lost()) std::copy_n(other.limb_, size_, limb_);
+    return *this;
+  }
+  ~LongInt() = default;
+
+  /// magnitude * 2^shift, negated if asked.
+  static LongInt shifted(std::uint64_t magnitude, int shift, bool negative) {
+    LongInt r;
+    r.limb_[0] = magnitude;
+    r.size_ = magnitude != 0 ? 1 : 0;
+    r.is_negative_ = negative && magnitude != 0;
+    return r << shift;
+  }
+
+  [[nodiscard]] bool is_lost() const { return size_ < 0; }
+  /// Requires that the value is not lost; a lost one says zero.
+  [[nodiscard]] Sign sign() const {
+    if (size_ <= 0) return Sign::zero;
+    return is_negative_ ? Sign::negative : Sign::positive;
+  }
+
+  LongInt operator-() const {
+    LongInt r = *this;
+    r.is_negative_ = size_ > 0 && !is_negative_;
+    return r;
+  }
+  friend LongInt operator+(const LongInt& a, const LongInt& b) { return sum(a, b, b.is_negative_); }
+  friend LongInt operator-(const LongInt& a, const LongInt& b) { return sum(a, b, !b.is_negative_); }
+  friend LongInt operator*(const LongInt& a, const LongInt& b) {
+    if (a.size_ < b.size_) return b * a;
+    LongInt r;
+    if (a.is_lost() || b.is_lost() || a.size_ + b.size_ > limb_capacity) return r.lose();
+    if (b.size_ == 0) return r;
+    mpn_mul(r.limb_, a.limb_, a.size_, b.limb_, b.size_);
+    r.size_ = a.size_ + b.size_;
+    r.is_negative_ = a.is_negative_ != b.is_negative_;
+    return r.trim();
+  }
+  /// times 2^shift, shift >= 0
+  friend LongInt operator<<(const LongInt& a, int shift) {
+    LongInt r;
+    const int limbs = shift / 64, rest = shift % 64;
+    if (a.is_lost() || (a.size_ != 0 && a.size_ + limbs + 1 > limb_capacity)) return r.lose();
+    if (a.size_ == 0) return r;
+    std::fill_n(r.limb_, limbs, 0);
+    r.limb_[limbs + a.size_] = 0;
+    if (rest == 0)
+      std::copy_n(a.limb_, a.size_, r.limb_ + limbs);
+    else
+      r.limb_[limbs + a.size_] = mpn_lshift(r.limb_ + limbs, a.limb_, a.size_, static_cast<unsigned>(rest));
+    r.size_ = limbs + a.size_ + 1;
+    r.is_negative_ = a.is_negative_;
+    return r.trim();
+  }
+
+ private:
+  LongInt& lose() {
+    size_ = -1;
+    is_negative_ = false;
+    return *this;
+  }
+  /// Drops leading zeros; zero is not negative.
+  LongInt& trim() {
+    while (size_ > 0 && limb_[size_ - 1] == 0) --size_;
+    is_negative_ = is_negative_ && size_ > 0;
+    return *this;
+  }
+  void take(const mp_limb_t* limbs, int size) {
+    std::copy_n(limbs, size, limb_);
+    size_ = size;
+  }
+  [[nodiscard]] bool is_smaller_than(const LongInt& other) const {
+    return size_ != other.size_ ? size_ < other.size_ : size_ > 0 && mpn_cmp(limb_, other.limb_, size_) < 0;
+  }
+
+  /// a + b with b's sign as told.
+  static LongInt sum(const LongInt& a, const LongInt& b, bool b_is_negative) {
+    LongInt r;
+    if (a.is_lost() || b.is_lost()) return r.lose();
+    const bool is_swapped = a.is_smaller_than(b);
+    const LongInt &longer = is_swapped ? b : a, &shorter = is_swapped ? a : b;
+    r.is_negative_ = is_swapped ? b_is_negative : a.is_negative_;
+    r.size_ = longer.size_;
+    if (shorter.size_ == 0) {
+      std::copy_n(longer.limb_, longer.size_, r.limb_);
+      r.is_negative_ = r.is_negative_ && r.size_ > 0;
+      return r;
+    }
+    if (a.is_negative_ != b_is_negative) {
+      mpn_sub(r.limb_, longer.limb_, longer.size_, shorter.limb_, shorter.size_);
+      return r.trim();
+    }
+    const mp_limb_t carry = mpn_add(r.limb_, longer.limb_, longer.size_, shorter.limb_, shorter.size_);
+    if (carry == 0) return r;
+    if (r.size_ == limb_capacity) return r.lose();
+    r.limb_[r.size_++] = carry;
+    return r;
+  }
+
+  int size_ = 0;  ///< limbs of the magnitude, the highest of them not zero; -1 when lost
+  bool is_negative_ = false;
+  mp_limb_t limb_[limb_capacity];  // NOLINT: those beyond the size hold nothing
+};
+
+[[nodiscard]] inline Sign sign_of_integer(const LongInt& x) { return x.sign(); }
+
+}  // namespace strata
