@@ -1,7 +1,11 @@
 #include "strata/kernel/carriers.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
 #include <vector>
+
+#include "kernel/numbers.h"
 
 using namespace strata;
 
@@ -42,4 +46,63 @@ TEST_CASE("rational vertices are found in their own operand only", "[kernel]") {
   REQUIRE(carriers.exact(5) != nullptr);
   CHECK((*carriers.exact(3))[0] == Rational(1, 7));
   CHECK((*carriers.exact(5))[0] == Rational(2, 7));
+}
+
+namespace {
+
+/// The place of a vertex whose coordinates are all x.
+VertexPlace place_of(Carriers& carriers, std::vector<Carriers::Coordinates>& points, std::vector<ExactVertex>& exact,
+                     const Rational& x) {
+  const double nearest = to_nearest_double(x);
+  points = {{nearest, nearest, nearest}};
+  exact = {{0, {x, x, x}}};
+  carriers.add(points, {}, exact);
+  return carriers.place(0);
+}
+
+/// The remainder that a rational is kept with, which together with the nearest double is the rational; or none, where
+/// no double is what is left.
+void check_place(const Rational& x) {
+  CAPTURE(x);
+  const double nearest = to_nearest_double(x);
+  if (!std::isfinite(nearest)) return;
+  const Rational rest = x - to_rational(nearest);
+  const bool is_sum = to_rational(to_nearest_double(rest)) == rest;
+  Carriers carriers;
+  std::vector<Carriers::Coordinates> points;
+  std::vector<ExactVertex> exact;
+  const VertexPlace place = place_of(carriers, points, exact, x);
+  REQUIRE_FALSE(place.has_doubles());
+  REQUIRE((place.remainder != nullptr) == is_sum);
+  REQUIRE((place.homogeneous != nullptr) == !is_sum);
+  if (is_sum) {
+    for (const double r : *place.remainder) REQUIRE(to_rational(r) == rest);
+  } else {
+    REQUIRE(Rational(place.homogeneous->x, place.homogeneous->w) == x);
+    REQUIRE(place.homogeneous->w == denominator(x));
+  }
+}
+
+}  // namespace
+
+// Catches: a remainder of the wrong sign or size, one that was rounded, a rational that is taken for a sum of doubles.
+TEST_CASE("a rational vertex is kept as the sum of two doubles where it is one", "[kernel][property]") {
+  using test::Family;
+  for (int family = 0; family < test::family_count; ++family) {
+    test::Random random(static_cast<std::uint64_t>(family) + 5);
+    test::Numbers number(static_cast<Family>(family), random);
+    for (int i = 0; i < 2000; ++i) {
+      const Rational a = to_rational(number()), b = to_rational(number()), c = to_rational(number());
+      for (const Rational& x : {Rational(a + b), Rational(a - b), Rational((a + b) / 2), Rational(a + b + c),
+                                Rational(a * b), Rational(a + b / 3)})
+        check_place(x);
+    }
+  }
+  const double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
+  for (const double x : {0.0, least, 0.1, 0x1p60, most})
+    for (const double y : {least, 0x1p-1022, 0x1p-60, 1.0, 3.0, 0x1p64, 0x1p117, most}) {
+      check_place(to_rational(x) + to_rational(y) / 2);
+      check_place(to_rational(x) - to_rational(y));
+      check_place(-to_rational(x) + to_rational(y));
+    }
 }

@@ -162,7 +162,7 @@ TEST_CASE("turns by differences refuse what rounding hides", "[kernel]") {
   const double up = std::nextafter(1.0, 2.0);
   CHECK(turn_by_differences({0, 0}, {3, up}, {3, 1}) == Sign::negative);
   CHECK(turn_by_differences({0, 0}, {up, up}, {1, 1}) == Sign::zero);
-  CHECK_FALSE(turn_by_differences({-4, -4}, {1, 1}, {1, up}));                          // rounded differences
+  CHECK_FALSE(turn_by_differences({-4, -4}, {1, 1}, {1, up}));                           // rounded differences
   CHECK_FALSE(turn_by_differences({0, 0}, {0x1p-600, 0x1p-600}, {0x1p-600, 0x1p-600}));  // vanished products
   CHECK_FALSE(turn_by_differences({0, 0}, {0x1p600, 0x1p600}, {0x1p600, 0x1p600}));
   CHECK_FALSE(turn_by_differences({-0x1.8p1023, 0}, {0x1.8p1023, 1}, {0, 1}));

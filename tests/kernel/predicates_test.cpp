@@ -131,7 +131,8 @@ void check_scene(Scene& s, TierTable& table) {
 }
 
 void check_tiers(TierTable& table) {
-  constexpr Tier widths[] = {Tier::bits_128, Tier::bits_256, Tier::bits_512, Tier::bits_1024, Tier::unbounded};
+  constexpr Tier widths[] = {Tier::bits_128,  Tier::bits_256,  Tier::bits_512,
+                             Tier::bits_1024, Tier::bits_4096, Tier::unbounded};
   for (const char* predicate : {"orient3d of vertices", "orient3d", "side_of_face", "orient2d", "compare", "equal",
                                 "normal_component", "is_degenerate", "projection_of", "same_orientation"}) {
     CAPTURE(predicate);

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -133,11 +134,11 @@ class Scene {
     places.push_back({to_rational(p[0]), to_rational(p[1]), to_rational(p[2])});
   }
 
-  /// A vertex on the line through two earlier ones, at a third or a seventh.
+  /// A vertex on the line through two earlier ones, at halves, thirds or sevenths.
   void add_rational(Operand& operand, std::uint32_t v, std::uint32_t first) {
     const auto& p = places[first + random.below(v)];
     const auto& q = places[first + random.below(v)];
-    const RationalPoint place = at_parameter(p, q, Rational(random.between(0, 7), random.once_in(2) ? 3 : 7));
+    const RationalPoint place = at_parameter(p, q, Rational(random.between(0, 7), random.pick(std::array{2, 3, 7})));
     for (const Rational& x : place)
       if (!std::isfinite(to_nearest_double(x))) return add_doubles(operand, {0, 0, 0});
     operand.exact.push_back({v, place});

@@ -85,7 +85,7 @@ TEST_CASE("coplanar vertices take the narrowest integers that hold the determina
     Tier tier;
   } cases[] = {{0, Tier::bits_128},    {39, Tier::bits_128},   {40, Tier::bits_256},   {81, Tier::bits_256},
                {82, Tier::bits_512},   {167, Tier::bits_512},  {168, Tier::bits_1024}, {337, Tier::bits_1024},
-               {338, Tier::unbounded}, {1000, Tier::unbounded}};
+               {338, Tier::bits_4096}, {1000, Tier::bits_4096}};
   for (const auto& [b, tier] : cases) {
     CAPTURE(b);
     const Given g = coplanar(b);
@@ -148,12 +148,25 @@ TEST_CASE("subnormals and huge numbers alone need few bits", "[kernel]") {
   }
 }
 
-TEST_CASE("a rational vertex needs unbounded integers where the filter does not know", "[kernel]") {
+TEST_CASE("a rational vertex needs long integers where the filter does not know", "[kernel]") {
   const std::vector<Carriers::Coordinates> points{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1.0 / 3, 1.0 / 3, 1.0 / 3}};
   const std::vector<ExactVertex> exact{{3, {Rational(1, 3), Rational(1, 3), Rational(1, 3)}}};
   Carriers doubles, rationals;
   doubles.add(points, {});
   rationals.add(points, {}, exact);
-  check_tier(Tier::unbounded, Sign::zero, [&] { return orient3d(rationals, 0U, 1U, 2U, 3U); });
+  check_tier(Tier::bits_4096, Sign::zero, [&] { return orient3d(rationals, 0U, 1U, 2U, 3U); });
   CHECK(orient3d(doubles, 0U, 1U, 2U, 3U) == Sign::negative);  // the double next to 1/3 lies below it
+}
+
+// Catches: a remainder that is not added, or one left out of the lattice.
+TEST_CASE("a vertex that is the sum of two doubles needs no more bits than these", "[kernel]") {
+  const double least = 0x1p-60;
+  const std::vector<Carriers::Coordinates> points{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 1, 0}};
+  const Rational above = to_rational(1) + to_rational(least), below = to_rational(1) - to_rational(least);
+  Carriers flat, lower;
+  const std::vector<ExactVertex> in_plane{{3, {above, below, 0}}}, under_plane{{3, {below, 1, 0}}};
+  flat.add(points, {}, in_plane);
+  lower.add(points, {}, under_plane);
+  check_tier(Tier::bits_256, Sign::zero, [&] { return orient3d(flat, 0U, 1U, 2U, 3U); });
+  check_tier(Tier::twofold, Sign::negative, [&] { return orient3d(lower, 0U, 1U, 2U, 3U); });
 }

@@ -113,6 +113,9 @@ void check_value(const Extremes& e, int width, const Question& question) {
   check_forced<4>(e, width, question);
   check_forced<8>(e, width, question);
   check_forced<16>(e, width, question);
+  const LongInt found = question(ExactEvaluation<LongInt>(e.carriers, e.lattice));
+  REQUIRE((found.is_lost() || found.sign() == sign_of_integer(question(Exact(e.carriers, e.lattice)))));
+  REQUIRE((width > LongInt::bits / 2 || !found.is_lost()));
 }
 
 void check_points(Random& random, const Extremes& e, int b) {

@@ -12,8 +12,8 @@
 namespace strata {
 
 /// Signed integer of up to 4096 bits, held in place: its length is that of its value, and nothing is allocated.
-/// A result that does not fit is *lost*: so is everything that is computed from it, and it has no sign. Whoever asks for
-/// a sign asks `is_lost` before, and turns to Integer. Products and sums are GMP's low-level ones.
+/// A result that does not fit is *lost*: so is everything that is computed from it, and it has no sign. Whoever asks
+/// for a sign asks `is_lost` before, and turns to Integer. Products and sums are GMP's low-level ones.
 class LongInt {
  public:
   static constexpr int limb_capacity = 64;

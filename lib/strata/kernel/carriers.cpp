@@ -60,7 +60,8 @@ HPoint<Integer> homogeneous(const RationalPoint& p) {
   for (std::size_t i = 1; i < 3; ++i)
     if (denominator(p[i]) != w) w = lcm(w, denominator(p[i]));
   std::array<Integer, 3> n;
-  for (std::size_t i = 0; i < 3; ++i) n[i] = denominator(p[i]) == w ? numerator(p[i]) : Integer(numerator(p[i]) * (w / denominator(p[i])));
+  for (std::size_t i = 0; i < 3; ++i)
+    n[i] = denominator(p[i]) == w ? numerator(p[i]) : Integer(numerator(p[i]) * (w / denominator(p[i])));
   return {n[0], n[1], n[2], w, w == 1};
 }
 

@@ -128,8 +128,7 @@ class Carriers {
     std::vector<std::variant<std::monostate, Coordinates, HPoint<Integer>>> form;  ///< per place: see VertexPlace
   };
   template <class Listed>
-  static std::shared_ptr<const Listing> listing_of(std::span<const Coordinates> points,
-                                                   std::span<const Listed> listed);
+  static std::shared_ptr<const Listing> listing_of(std::span<const Coordinates> points, std::span<const Listed> listed);
 
   struct Block {
     std::span<const Coordinates> points;

@@ -27,8 +27,8 @@ struct PlaneWidth {
 [[nodiscard]] int width_of_value(PlaneWidth plane, PointWidth p);
 [[nodiscard]] int width_of_turn(PointWidth p, PointWidth q, PointWidth r);
 
-/// The lattice of all input coordinates behind some points, and whether any of them is a rational that is not the sum of
-/// two doubles. Such a sum is less than the power of two above the first, as that is the double nearest to it.
+/// The lattice of all input coordinates behind some points, and whether any of them is a rational that is not the sum
+/// of two doubles. Such a sum is less than the power of two above the first, as that is the double nearest to it.
 class Ground {
  public:
   Ground(const Carriers& carriers, std::span<const Point* const> points);
