@@ -32,6 +32,12 @@ class Minkowski(ToolTest):
         self.run_tool("offset", a, "-o", "out.off", expect=USAGE)
         self.run_tool("offset", a, "--by", "1", "--facets", "3", "-o", "out.off", expect=USAGE)
         self.run_tool("offset", a, "--by", "nan", "-o", "out.off", expect=USAGE)
+        self.assertIn("at least 2^-900", self.run_tool("offset", a, "--by", "1e-320", "-o", "out.off", expect=USAGE).stderr.decode())
+
+    def test_a_sum_beyond_all_doubles_is_no_result(self):
+        far = self.file("far.off", cube(1.5e308, 0, 0, 1e300))
+        done = self.run_tool("minkowski", far, far, "-o", "out.off", expect=INVALID)
+        self.assertIn("beyond all doubles; no result was written", done.stderr.decode())
 
 
 class Offset(ToolTest):

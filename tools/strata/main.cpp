@@ -358,6 +358,8 @@ ExitCode run(const Action& action, const Settings& settings) {
     return complain(error, settings);
   } catch (const strata::Cancelled& error) {
     return complain(ExitCode::stopped, std::string(error.what()) + "; no result was written");
+  } catch (const std::overflow_error& error) {
+    return complain(ExitCode::invalid_input, std::string(error.what()) + "; no result was written");
   } catch (const std::bad_alloc&) {
     return complain(ExitCode::stopped, "out of memory");
   } catch (const std::length_error& error) {

@@ -53,8 +53,6 @@ ExitCode run_making(const char* verb, const Settings& settings, const Make& make
   } catch (const strata::Cancelled&) {
     watch.on_stop(OnStop::leave);  // says why
     throw;
-  } catch (const std::overflow_error& error) {
-    throw UsageError(error.what());
   }
   report["seconds"]["evaluate"] = stopwatch.lap();
   report["peak_bytes"] = peak_bytes();

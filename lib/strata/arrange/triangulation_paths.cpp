@@ -102,11 +102,6 @@ bool Triangulation::is_ear(std::size_t i) {
     const std::size_t j = (i + k) % n;
     if (corner_turn(j) == Sign::positive) continue;
     const std::int32_t p = polygon_[j].side.from;
-    if (is_straight(j)) {  // on an edge of the face: in the way of nothing but a base along that edge
-      const int edge = -1 - polygon_[j].side.carrier;
-      if (points_.are_on_edge(edge, a, c)) return false;
-      continue;
-    }
     if (turn(c, a, p) != Sign::negative && turn(a, b, p) != Sign::negative && turn(b, c, p) != Sign::negative)
       return false;
   }

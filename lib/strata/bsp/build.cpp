@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "strata/bsp/for_some.h"
 #include "strata/mesh/defect.h"
 
 namespace strata::bsp {
@@ -13,13 +14,6 @@ namespace {
 constexpr std::size_t most_candidates = 8;   ///< facets whose hyperplanes are tried
 constexpr std::size_t most_asked = 64;       ///< facets that are asked where they lie
 constexpr std::size_t fewest_for_axes = 12;  ///< facets for which axis-parallel hyperplanes are tried
-
-/// Numbers from 0 to count - 1, at most so many, evenly spread.
-template <class Visit>
-void for_some(std::size_t count, std::size_t most, const Visit& visit) {
-  const std::size_t taken = std::min(count, most);
-  for (std::size_t k = 0; k < taken; ++k) visit(k * count / taken);
-}
 
 /// Where facets lie, counted for some of them.
 struct Count {
@@ -108,7 +102,8 @@ class Builder {
     for_some(facets.size(), most_candidates, [&](std::size_t k) {
       const std::uint32_t candidate = facets[k].piece.hyperplane;
       Count count;
-      for_some(facets.size(), most_asked, [&](std::size_t i) { count.add(estimated_lie(facets[i].piece, candidate)); });
+      for_some(facets.size(), most_asked,
+               [&](std::size_t i) { count.add(estimated_lie(table_, facets[i].piece, candidate)); });
       if (const double cost = count.cost(each); cost < lowest) {
         lowest = cost;
         best = candidate;
@@ -123,31 +118,6 @@ class Builder {
       best = table_.add(axis_hyperplane<D>(axis, to_rational(middle)));
     }
     return best;
-  }
-
-  /// Where a piece seems to lie, by doubles that may be rounded: corners that are nearly in a hyperplane count as in
-  /// it.
-  [[nodiscard]] Lie estimated_lie(const Piece<D>& piece, std::uint32_t candidate) const {
-    if (piece.hyperplane == candidate) return Lie::on;
-    const auto& form = table_[candidate].bounded();
-    bool minus = false, plus = false;
-    for (const Corner<D>& c : piece.corners) {
-      double value = c.is_far ? 0 : form[D].value, size = std::abs(value);
-      for (std::size_t i = 0; i < D; ++i) {
-        const double product = form[i].value * c.at[i].value;
-        value += product;
-        size += std::abs(product);
-      }
-      constexpr double nearly = 0x1p-40;
-      minus |= value < -size * nearly;
-      plus |= value > size * nearly;
-    }
-    return lie(minus, plus);
-  }
-
-  static Lie lie(bool minus, bool plus) {
-    if (minus && plus) return Lie::both;
-    return minus ? Lie::minus : plus ? Lie::plus : Lie::on;
   }
 
   static double median(const Facets& facets, std::size_t axis) {
@@ -172,7 +142,7 @@ class Builder {
         minus |= c.is_far ? x < 0 : x < value;
         plus |= c.is_far ? x > 0 : x > value;
       }
-      count.add(lie(minus, plus));
+      count.add(lie_of(minus, plus));
     });
     return count;
   }

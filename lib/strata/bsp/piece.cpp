@@ -1,6 +1,7 @@
 #include "strata/bsp/piece.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "strata/mesh/defect.h"
@@ -23,8 +24,7 @@ Lie lie_of(const Signs& signs) {
     minus |= s == Sign::negative;
     plus |= s == Sign::positive;
   }
-  if (minus && plus) return Lie::both;
-  return minus ? Lie::minus : plus ? Lie::plus : Lie::on;
+  return lie_of(minus, plus);
 }
 
 /// Where the sides of a piece go through a hyperplane that has corners on both, in their order: one point on a line,
@@ -158,6 +158,25 @@ Lie lie_of(const HyperplaneTable<D>& table, const Piece<D>& piece, std::uint32_t
 }
 
 template <int D>
+Lie estimated_lie(const HyperplaneTable<D>& table, const Piece<D>& piece, std::uint32_t hyperplane) {
+  if (piece.hyperplane == hyperplane) return Lie::on;
+  const auto& form = table[hyperplane].bounded();
+  bool minus = false, plus = false;
+  for (const Corner<D>& c : piece.corners) {
+    double value = c.is_far ? 0 : form[D].value, size = std::abs(value);
+    for (std::size_t i = 0; i < D; ++i) {
+      const double product = form[i].value * c.at[i].value;
+      value += product;
+      size += std::abs(product);
+    }
+    constexpr double nearly = 0x1p-40;
+    minus |= value < -size * nearly;
+    plus |= value > size * nearly;
+  }
+  return lie_of(minus, plus);
+}
+
+template <int D>
 Split<D> split(const HyperplaneTable<D>& table, const Piece<D>& piece, std::uint32_t hyperplane) {
   if (piece.hyperplane == hyperplane) return {};
   const Signs signs = sides_of(table, piece, hyperplane);
@@ -190,10 +209,11 @@ Piece<D> part_within(const HyperplaneTable<D>& table, std::uint32_t hyperplane, 
   return piece;
 }
 
-#define STRATA_INSTANTIATE(D)                                                         \
-  template Lie lie_of(const HyperplaneTable<D>&, const Piece<D>&, std::uint32_t);     \
-  template Split<D> split(const HyperplaneTable<D>&, const Piece<D>&, std::uint32_t); \
-  template bool clip(const HyperplaneTable<D>&, Piece<D>&, HalfSpace);                \
+#define STRATA_INSTANTIATE(D)                                                            \
+  template Lie lie_of(const HyperplaneTable<D>&, const Piece<D>&, std::uint32_t);        \
+  template Lie estimated_lie(const HyperplaneTable<D>&, const Piece<D>&, std::uint32_t); \
+  template Split<D> split(const HyperplaneTable<D>&, const Piece<D>&, std::uint32_t);    \
+  template bool clip(const HyperplaneTable<D>&, Piece<D>&, HalfSpace);                   \
   template Piece<D> part_within(const HyperplaneTable<D>&, std::uint32_t, std::span<const HalfSpace>);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)

@@ -40,6 +40,12 @@ using Path = std::vector<HalfSpace>;
 /// Where a piece lies with respect to a hyperplane.
 enum class Lie { minus, plus, both, on };
 
+/// Of a piece with corners on the minus side, on the plus side, on both, or on the hyperplane alone.
+[[nodiscard]] constexpr Lie lie_of(bool has_minus, bool has_plus) {
+  if (has_minus && has_plus) return Lie::both;
+  return has_minus ? Lie::minus : has_plus ? Lie::plus : Lie::on;
+}
+
 /// A piece and its parts: `minus` and `plus` are there where the piece lies on both sides, otherwise empty.
 template <int D>
 struct Split {
@@ -58,6 +64,11 @@ template <int D>
 /// On which sides of a hyperplane a piece lies; it may touch it.
 template <int D>
 [[nodiscard]] Lie lie_of(const HyperplaneTable<D>& table, const Piece<D>& piece, std::uint32_t hyperplane);
+
+/// Where a piece seems to lie, by doubles that may be rounded: corners that are nearly in the hyperplane count as in
+/// it. For estimates of cost; decides nothing.
+template <int D>
+[[nodiscard]] Lie estimated_lie(const HyperplaneTable<D>& table, const Piece<D>& piece, std::uint32_t hyperplane);
 
 /// Divides a piece by a hyperplane. O(corners).
 template <int D>

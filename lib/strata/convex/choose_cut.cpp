@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "strata/bsp/for_some.h"
 #include "strata/convex/region.h"
 
 namespace strata::convex {
@@ -13,13 +14,6 @@ constexpr std::size_t most_edges_asked = 1024;  ///< reflex edges that are asked
 constexpr std::size_t most_asked = 64;          ///< faces that are asked where they lie
 constexpr std::size_t parts_tried = 6;          ///< connected parts whose planes are tried, and planes of each
 constexpr double cost_of_divided_face = 0.05;   ///< where a reflex edge that is resolved is worth 1; measured
-
-/// Numbers from 0 to count - 1, at most so many, evenly spread.
-template <class Visit>
-void for_some(std::size_t count, std::size_t most, const Visit& visit) {
-  const std::size_t taken = std::min(count, most);
-  for (std::size_t k = 0; k < taken; ++k) visit(k * count / taken);
-}
 
 class CutChooser {
  public:
@@ -93,24 +87,10 @@ class CutChooser {
   [[nodiscard]] double divided_faces(std::uint32_t plane) const {
     const std::size_t count = region_.faces.size();
     double divided = 0;
-    for_some(count, most_asked, [&](std::size_t k) { divided += seems_divided(region_.faces[k], plane) ? 1 : 0; });
+    bsp::for_some(count, most_asked, [&](std::size_t k) {
+      divided += bsp::estimated_lie(boundary_.table, region_.faces[k].part, plane) == bsp::Lie::both ? 1 : 0;
+    });
     return divided * static_cast<double>(count) / static_cast<double>(std::min(count, most_asked));
-  }
-  [[nodiscard]] bool seems_divided(const Face& face, std::uint32_t plane) const {
-    const auto& form = boundary_.table[plane].bounded();
-    bool minus = false, plus = false;
-    for (const Corner<3>& c : face.part.corners) {
-      double value = form[3].value, size = std::abs(value);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double product = form[i].value * c.at[i].value;
-        value += product;
-        size += std::abs(product);
-      }
-      constexpr double nearly = 0x1p-40;
-      minus |= value < -size * nearly;
-      plus |= value > size * nearly;
-    }
-    return minus && plus;
   }
 
   /// A plane of a face that divides few parts of the boundary and leaves about as many on either side.
@@ -119,8 +99,8 @@ class CutChooser {
     if (parts.size() == 1) return std::nullopt;
     std::uint32_t best = 0;
     double lowest = HUGE_VAL;
-    for_some(parts.size(), parts_tried, [&](std::size_t k) {
-      for_some(parts[k].size(), parts_tried, [&](std::size_t i) {
+    bsp::for_some(parts.size(), parts_tried, [&](std::size_t k) {
+      bsp::for_some(parts[k].size(), parts_tried, [&](std::size_t i) {
         const std::uint32_t plane = boundary_.plane_of(parts[k][i]->triangle);
         if (const double cost = cost_between(parts, plane); cost < lowest) {
           best = plane;

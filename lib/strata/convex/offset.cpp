@@ -122,7 +122,8 @@ double proven_excess(const Mesh& mesh, double radius) {
 }  // namespace
 
 Ball ball(double radius, std::uint32_t facets) {
-  if (!(radius >= 0x1p-900) || !std::isfinite(radius)) throw std::invalid_argument("a ball needs a radius");
+  if (!(radius >= 0x1p-900) || !std::isfinite(radius))
+    throw std::invalid_argument("the radius of a ball is a finite number of at least 2^-900");
   if (radius > 0x1p1000) throw std::overflow_error("the radius of a ball is too large");
   if (facets < 20 || facets > 500'000) throw std::invalid_argument("a ball has 20 to 500,000 facets");
   const int frequency = std::max(1, static_cast<int>(std::lround(std::sqrt(facets / 20.0))));
