@@ -45,7 +45,7 @@ Box box_of(const Places& places, const std::array<std::uint32_t, 2>& ends) {
   return box;
 }
 
-std::unique_ptr<const Strips> strips_of(const Segments& segments) {
+std::unique_ptr<Strips> strips_of(const Segments& segments) {
   std::vector<Box> boxes;
   std::vector<std::array<PlanePoint, 2>> ends;
   boxes.reserve(segments.ends.size());
@@ -54,7 +54,7 @@ std::unique_ptr<const Strips> strips_of(const Segments& segments) {
     boxes.push_back(box_of(segments.places, e));
     ends.push_back({segments.places.place[e[0]], segments.places.place[e[1]]});
   }
-  return std::make_unique<const Strips>(std::move(boxes), std::move(ends));
+  return std::make_unique<Strips>(std::move(boxes), std::move(ends));
 }
 
 /// The points inside every segment, as lists in order along it. Equal ones are united.
@@ -109,12 +109,12 @@ std::uint32_t Arrangement::segment_of(std::uint32_t piece) const {
 
 Arrangement arrange(Segments segments, const Monitor& monitor) {
   Arrangement a;
-  a.strips = strips_of(segments);
+  std::unique_ptr<Strips> strips = strips_of(segments);
   monitor.check();
-  MeetingFinder finder(segments);
-  a.strips->for_each_pair([&](std::uint32_t s, std::uint32_t t) { finder.test(s, t); });
+  MeetingFinder finder(segments, *strips);
+  strips->sort([&](std::uint32_t s, std::uint32_t t, std::uint32_t strip) { finder.test(s, t, strip); });
+  a.strips = std::move(strips);
   monitor.check();
-  a.crossings = finder.crossings;
 
   Names names(segments.places.size());
   for (const auto& [p, q] : finder.equal) names.unite(p, q);

@@ -31,7 +31,6 @@ struct Arrangement {
   std::vector<std::uint32_t> first_piece;            ///< of every segment, and the count of pieces
   std::vector<std::array<std::uint32_t, 2>> pieces;  ///< from vertex to vertex
   std::vector<std::uint8_t> is_fold;                 ///< of every vertex: two segments leave it the same way
-  std::uint64_t crossings = 0;                       ///< points that were no segment's end
   std::unique_ptr<const Strips> strips;              ///< where segments are, for queries
 
   /// The segment a piece is of. O(log n).

@@ -3,7 +3,7 @@
 namespace strata::plane {
 
 Labels::Labels(const Gathered& gathered, const Subdivision& s, std::span<const Operand> operands)
-    : gathered_(gathered), subdivision_(s), winding_(operands.size()) {
+    : subdivision_(s), winding_(operands.size()) {
   inside_.is_in.resize(operands.size());
   for (const Operand& o : operands) fill_.push_back(o.fill);
   const auto chains = static_cast<std::uint32_t>(s.chains.size());
@@ -17,13 +17,12 @@ Labels::Labels(const Gathered& gathered, const Subdivision& s, std::span<const O
     same_edge_[c] = same_edge_[s.edge_of[c]];
     same_edge_[s.edge_of[c]] = c;
   }
-}
-
-/// Going along the ray to the right: over a segment that goes up, to its right.
-void Labels::count_hits(const Subdivision::Component& c, int times) {
-  for (std::uint32_t i = c.first_hit; i < c.end_hit; ++i) {
-    const Subdivision::Hit& hit = subdivision_.hits[i];
-    add(gathered_.operand_of[hit.segment], hit.upward ? -times : times);
+  if (s.components.size() < 2) return;
+  first_inside_.assign(s.cycles, none);
+  next_inside_.assign(s.components.size(), none);
+  for (std::uint32_t i = 0; i < s.components.size(); ++i) {
+    const std::uint32_t container = s.components[i].container;
+    if (container != none) next_inside_[i] = std::exchange(first_inside_[s.cycle_of[container]], i);
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 #include <cstdint>
-#include <functional>
+#include <utility>
 #include <vector>
 
 #include "strata/planar/gather.h"
@@ -12,7 +12,7 @@ namespace strata::plane {
 ///
 /// Winding numbers are carried from face to face: crossing a chain from its left to its right takes 1 from its operand. A walk
 /// over all faces goes back the way it came, so that one vector of winding numbers serves, whatever the number of operands.
-/// A component starts with what the ray to the left of its least vertex met.
+/// From a face it goes to the components that lie in it, too.
 class Labels {
  public:
   Labels(const Gathered& gathered, const Subdivision& s, std::span<const Operand> operands);
@@ -21,42 +21,42 @@ class Labels {
   template <class Holds>
   [[nodiscard]] std::vector<std::uint8_t> evaluate(const Holds& holds) {
     std::vector<std::uint8_t> label(subdivision_.cycles, 2);
-    for (const Subdivision::Component& c : subdivision_.components) {
-      count_hits(c, 1);
-      walk(c.start, holds, label);
-      count_hits(c, -1);
-    }
+    for (const Subdivision::Component& c : subdivision_.components)
+      if (c.container == none) walk(c.start, holds, label);
     return label;
   }
 
  private:
   struct Step {
-    std::uint32_t entry = none;  ///< half-edge of the cycle
-    std::uint32_t at = none;     ///< the one to cross next
+    std::uint32_t entry = none;   ///< half-edge of the cycle
+    std::uint32_t at = none;      ///< the one to cross next
+    std::uint32_t inside = none;  ///< the component to go to next, in the face that the cycle bounds
+    bool is_crossing = true;      ///< the cycle was entered over `entry`; else it was in the same face
   };
 
   template <class Holds>
   void walk(std::uint32_t start, const Holds& holds, std::vector<std::uint8_t>& label) {
     const auto& cycle_of = subdivision_.cycle_of;
-    const auto enter = [&](std::uint32_t h) {
+    const auto enter = [&](std::uint32_t h, bool is_crossing) {
       label[cycle_of[h]] = holds(inside_) ? 1 : 0;
-      path_.push_back({h, h});
+      path_.push_back({h, h, first_inside_.empty() ? none : first_inside_[cycle_of[h]], is_crossing});
     };
-    enter(start);
+    enter(start, false);
     while (!path_.empty()) {
       Step& step = path_.back();
-      if (step.at == none) {  // all around: back
-        const std::uint32_t entry = step.entry;
+      if (step.inside != none) {
+        const std::uint32_t component = std::exchange(step.inside, next_inside_[step.inside]);
+        enter(subdivision_.components[component].start, false);
+      } else if (step.at != none) {
+        const std::uint32_t h = step.at, other = h ^ 1, next = subdivision_.next[h];
+        step.at = next == step.entry ? none : next;
+        if (label[cycle_of[other]] != 2) continue;
+        cross(h);
+        enter(other, true);
+      } else {  // all around: back
+        if (step.is_crossing) cross(step.entry);
         path_.pop_back();
-        if (!path_.empty()) cross(entry);
-        continue;
       }
-      const std::uint32_t h = step.at, other = h ^ 1;
-      const std::uint32_t next = subdivision_.next[h];
-      step.at = next == step.entry ? none : next;
-      if (label[cycle_of[other]] != 2) continue;
-      cross(h);
-      enter(other);
     }
   }
 
@@ -67,7 +67,6 @@ class Labels {
       add(operand_of_chain_[c], against ? 1 : -1);
     }
   }
-  void count_hits(const Subdivision::Component& c, int times);
 
   void add(std::uint32_t operand, std::int32_t change) {
     std::int32_t& winding = winding_[operand];
@@ -77,11 +76,11 @@ class Labels {
     inside_.is_in[operand] = is_in;
   }
 
-  const Gathered& gathered_;
   const Subdivision& subdivision_;
   std::vector<FillRule> fill_;
   std::vector<std::uint32_t> same_edge_;        ///< the next chain that coincides with a chain
   std::vector<std::uint32_t> operand_of_chain_;
+  std::vector<std::uint32_t> first_inside_, next_inside_;  ///< components in the face of a cycle; of none, if there is one component
   std::vector<std::int32_t> winding_;
   Inside inside_;
   std::vector<Step> path_;

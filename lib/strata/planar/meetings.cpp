@@ -1,8 +1,10 @@
 #include "strata/planar/meetings.h"
 
+#include <algorithm>
+
 namespace strata::plane {
 
-void MeetingFinder::test(std::uint32_t s, std::uint32_t t) {
+void MeetingFinder::test(std::uint32_t s, std::uint32_t t, std::uint32_t strip) {
   const auto [p, q] = ends_[s];
   const auto [r, u] = ends_[t];
   if (p == q) return r == u ? (compare_xy(places_, p, r) == Sign::zero ? equal.push_back({p, r}) : void()) : test_point(p, t);
@@ -20,7 +22,7 @@ void MeetingFinder::test(std::uint32_t s, std::uint32_t t) {
   const bool inside_t = sr != Sign::zero && su != Sign::zero, inside_s = tp != Sign::zero && tq != Sign::zero;
   const std::uint32_t end_of_t = sr == Sign::zero ? r : u, end_of_s = tp == Sign::zero ? p : q;
   if (inside_s && inside_t) {
-    add_crossing(s, t);
+    add_crossing(s, t, strip);
   } else if (inside_s) {
     meetings.push_back({s, end_of_t});
   } else if (inside_t) {
@@ -30,11 +32,14 @@ void MeetingFinder::test(std::uint32_t s, std::uint32_t t) {
   }
 }
 
-void MeetingFinder::add_crossing(std::uint32_t s, std::uint32_t t) {
-  const std::uint32_t point = places_.add(Meet{s, t});
+/// A pair is tested in every strip that holds its crossing, so one strip can do it if it certainly is the only one.
+void MeetingFinder::add_crossing(std::uint32_t s, std::uint32_t t, std::uint32_t strip) {
+  const std::uint32_t point = places_.add(Meet{std::min(s, t), std::max(s, t)});
+  const Bounded y = places_.bounded(point, 1);
+  const std::uint32_t first = strips_.strip_of(y.lower());
+  if (first != strip && first == strips_.strip_of(y.upper())) return places_.drop_last_meet();
   meetings.push_back({s, point});
   meetings.push_back({t, point});
-  ++crossings;
 }
 
 void MeetingFinder::test_point(std::uint32_t point, std::uint32_t s) {

@@ -16,14 +16,15 @@ struct Meeting {
 /// crossing inside both, end on inside, end on end, overlapping along a common line; nothing else is a meeting.
 class MeetingFinder {
  public:
-  explicit MeetingFinder(Segments& segments) : places_(segments.places), ends_(segments.ends) {}
+  MeetingFinder(Segments& segments, const Strips& strips)
+      : places_(segments.places), ends_(segments.ends), strips_(strips) {}
 
-  void test(std::uint32_t s, std::uint32_t t);
+  /// A pair of segments that may meet in a strip. Crossings elsewhere are left to the strips they are in.
+  void test(std::uint32_t s, std::uint32_t t, std::uint32_t strip);
 
   std::vector<Meeting> meetings;
   std::vector<std::array<std::uint32_t, 2>> equal;  ///< points that have one place
   std::vector<std::uint32_t> folds;                 ///< points that two segments leave the same way
-  std::uint64_t crossings = 0;
 
  private:
   using Ends = std::array<std::uint32_t, 2>;
@@ -31,11 +32,12 @@ class MeetingFinder {
   void test_sharing(std::uint32_t s, std::uint32_t t, std::uint32_t shared, std::uint32_t a, std::uint32_t b);
   void test_overlap(std::uint32_t s, std::uint32_t t);
   void test_end_inside(std::uint32_t s, std::uint32_t end);
-  void add_crossing(std::uint32_t s, std::uint32_t t);
+  void add_crossing(std::uint32_t s, std::uint32_t t, std::uint32_t strip);
   [[nodiscard]] Sign side_of(std::uint32_t point, std::uint32_t s) const { return side(places_, point, s); }
 
   Places& places_;
   const std::vector<Ends>& ends_;
+  const Strips& strips_;
 };
 
 }  // namespace strata::plane

@@ -105,6 +105,12 @@ std::uint32_t Places::add(const Meet& m) {
   return size() - 1;
 }
 
+void Places::drop_last_meet() {
+  place.pop_back();
+  error.pop_back();
+  meets.pop_back();
+}
+
 RationalPlacement exact_place(const Places& places, std::uint32_t point) {
   if (places.is_meet(point)) return exact_meet(places, places.meet(point));
   if (!places.is_double(point)) return places.rational(point);

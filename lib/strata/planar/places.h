@@ -59,6 +59,7 @@ struct Places {
   std::uint32_t add(const PlanePoint& p);
   std::uint32_t add(RationalPlacement p);
   std::uint32_t add(const Meet& m);
+  void drop_last_meet();
 };
 
 /// The exact coordinates of a point. O(1) operations on rationals.

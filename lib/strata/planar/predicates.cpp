@@ -61,6 +61,19 @@ Bounded turn(const BoundedPair& p, const BoundedPair& q, const BoundedPair& r) {
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
+/// Where differences of coordinates are doubles.
+std::optional<Sign> cross_by_differences(const Places& places, const Line& l, const Line& m) {
+  if (std::max({l.from, l.to, m.from, m.to}) >= places.doubles()) return std::nullopt;
+  PlanePoint u, v;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double a = places.place[l.to][i], b = places.place[l.from][i], c = places.place[m.to][i], d = places.place[m.from][i];
+    u[i] = a - b;
+    v[i] = c - d;
+    if (!is_exact_difference(a, b, u[i]) || !is_exact_difference(c, d, v[i])) return std::nullopt;
+  }
+  return compare_products(u[0], v[1], u[1], v[0]);
+}
+
 }  // namespace
 
 namespace exact {
@@ -104,12 +117,11 @@ Sign compare(const Places& places, std::uint32_t p, std::uint32_t q, std::size_t
 
 }  // namespace exact
 
-Sign side(const Places& places, std::uint32_t point, std::uint32_t line) {
+Sign closer::side(const Places& places, std::uint32_t point, std::uint32_t line) {
   const auto [a, b] = places.lines[line];
   if (point == a || point == b) return Sign::zero;
   if (places.is_double(point) && places.is_double(a) && places.is_double(b)) {
     const PlanePoint &p = places.place[a], &q = places.place[b], &r = places.place[point];
-    if (const int turn = filtered_turn(p, q, r); turn != 0) return static_cast<Sign>(turn);
     if (const std::optional<Sign> sign = turn_by_differences(p, q, r)) return *sign;
     return exact::side(places, point, line);
   }
@@ -126,8 +138,9 @@ Sign cross(const Places& places, std::uint32_t line, std::uint32_t other) {
     u[i] = places.bounded(l.to, i) - places.bounded(l.from, i);
     v[i] = places.bounded(m.to, i) - places.bounded(m.from, i);
   }
-  const std::optional<Sign> sign = (u[0] * v[1] - u[1] * v[0]).sign();
-  return sign ? *sign : exact::cross(places, line, other);
+  if (const std::optional<Sign> sign = (u[0] * v[1] - u[1] * v[0]).sign()) return *sign;
+  if (const std::optional<Sign> sign = cross_by_differences(places, l, m)) return *sign;
+  return exact::cross(places, line, other);
 }
 
 }  // namespace strata::plane

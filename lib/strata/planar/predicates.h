@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "strata/exact/sign.h"
 #include "strata/planar/places.h"
 
@@ -7,6 +9,9 @@ namespace strata::plane {
 /// The decisions on points and lines of the plane. Each is the sign of an exact expression for all finite input: doubles with
 /// bounds first, then integers of fixed width, then unbounded ones; theory.md, section 2.
 
+namespace closer {  // what the first filter leaves over
+[[nodiscard]] Sign side(const Places& places, std::uint32_t point, std::uint32_t line);
+}
 namespace exact {
 [[nodiscard]] Sign side(const Places& places, std::uint32_t point, std::uint32_t line);
 [[nodiscard]] Sign cross(const Places& places, std::uint32_t line, std::uint32_t other);
@@ -14,7 +19,14 @@ namespace exact {
 }  // namespace exact
 
 /// Side of a point relative to a directed line: positive to the left, zero on it.
-[[nodiscard]] Sign side(const Places& places, std::uint32_t point, std::uint32_t line);
+[[nodiscard]] inline Sign side(const Places& places, std::uint32_t point, std::uint32_t line) {
+  const auto [a, b] = places.lines[line];
+  if (std::max({point, a, b}) < places.doubles()) {
+    const int turn = filtered_turn(places.place[a], places.place[b], places.place[point]);
+    if (turn != 0) return static_cast<Sign>(turn);
+  }
+  return closer::side(places, point, line);
+}
 
 /// Turn from the direction of one line to that of another: positive when `other` points to the left, zero when parallel.
 [[nodiscard]] Sign cross(const Places& places, std::uint32_t line, std::uint32_t other);

@@ -88,25 +88,27 @@ Box Strips::part_in(std::uint32_t segment, double low, double high) const {
   Box box = boxes_[segment];
   if (box.low >= low && box.high <= high) return box;
   const PlanePoint &p = ends_[segment][0], &q = ends_[segment][1];
-  const double slope = (q[0] - p[0]) / (q[1] - p[1]);
-  // What is not known of the ends, as the box tells; then what the line between them may be away in x.
   const double width = std::abs(q[0] - p[0]), height = std::abs(q[1] - p[1]);
+  // What is not known of the ends, as the box tells.
   const double unknown_x = (box.right - box.left) - width, unknown_y = (box.high - box.low) - height;
-  if (!(unknown_y <= height * 0x1p-20)) return box;
+  box.low = std::max(low, box.low);
+  box.high = std::min(high, box.high);
+  if (height <= 2 * (high - low) || !(unknown_y <= height * 0x1p-20)) return box;  // or too short to be worth a division
+  const double slope = (q[0] - p[0]) / (q[1] - p[1]);
   const double margin = 2 * (unknown_x + std::abs(slope) * unknown_y) +
                         (std::abs(p[0]) + std::abs(q[0]) + std::abs(slope) * (std::abs(p[1]) + std::abs(q[1]))) * 0x1p-48 +
                         (1 + height) * 0x1p-1060;  // slopes that underflow
   double left = HUGE_VAL, right = -HUGE_VAL;
-  for (const double y : {std::max(low, box.low), std::min(high, box.high)}) {
+  for (const double y : {box.low, box.high}) {
     const double x = p[0] + (y - p[1]) * slope;
     if (!(std::abs(x) + margin < HUGE_VAL)) return box;
     left = std::min(left, x - margin);
     right = std::max(right, x + margin);
   }
-  return {std::max(left, box.left), std::min(right, box.right), std::max(low, box.low), std::min(high, box.high)};
+  return {std::max(left, box.left), std::min(right, box.right), box.low, box.high};
 }
 
-void Strips::load(std::uint32_t strip, std::vector<Entry>& entries) const {
+void Strips::load(std::uint32_t strip, std::vector<Entry>& entries) {
   double low = -HUGE_VAL, high = HUGE_VAL;
   if (!bounds_.empty()) {
     if (strip > 0) low = bounds_[strip - 1];
@@ -119,6 +121,11 @@ void Strips::load(std::uint32_t strip, std::vector<Entry>& entries) const {
   entries.clear();
   for (const std::uint32_t s : segments(strip)) entries.push_back({part_in(s, low, high), s});
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.box.left < b.box.left; });
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    segment_[first_[strip] + i] = entries[i].segment;
+    left_[first_[strip] + i] = entries[i].box.left;
+    widest_[strip] = std::max(widest_[strip], entries[i].box.right - entries[i].box.left);
+  }
 }
 
 }  // namespace strata::plane

@@ -24,24 +24,37 @@ class Strips {
 
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(first_.size() - 1); }
   [[nodiscard]] std::uint32_t strip_of(double y) const;
-  /// The segments that come into a strip, in no order that means anything.
+  /// The segments that come into a strip.
   [[nodiscard]] std::span<const std::uint32_t> segments(std::uint32_t strip) const {
     return {segment_.data() + first_[strip], segment_.data() + first_[strip + 1]};
   }
+
+  /// The same, by the left ends of their parts in the strip, once the strips are sorted; and these left ends.
+  [[nodiscard]] std::span<const double> lefts(std::uint32_t strip) const {
+    return {left_.data() + first_[strip], left_.data() + first_[strip + 1]};
+  }
+  /// No part in the strip is wider.
+  [[nodiscard]] double widest(std::uint32_t strip) const { return widest_[strip]; }
   [[nodiscard]] const Box& box(std::uint32_t segment) const { return boxes_[segment]; }
 
-  /// Calls visit(segment, segment) for every pair whose boxes meet in a strip; a pair may come more than once.
+  /// Sorts the segments of every strip, and calls visit(segment, segment, strip) for every pair of them whose boxes meet
+  /// in the strip. A pair may come in several strips.
   template <class Visit>
-  void for_each_pair(const Visit& visit) const {
+  void sort(const Visit& visit) {
     std::vector<Entry> entries;
+    left_.resize(segment_.size());
+    widest_.assign(count(), 0);
     for (std::uint32_t k = 0; k < count(); ++k) {
       load(k, entries);
       for (std::size_t i = 0; i < entries.size(); ++i) {
         const Box& a = entries[i].box;
         for (std::size_t j = i + 1; j < entries.size() && entries[j].box.left <= a.right; ++j)
-          if (entries[j].box.low <= a.high && entries[j].box.high >= a.low) visit(entries[i].segment, entries[j].segment);
+          if (entries[j].box.low <= a.high && entries[j].box.high >= a.low) visit(entries[i].segment, entries[j].segment, k);
       }
     }
+  }
+  void sort() {
+    sort([](auto...) {});
   }
 
  private:
@@ -53,7 +66,7 @@ class Strips {
   void choose_crowds();
   void fill();
   [[nodiscard]] bool is_crowded() const;
-  void load(std::uint32_t strip, std::vector<Entry>& entries) const;
+  void load(std::uint32_t strip, std::vector<Entry>& entries);
   [[nodiscard]] Box part_in(std::uint32_t segment, double low, double high) const;
 
   std::vector<Box> boxes_;
@@ -62,6 +75,7 @@ class Strips {
   std::uint32_t count_ = 1;
   std::vector<double> bounds_;  ///< lower bounds of the strips 1, 2, ... where they have unequal heights
   std::vector<std::uint32_t> first_{0, 0}, segment_;
+  std::vector<double> left_, widest_;
 };
 
 }  // namespace strata::plane

@@ -13,43 +13,7 @@ std::vector<std::uint32_t> segments_of_pieces(const Arrangement& a) {
   return segment;
 }
 
-/// Looks from a vertex to the left, along a ray that starts a little left of it and a little above: from (x - e^2, y + e).
-class LeftwardRay {
- public:
-  LeftwardRay(const Arrangement& a, std::uint32_t vertex) : a_(a), vertex_(vertex) {}
-
-  /// Calls visit(segment, upward) for every segment that the ray meets. A segment of the vertex's own component has no point
-  /// to the left of it and is not met; any other one does not hold the vertex.
-  template <class Visit>
-  void for_each_hit(const Visit& visit) const {
-    const Bounded x = a_.places.bounded(vertex_, 0), y = a_.places.bounded(vertex_, 1);
-    const std::uint32_t first = a_.strips->strip_of(y.lower()), last = a_.strips->strip_of(y.upper());
-    for (std::uint32_t k = first; k <= last; ++k)
-      for (const std::uint32_t s : a_.strips->segments(k)) {
-        const Box& box = a_.strips->box(s);
-        if (box.left > x.upper() || box.low > y.upper() || box.high < y.lower()) continue;
-        if (k > first && a_.strips->strip_of(box.low) < k) continue;  // met before
-        const bool starts_below = is_below(a_.ends[s][0]), upward = starts_below && !is_below(a_.ends[s][1]);
-        if (starts_below == is_below(a_.ends[s][1])) continue;
-        if (side(a_.places, vertex_, s) == (upward ? Sign::negative : Sign::positive)) visit(s, upward);
-      }
-  }
-  /// The piece of a segment that the ray meets.
-  [[nodiscard]] std::uint32_t piece_of(std::uint32_t segment, bool upward) const {
-    const std::uint32_t first = a_.first_piece[segment], end = a_.first_piece[segment + 1];
-    const auto at = std::partition_point(a_.pieces.begin() + first, a_.pieces.begin() + end,
-                                         [&](const auto& piece) { return is_below(piece[1]) == upward; });
-    return static_cast<std::uint32_t>(at - a_.pieces.begin());
-  }
-
- private:
-  [[nodiscard]] bool is_below(std::uint32_t p) const { return compare(a_.places, p, vertex_, 1) != Sign::positive; }
-
-  const Arrangement& a_;
-  std::uint32_t vertex_;
-};
-
-/// A piece that the ray meets, seen as going up.
+/// A piece that a ray to the left meets, seen as going up.
 struct Crossed {
   std::uint32_t piece = none, segment = 0, low = 0, high = 0;
   bool upward = false;
@@ -71,6 +35,58 @@ bool is_right_of(const Arrangement& a, const Crossed& p, const Crossed& q) {
   const Sign turn = cross(a.places, p.segment, q.segment);
   return (p.upward == q.upward ? turn : -turn) == Sign::negative;
 }
+
+/// Looks from a component's least vertex to the left, along a ray from (x - e^2, y + e). Segments of the vertex's own component have no
+/// point to the left of it and are not met; others do not hold the vertex.
+class LeftwardRay {
+ public:
+  LeftwardRay(const Arrangement& a, std::uint32_t vertex) : a_(a), vertex_(vertex) {}
+
+  /// The first piece that the ray meets.
+  [[nodiscard]] Crossed nearest() {
+    const Bounded y = a_.places.bounded(vertex_, 1);
+    const std::uint32_t first = a_.strips->strip_of(y.lower()), last = a_.strips->strip_of(y.upper());
+    for (std::uint32_t k = first; k <= last; ++k) look_through(k);
+    return nearest_;
+  }
+
+ private:
+  /// From the right to the left, as long as something may be nearer.
+  void look_through(std::uint32_t strip) {
+    const auto segments = a_.strips->segments(strip);
+    const auto lefts = a_.strips->lefts(strip);
+    const double widest = a_.strips->widest(strip) * (1 + 0x1p-50);
+    const double x = a_.places.bounded(vertex_, 0).upper();
+    double bound = -HUGE_VAL;  // what ends to the left of it is not nearest
+    for (std::size_t i = static_cast<std::size_t>(std::upper_bound(lefts.begin(), lefts.end(), x) - lefts.begin()); i-- > 0;) {
+      if (lefts[i] + widest < bound) return;
+      if (a_.strips->box(segments[i]).right >= bound && meet(segments[i])) bound = lefts[i];
+    }
+  }
+  /// Whether a segment is the nearest one now.
+  bool meet(std::uint32_t segment) {
+    const bool starts_below = is_below(a_.ends[segment][0]);
+    if (starts_below == is_below(a_.ends[segment][1])) return false;
+    if (side(a_.places, vertex_, segment) != (starts_below ? Sign::negative : Sign::positive)) return false;
+    const std::uint32_t piece = piece_of(segment, starts_below);
+    const auto [from, to] = a_.pieces[piece];
+    const Crossed met{piece, segment, starts_below ? from : to, starts_below ? to : from, starts_below};
+    if (nearest_.piece != none && !is_right_of(a_, nearest_, met)) return false;
+    nearest_ = met;
+    return true;
+  }
+  [[nodiscard]] std::uint32_t piece_of(std::uint32_t segment, bool upward) const {
+    const std::uint32_t first = a_.first_piece[segment], end = a_.first_piece[segment + 1];
+    const auto at = std::partition_point(a_.pieces.begin() + first, a_.pieces.begin() + end,
+                                         [&](const auto& piece) { return is_below(piece[1]) == upward; });
+    return static_cast<std::uint32_t>(at - a_.pieces.begin());
+  }
+  [[nodiscard]] bool is_below(std::uint32_t p) const { return compare(a_.places, p, vertex_, 1) != Sign::positive; }
+
+  const Arrangement& a_;
+  std::uint32_t vertex_;
+  Crossed nearest_;
+};
 
 /// Chains by their pieces.
 class ChainOfPiece {
@@ -96,23 +112,13 @@ void number_cycles(Subdivision& s) {
   }
 }
 
-/// What the ray from a component's least vertex meets, and the half-edge whose face it is in.
-void look_left(const Arrangement& a, std::uint32_t vertex, ChainOfPiece& chain_of, Subdivision& s, Subdivision::Component& c) {
-  const LeftwardRay ray(a, vertex);
-  c.first_hit = static_cast<std::uint32_t>(s.hits.size());
-  Crossed nearest;
-  ray.for_each_hit([&](std::uint32_t segment, bool upward) {
-    s.hits.push_back({segment, upward});
-    const std::uint32_t piece = ray.piece_of(segment, upward);
-    const auto [from, to] = a.pieces[piece];
-    const Crossed met{piece, segment, upward ? from : to, upward ? to : from, upward};
-    if (nearest.piece == none || is_right_of(a, nearest, met)) nearest = met;
-  });
-  c.end_hit = static_cast<std::uint32_t>(s.hits.size());
-  if (nearest.piece == none) return;
+/// The half-edge whose face a component's least vertex looks at to its left.
+std::uint32_t container_of(const Arrangement& a, std::uint32_t vertex, ChainOfPiece& chain_of, const Subdivision& s) {
+  const Crossed nearest = LeftwardRay(a, vertex).nearest();
+  if (nearest.piece == none) return none;
   const std::uint32_t chain = chain_of(a, s, nearest.piece);
-  const bool chain_upward = nearest.upward != (s.is_opposite[chain] != 0);  // of the edge
-  c.container = 2 * s.edge_of[chain] + (chain_upward ? 1 : 0);              // the face to the right of what goes up
+  const bool is_edge_upward = nearest.upward != (s.is_opposite[chain] != 0);
+  return 2 * s.edge_of[chain] + (is_edge_upward ? 1 : 0);  // to the right of what goes up
 }
 
 }  // namespace
@@ -132,16 +138,13 @@ void find_components(const Arrangement& a, std::vector<std::uint32_t> least, Sub
     while (!open.empty()) {
       const std::uint32_t h = open.back();
       open.pop_back();
-      for (const std::uint32_t g : {h, h ^ 1})
-        for (const std::uint32_t other : {s.next[g]})
-          if (!is_reached[other >> 1]) {
-            is_reached[other >> 1] = 1;
-            open.push_back(other);
-          }
+      for (const std::uint32_t other : {s.next[h], s.next[h ^ 1]})
+        if (!is_reached[other >> 1]) {
+          is_reached[other >> 1] = 1;
+          open.push_back(other);
+        }
     }
-    Subdivision::Component& c = s.components.emplace_back();
-    c.start = start;
-    look_left(a, vertex, chain_of, s, c);
+    s.components.push_back({start, container_of(a, vertex, chain_of, s)});
   }
 }
 

@@ -26,15 +26,9 @@ struct Subdivision {
     std::uint32_t first = 0, last = 0;  ///< its pieces, `last` included; it wraps around its ring if last < first
     std::uint32_t ring = 0;
   };
-  /// A segment to the left of a component's least vertex, at a height just above it.
-  struct Hit {
-    std::uint32_t segment = 0;
-    bool upward = false;
-  };
   struct Component {
-    std::uint32_t start = 0;          ///< a half-edge of the outer cycle
-    std::uint32_t container = none;   ///< a half-edge with the face that the component lies in; none: the unbounded face
-    std::uint32_t first_hit = 0, end_hit = 0;  ///< in `hits`
+    std::uint32_t start = 0;         ///< a half-edge of the outer cycle
+    std::uint32_t container = none;  ///< a half-edge with the face that the component lies in; none: the unbounded face
   };
 
   std::vector<std::uint32_t> first_piece_of_ring;  ///< and the count of pieces
@@ -48,7 +42,6 @@ struct Subdivision {
   std::vector<std::uint32_t> cycle_of;       ///< of every half-edge of an edge
   std::uint32_t cycles = 0;
   std::vector<Component> components;
-  std::vector<Hit> hits;
 
   [[nodiscard]] bool is_edge(std::uint32_t chain) const { return edge_of[chain] == chain; }
   [[nodiscard]] std::span<const std::uint32_t> around_vertex(std::uint32_t v) const {
