@@ -89,6 +89,22 @@ bool is_clean(const Loops& loops) {
   return self_meetings(loops).empty();
 }
 
+std::vector<SelfMeeting> rounding_conflicts(const Region& region) {
+  const Places& places = region.loops.places;
+  if (places.error.empty()) return {};
+  Loops rounded;
+  rounded.places.place = places.place;
+  rounded.vertices = region.loops.vertices;
+  rounded.edge_line.assign(rounded.vertices.size(), none);
+  rounded.first_vertex = region.loops.first_vertex;
+  std::vector<SelfMeeting> conflicts = self_meetings(rounded);
+  std::erase_if(conflicts, [&](const SelfMeeting& m) {
+    const auto is_same = [&](std::uint32_t i) { return rounded.vertices[i] == rounded.vertices[m.vertices.front()]; };
+    return m.kind == SelfMeetingKind::vertex_on_vertex && std::all_of(m.vertices.begin(), m.vertices.end(), is_same);
+  });
+  return conflicts;
+}
+
 std::vector<std::string> validate(const Region& region) {
   std::vector<std::string> broken;
   std::vector<std::uint32_t> loop_of;
