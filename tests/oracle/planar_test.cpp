@@ -2,6 +2,7 @@
 #include <CGAL/Polygon_set_2.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <iostream>
@@ -39,8 +40,9 @@ Set parity_of(const Loops& loops) {
         const RationalPlacement p = exact_place(loops.places, v);
         triangle.push_back({to_gmpq(p[0]), to_gmpq(p[1])});
       }
-      if (triangle.orientation() == CGAL::COLLINEAR) continue;
-      if (triangle.orientation() == CGAL::CLOCKWISE) triangle.reverse_orientation();
+      const auto turn = CGAL::orientation(triangle[0], triangle[1], triangle[2]);
+      if (turn == CGAL::COLLINEAR) continue;
+      if (turn == CGAL::CLOCKWISE) std::reverse(triangle.container().begin(), triangle.container().end());
       set.symmetric_difference(triangle);
     }
   }
