@@ -5,7 +5,7 @@
 namespace strata::plane {
 namespace {
 
-constexpr double entries_per_segment = 3;  ///< aimed at
+constexpr double entries_per_segment = 2;  ///< aimed at
 constexpr std::uint32_t most_strips = 1u << 22;
 
 }  // namespace
