@@ -13,6 +13,7 @@
 #include "draw.h"
 #include "exit_code.h"
 #include "fuzz/fuzz.h"
+#include "planar.h"
 #include "settings.h"
 #include "strata/io/mesh_file.h"
 #include "strata/mesh/defect.h"
@@ -189,6 +190,48 @@ Examples:
 {})",
       exit_codes));
   verb->callback([&] { action = [&] { return run_decompose(settings); }; });
+}
+
+void add_planar_options(CLI::App& verb, PlanarSettings& planar, Settings& settings, int least, int most) {
+  verb.add_option("POLYGONS", settings.operands, "Files of polygons: .wkt, .geojson, .svg; - is standard input")
+      ->required()
+      ->expected(least, most == 0 ? CLI::detail::expected_max_vector_size : most);
+  verb.add_option("--fill", planar.fill, "What loops fill: nonzero (unless told), even-odd, positive or negative winding")
+      ->type_name("RULE")
+      ->check(CLI::IsMember({"nonzero", "even-odd", "positive", "negative"}));
+  add_run_options(verb, settings);
+}
+
+void add_planar(CLI::App& app, PlanarSettings& planar, Settings& settings, Action& action) {
+  using strata::plane::Operation;
+  CLI::App* verb = app.add_subcommand("planar", "Polygons in the plane: Booleans, a clean test, measures");
+  verb->require_subcommand(1);
+  const auto add = [&](Operation operation, const char* name, const char* what) {
+    CLI::App* sub = verb->add_subcommand(name, what);
+    add_planar_options(*sub, planar, settings, 1, 0);
+    sub->add_option("-o,--output", settings.output, "Where the polygons go; - is standard output")
+        ->required()
+        ->type_name("OUT");
+    sub->add_option("--format", settings.output_format, "wkt, geojson or svg, instead of the extension of OUT")
+        ->type_name("FORMAT");
+    sub->add_flag("--exact", settings.exact, "Write vertices that are no doubles as quotients (WKT); else the nearest doubles");
+    sub->footer(fmt::format("Example:\n  strata planar {} A.geojson B.wkt -o OUT.svg\n\n{}", name, exit_codes));
+    sub->callback([&, operation, name] {
+      action = [&, operation, name] { return run_planar(operation, name, planar, settings); };
+    });
+  };
+  add(Operation::unite, "union", "What is in any of the files");
+  add(Operation::intersect, "intersection", "What is in all of the files");
+  add(Operation::subtract, "difference", "What is in the first file and in no other");
+  add(Operation::symmetric_difference, "xor", "What is in an odd number of the files");
+  CLI::App* check = verb->add_subcommand("check", "Are the loops clean? Lists where they meet themselves");
+  add_planar_options(*check, planar, settings, 1, 1);
+  check->footer(exit_codes);
+  check->callback([&] { action = [&] { return run_planar_check(settings); }; });
+  CLI::App* info = verb->add_subcommand("info", "Polygons, holes and exact area of what loops fill");
+  add_planar_options(*info, planar, settings, 1, 1);
+  info->footer(exit_codes);
+  info->callback([&] { action = [&] { return run_planar_info(planar, settings); }; });
 }
 
 void add_hull(CLI::App& app, Settings& settings, Action& action) {
@@ -375,6 +418,7 @@ int main(int argc, char** argv) {
   Settings settings;
   DrawSettings draw_settings;
   ChainSettings chain_settings;
+  PlanarSettings planar_settings;
   VerifySettings verify_settings;
   FuzzSettings fuzz_settings;
   Action action;
@@ -391,6 +435,7 @@ int main(int argc, char** argv) {
   add_decompose(app, settings, action);
   add_hull(app, settings, action);
   add_minkowski(app, settings, action);
+  add_planar(app, planar_settings, settings, action);
   add_locate(app, settings, action);
   add_ray(app, settings, action);
   add_verify(app, settings, verify_settings, action);

@@ -1,0 +1,199 @@
+#include "strata/planar/extract.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "strata/planar/boundary.h"
+#include "strata/planar/predicates.h"
+
+namespace strata::plane {
+namespace {
+
+/// A corner of a loop in the arrangement's numbers: a vertex, and the line of the edge that leaves it, which goes along or against.
+struct Corner {
+  std::uint32_t vertex = 0, line = 0;
+  bool against = false;
+};
+
+Sign turn(const Places& places, const Corner& in, const Corner& out) {
+  const Sign s = cross(places, in.line, out.line);
+  return in.against == out.against ? s : -s;
+}
+
+/// Loops of corners, each from its least vertex.
+struct CornerLoops {
+  std::vector<Corner> corners;
+  std::vector<std::uint32_t> first{0};
+  std::vector<std::uint8_t> is_outer;  ///< of every loop: counter-clockwise
+};
+
+class CornerFinder {
+ public:
+  CornerFinder(const Arrangement& a, const Subdivision& s) : a_(a), s_(s), is_visited_(a.places.size()), is_shared_(a.places.size()) {}
+
+  CornerLoops find(const BoundaryLoops& loops) {
+    for (const std::uint32_t h : loops.half_edges) {
+      const std::uint32_t node = origin(a_, s_, h);
+      is_shared_[node] |= is_visited_[node];
+      is_visited_[node] = 1;
+    }
+    for (std::size_t l = 0; l + 1 < loops.first.size(); ++l) {
+      loop_.clear();
+      for (std::uint32_t i = loops.first[l]; i < loops.first[l + 1]; ++i) add_chain(loops.half_edges[i]);
+      add_loop();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void add_chain(std::uint32_t half_edge) {
+    const std::size_t begin = loop_.size();
+    const bool against = (half_edge & 1) != 0;
+    std::uint32_t segment = a_.segment_of(s_.chains[half_edge >> 1].first);
+    s_.for_each_piece(half_edge >> 1, [&](std::uint32_t k) {
+      if (k < a_.first_piece[segment]) segment = a_.segment_of(k);  // around the ring
+      while (k >= a_.first_piece[segment + 1]) ++segment;
+      loop_.push_back({a_.pieces[k][against ? 1 : 0], segment, against});
+    });
+    if (against) std::reverse(loop_.begin() + static_cast<std::ptrdiff_t>(begin), loop_.end());
+  }
+  /// Leaves out vertices where the loop goes straight on and nothing else is; begins at the least vertex.
+  void add_loop() {
+    std::vector<Corner>& all = result_.corners;
+    const std::size_t begin = all.size();
+    const Corner* before = &loop_.back();
+    for (const Corner& corner : loop_) {
+      if (is_shared_[corner.vertex] || turn(a_.places, *before, corner) != Sign::zero) all.push_back(corner);
+      before = &corner;
+    }
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto least = std::min_element(first, all.end(), [&](const Corner& p, const Corner& q) {
+      return compare_xy(a_.places, p.vertex, q.vertex) == Sign::negative;
+    });
+    std::rotate(first, least, all.end());
+    result_.is_outer.push_back(turn(a_.places, all.back(), *first) == Sign::positive);
+    result_.first.push_back(static_cast<std::uint32_t>(all.size()));
+  }
+
+  const Arrangement& a_;
+  const Subdivision& s_;
+  std::vector<std::uint8_t> is_visited_, is_shared_;  ///< of every vertex: by the boundary once, more than once
+  std::vector<Corner> loop_;
+  CornerLoops result_;
+};
+
+/// Loops by polygon, outer loop first; polygons and holes by their least vertices.
+std::vector<std::uint32_t> order_loops(const Places& places, const BoundaryLoops& loops, const CornerLoops& corners,
+                                       std::vector<std::uint32_t>& first_loop) {
+  const auto count = static_cast<std::uint32_t>(loops.component.size());
+  const auto least = [&](std::uint32_t l) { return corners.corners[corners.first[l]].vertex; };
+  std::vector<std::uint32_t> outer_of(loops.component.empty() ? 0 : *std::max_element(loops.component.begin(), loops.component.end()) + 1, none);
+  for (std::uint32_t l = 0; l < count; ++l)
+    if (corners.is_outer[l]) outer_of[loops.component[l]] = l;
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t m) {
+    const std::uint32_t p = outer_of[loops.component[l]], q = outer_of[loops.component[m]];
+    if (p != q) {
+      const Sign s = compare_xy(places, least(p), least(q));
+      return s != Sign::zero ? s == Sign::negative : p < q;
+    }
+    if (corners.is_outer[l] != corners.is_outer[m]) return corners.is_outer[l] > corners.is_outer[m];
+    const Sign s = compare_xy(places, least(l), least(m));
+    return s != Sign::zero ? s == Sign::negative : l < m;
+  });
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (i > 0 && corners.is_outer[order[i]]) first_loop.push_back(i);
+  if (count > 0) first_loop.push_back(count);
+  return order;
+}
+
+/// Takes the points and lines that a region needs over into its own numbering.
+class PlacesCopy {
+ public:
+  PlacesCopy(const Places& from, Places& to) : from_(from), to_(to), point_(from.size(), none), line_(from.lines.size(), none) {}
+
+  void need_point(std::uint32_t p) {
+    if (std::exchange(point_[p], 0) != none || !from_.is_meet(p)) return;
+    need_line(from_.meet(p).first);
+    need_line(from_.meet(p).second);
+  }
+  void need_line(std::uint32_t l) {
+    if (std::exchange(line_[l], 0) != none) return;
+    need_point(from_.lines[l].from);
+    need_point(from_.lines[l].to);
+  }
+  void copy() {
+    for (std::uint32_t p = 0; p < from_.given(); ++p)
+      if (point_[p] != none) point_[p] = add_given(p);
+    for (std::uint32_t l = 0; l < from_.lines.size(); ++l) {
+      if (line_[l] == none) continue;
+      line_[l] = static_cast<std::uint32_t>(to_.lines.size());
+      to_.lines.push_back({point_[from_.lines[l].from], point_[from_.lines[l].to]});
+    }
+    for (std::uint32_t p = from_.given(); p < from_.size(); ++p)
+      if (point_[p] != none) point_[p] = add_meet(p);
+  }
+  [[nodiscard]] std::uint32_t point(std::uint32_t p) const { return point_[p]; }
+  [[nodiscard]] std::uint32_t line(std::uint32_t l) const { return line_[l]; }
+
+ private:
+  std::uint32_t add_given(std::uint32_t p) {
+    to_.place.push_back(from_.place[p]);
+    if (from_.is_double(p)) return to_.size() - 1;
+    to_.error.push_back(from_.error[p - from_.doubles()]);
+    to_.rationals.push_back(from_.rational(p));
+    return to_.size() - 1;
+  }
+  /// Under its nearest doubles, which are half a unit in the last place away at most.
+  std::uint32_t add_meet(std::uint32_t p) {
+    const PlanePoint known = from_.error[p - from_.doubles()], nearest = nearest_place(from_, p);
+    PlanePoint error;
+    for (std::size_t i = 0; i < 2; ++i)
+      error[i] = known[i] == 0 ? 0 : std::abs(nearest[i]) * Bounded::rounding + Bounded::underflow;
+    to_.place.push_back(nearest);
+    to_.error.push_back(error);
+    const Meet& m = from_.meet(p);
+    to_.meets.push_back({line_[m.first], line_[m.second]});
+    return to_.size() - 1;
+  }
+
+  const Places& from_;
+  Places& to_;
+  std::vector<std::uint32_t> point_, line_;
+};
+
+}  // namespace
+
+Region extract(const Arrangement& a, const Subdivision& s, const std::vector<std::uint8_t>& label) {
+  const BoundaryLoops boundary = boundary_loops(a, s, label);
+  const CornerLoops corners = CornerFinder(a, s).find(boundary);
+  Region region;
+  const std::vector<std::uint32_t> order = order_loops(a.places, boundary, corners, region.first_loop);
+
+  PlacesCopy copy(a.places, region.loops.places);
+  const auto next_corner = [&](std::uint32_t loop, std::uint32_t i) {
+    return corners.corners[i + 1 < corners.first[loop + 1] ? i + 1 : corners.first[loop]];
+  };
+  const auto needs_line = [&](const Corner& from, const Corner& to) {
+    return a.places.is_meet(from.vertex) || a.places.is_meet(to.vertex);
+  };
+  for (const std::uint32_t l : order)
+    for (std::uint32_t i = corners.first[l]; i < corners.first[l + 1]; ++i) {
+      const Corner& c = corners.corners[i];
+      copy.need_point(c.vertex);
+      if (needs_line(c, next_corner(l, i))) copy.need_line(c.line);
+    }
+  copy.copy();
+  for (const std::uint32_t l : order) {
+    for (std::uint32_t i = corners.first[l]; i < corners.first[l + 1]; ++i) {
+      const Corner& c = corners.corners[i];
+      region.loops.vertices.push_back(copy.point(c.vertex));
+      region.loops.edge_line.push_back(needs_line(c, next_corner(l, i)) ? copy.line(c.line) : none);
+    }
+    region.loops.first_vertex.push_back(static_cast<std::uint32_t>(region.loops.vertices.size()));
+  }
+  return region;
+}
+
+}  // namespace strata::plane

@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "strata/planar/arrangement.h"
+#include "strata/planar/predicates.h"
+
+namespace strata::plane {
+
+/// A point inside a segment, or at its end under another name.
+struct Meeting {
+  std::uint32_t segment = 0, point = 0;
+};
+
+/// Finds where pairs of segments meet. Cases, by the four sides of each one's ends to the other's line (theory.md, section 3):
+/// crossing inside both, end on inside, end on end, overlapping along a common line; nothing else is a meeting.
+class MeetingFinder {
+ public:
+  MeetingFinder(Segments& segments, const Strips& strips)
+      : places_(segments.places), ends_(segments.ends), strips_(strips) {}
+
+  /// A pair of segments that may meet in a strip. Crossings elsewhere are left to the strips they are in.
+  void test(std::uint32_t s, std::uint32_t t, std::uint32_t strip);
+
+  std::vector<Meeting> meetings;
+  std::vector<std::array<std::uint32_t, 2>> equal;  ///< points that have one place
+  std::vector<std::uint32_t> folds;                 ///< points that two segments leave the same way
+
+ private:
+  using Ends = std::array<std::uint32_t, 2>;
+  void test_point(std::uint32_t point, std::uint32_t s);
+  void test_sharing(std::uint32_t s, std::uint32_t t, std::uint32_t shared, std::uint32_t a, std::uint32_t b);
+  void test_overlap(std::uint32_t s, std::uint32_t t);
+  void test_end_inside(std::uint32_t s, std::uint32_t end);
+  void add_crossing(std::uint32_t s, std::uint32_t t, std::uint32_t strip);
+  [[nodiscard]] Sign side_of(std::uint32_t point, std::uint32_t s) const { return side(places_, point, s); }
+
+  Places& places_;
+  const std::vector<Ends>& ends_;
+  const Strips& strips_;
+};
+
+}  // namespace strata::plane

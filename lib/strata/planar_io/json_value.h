@@ -1,0 +1,29 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "strata/planar_io/scanner.h"
+
+namespace strata::plane {
+
+/// A JSON value, as far as GeoJSON needs it: numbers are doubles, escapes in texts are kept as they are.
+struct JsonValue {
+  enum class Kind { null, truth, number, text, array, object };
+
+  Kind kind = Kind::null;
+  std::size_t offset = 0;  ///< in the file
+  double number = 0;
+  std::string text;
+  std::vector<JsonValue> items;                           ///< of an array
+  std::vector<std::pair<std::string, JsonValue>> members;  ///< of an object
+
+  /// The member of a name, or null.
+  [[nodiscard]] const JsonValue* find(std::string_view name) const;
+};
+
+/// The value that a text is. Throws io::Malformed, also for values nested more than 512 deep.
+[[nodiscard]] JsonValue read_json(std::string_view text);
+
+}  // namespace strata::plane

@@ -1,0 +1,125 @@
+#include "strata/planar/combine.h"
+
+#include <catch2/catch.hpp>
+
+#include "planar/shapes.h"
+#include "strata/planar/clean.h"
+#include "strata/planar/locator.h"
+
+namespace strata::plane {
+namespace {
+
+using namespace test;
+
+Loops random_operand(Random& random, unsigned seed) {
+  const int grid = 2 + static_cast<int>(seed % 5);
+  switch (seed % 8) {
+    case 0: return in_thirds(random_grid_loops(random, grid));
+    case 1: return loops(random_grid_loops(random, grid, 0x1p-1074));
+    case 2: return loops(random_grid_loops(random, grid, 0x1p1020));
+    default: return loops(random_grid_loops(random, grid));
+  }
+}
+
+bool same(const Region& a, const Region& b) { return canonical_form(a) == canonical_form(b); }
+
+}  // namespace
+
+TEST_CASE("two squares, combined", "[planar][combine]") {
+  const Loops a = square(0, 0, 2), b = square(1, 1, 2);
+  CHECK(area(unite(a, b)) == 7);
+  CHECK(area(intersect(a, b)) == 1);
+  CHECK(area(subtract(a, b)) == 3);
+  const Region both = symmetric_difference(a, b);
+  CHECK(area(both) == 6);
+  CHECK(both.polygons() == 2);
+  CHECK(unite(a, b).loops.vertices.size() == 8);
+}
+
+TEST_CASE("squares side by side are united without a cut", "[planar][combine][degenerate]") {
+  const Region r = unite(square(0, 0), square(1, 0));
+  CHECK(r.polygons() == 1);
+  CHECK(r.loops.vertices.size() == 4);
+  CHECK(intersect(square(0, 0), square(1, 0)).empty());
+}
+
+TEST_CASE("two squares in checkerboard contact stay two polygons that share a vertex", "[planar][combine][degenerate]") {
+  const Region r = unite(square(0, 0), square(1, 1));
+  REQUIRE(r.polygons() == 2);
+  CHECK(validate(r).empty());
+  CHECK(r.loops.vertices[2] == r.loops.vertices[4]);
+}
+
+TEST_CASE("a hole and an island in it", "[planar][combine]") {
+  const std::vector<Operand> operands;
+  const Loops ring = loops({box(0, 0, 9, 9), box(1, 1, 8, 8), box(2, 2, 7, 7), box(3, 3, 6, 6)});
+  const Region r = fill({ring, FillRule::even_odd});
+  REQUIRE(r.polygons() == 2);
+  CHECK(r.holes(0) == 1);
+  CHECK(r.holes(1) == 1);
+  CHECK(area(r, 0) == 81 - 49);
+  CHECK(area(r, 1) == 25 - 9);
+  CHECK(fill(ring).polygons() == 1);
+  CHECK(fill(ring).loops.size() == 1);
+}
+
+TEST_CASE("a combination that holds everywhere outside is refused", "[planar][combine]") {
+  const Loops a = square(0, 0);
+  const std::vector<Operand> operands{a};
+  CHECK_THROWS_AS(combine(operands, [](const Inside& inside) { return inside.count == 0; }), UnboundedResult);
+}
+
+// Catches: sectors linked wrongly, overlaps counted wrongly, holes and islands in the wrong face, corners lost.
+TEST_CASE("membership in a result is the combination of memberships", "[planar][combine][property]") {
+  const auto seed = GENERATE(range(0u, 600u));
+  CAPTURE(seed);
+  Random random(seed);
+  const Loops a = random_operand(random, seed), b = random_operand(random, seed);
+  const double unit = seed % 8 == 1 ? 0x1p-1074 : seed % 8 == 2 ? 0x1p1020 : 1;
+  const FillRule fill = seed % 3 == 0 ? FillRule::nonzero : seed % 3 == 1 ? FillRule::even_odd : FillRule::positive;
+  for (const Operation operation :
+       {Operation::unite, Operation::intersect, Operation::subtract, Operation::symmetric_difference}) {
+    CAPTURE(static_cast<int>(operation));
+    const Region r = combine(std::vector<Operand>{{a, fill}, {b, fill}}, operation);
+    const auto broken = validate(r);
+    CHECK(broken == std::vector<std::string>{});
+    const Locator locator(r);
+    Rational covered = 0;
+    for (int i = -1; i < 16; ++i) {  // off all edges: edges have slopes of small numbers
+      const RationalPlacement p{to_rational(unit) * (Rational(i, 2) + Rational(1, 1009)),
+                                to_rational(unit) * (Rational(i * 7 % 16, 2) + Rational(1, 10007))};
+      Inside inside{{is_filled(fill, winding(a, p)), is_filled(fill, winding(b, p))}, 0};
+      inside.count = inside.is_in[0] + inside.is_in[1];
+      const Membership expected = holds(operation, inside) ? Membership::in : Membership::out;
+      CHECK(locator.locate(p) == expected);
+      CHECK((winding(r.loops, p) == 1) == (expected == Membership::in));
+    }
+  }
+}
+
+// Catches: meets or lines lost on the way from one operation to the next.
+TEST_CASE("Boolean laws hold for results of results", "[planar][combine][property]") {
+  const auto seed = GENERATE(range(0u, 400u));
+  CAPTURE(seed);
+  Random random(seed);
+  const Region a = fill(random_operand(random, seed)), b = fill(random_operand(random, seed));
+  const Region both = unite(a, b), common = intersect(a, b), either = symmetric_difference(a, b);
+  CHECK(area(a) + area(b) == area(both) + area(common));
+  CHECK(area(either) == area(both) - area(common));
+  CHECK(same(either, subtract(both, common)));
+  CHECK(same(both, unite(b, a)));
+  CHECK(same(common, intersect(b, a)));
+  CHECK(same(unite(a, a), a));
+  CHECK(same(intersect(a, a), a));
+  CHECK(subtract(a, a).empty());
+  CHECK(same(subtract(a, b), subtract(a, common)));
+  CHECK(same(unite(subtract(a, b), common), a));
+  // De Morgan inside a frame.
+  const double far = 0x1p1023;
+  const Loops frame = loops({box(-far, -far, far, far)});
+  CHECK(same(subtract(frame, both), intersect(subtract(frame, a), subtract(frame, b))));
+  CHECK(same(subtract(frame, common), unite(subtract(frame, a), subtract(frame, b))));
+  CHECK(validate(either).empty());
+}
+
+}  // namespace strata::plane

@@ -1,0 +1,56 @@
+#pragma once
+#include <random>
+#include <vector>
+
+#include "strata/planar/combine.h"
+
+// What the tests of the plane share: small shapes, random degenerate ones, and facts from the definitions.
+namespace strata::plane::test {
+
+using Loop = std::vector<PlanePoint>;
+using Random = std::mt19937_64;
+
+inline Loop box(double left, double low, double right, double high) {
+  return {{left, low}, {right, low}, {right, high}, {left, high}};
+}
+inline Loops loops(std::vector<Loop> all) { return loops_of(all); }
+inline Loops square(double left, double low, double side = 1) { return loops({box(left, low, left + side, low + side)}); }
+
+/// One to three loops over a small grid: they cross, touch, overlap and run back. Coordinates are multiples of `unit`.
+inline std::vector<Loop> random_grid_loops(Random& random, int grid, double unit = 1) {
+  std::vector<Loop> all(1 + random() % 3);
+  for (Loop& loop : all) {
+    const std::size_t count = 3 + random() % 6;
+    for (std::size_t i = 0; i < count; ++i)
+      loop.push_back({unit * static_cast<double>(random() % (grid + 1)), unit * static_cast<double>(random() % (grid + 1))});
+  }
+  return all;
+}
+
+/// The same in thirds, which are no doubles.
+inline Loops in_thirds(const std::vector<Loop>& all) {
+  LoopsBuilder builder;
+  for (const Loop& loop : all) {
+    for (const PlanePoint& p : loop) builder.add_vertex(RationalPlacement{to_rational(p[0]) / 3, to_rational(p[1]) / 3});
+    builder.end_loop();
+  }
+  return builder.finish();
+}
+
+/// How often loops wind around a point on none of their edges, from the definition, in rationals.
+inline int winding(const Loops& loops, const RationalPlacement& q) {
+  int sum = 0;
+  for (std::uint32_t l = 0; l < loops.size(); ++l) {
+    const auto loop = loops.loop(l);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const RationalPlacement a = exact_place(loops.places, loop[i]), b = exact_place(loops.places, loop[(i + 1) % loop.size()]);
+      if ((a[1] <= q[1]) == (b[1] <= q[1])) continue;
+      const Rational turn = (b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0]);
+      if (b[1] > a[1] && turn > 0) ++sum;
+      if (b[1] < a[1] && turn < 0) --sum;
+    }
+  }
+  return sum;
+}
+
+}  // namespace strata::plane::test

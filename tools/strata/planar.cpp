@@ -1,0 +1,219 @@
+#include "planar.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <iostream>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "files.h"
+#include "progress.h"
+#include "report.h"
+#include "stopwatch.h"
+#include "strata/planar/clean.h"
+#include "strata/planar/combine.h"
+#include "strata/planar_io/planar_file.h"
+#include "watch.h"
+
+namespace {
+
+using namespace strata::plane;
+
+constexpr std::size_t most_listed = 100;  ///< meetings in a report
+
+std::optional<PlanarFormat> format_asked(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  const auto format = planar_format_named(name);
+  if (!format) throw UsageError(fmt::format("unknown format {}: wkt, geojson and svg are known", name));
+  return format;
+}
+
+PlanarFile read_operand(const std::string& path, const Settings& settings) {
+  const auto format = format_asked(settings.input_format);
+  PlanarFile file;
+  if (path == "-") {
+    const std::string bytes{std::istreambuf_iterator<char>(std::cin), {}};
+    file = read_planar(bytes, *format, "standard input");
+  } else {
+    file = read_planar(path, format);
+  }
+  if (!settings.quiet)
+    for (const std::string& note : file.notes) fmt::print(stderr, "strata: {}: note: {}\n", path, note);
+  return file;
+}
+
+std::vector<PlanarFile> read_files(const Settings& settings) {
+  std::vector<PlanarFile> files;
+  for (const std::string& path : settings.operands) files.push_back(read_operand(path, settings));
+  return files;
+}
+
+PlanarFormat output_format_of(const Settings& settings) {
+  if (const auto format = format_asked(settings.output_format)) return *format;
+  if (const auto format = planar_format_of(settings.output)) return *format;
+  throw UsageError(fmt::format("{}: no known extension: give --format wkt, geojson or svg", settings.output));
+}
+
+FillRule fill_rule(const PlanarSettings& planar) {
+  if (planar.fill == "even-odd") return FillRule::even_odd;
+  if (planar.fill == "positive") return FillRule::positive;
+  return planar.fill == "negative" ? FillRule::negative : FillRule::nonzero;
+}
+
+Json place(const RationalPlacement& p) {
+  Json xy = Json::array();
+  for (const strata::Rational& x : p) {
+    const double nearest = strata::to_nearest_double(x);
+    xy.push_back(strata::to_rational(nearest) == x ? Json(nearest) : Json(x.str()));
+  }
+  return xy;
+}
+
+Json to_json(const SelfMeeting& m) {
+  Json j = {{"kind", name(m.kind)}, {"where", place(m.where)}};
+  if (m.kind == SelfMeetingKind::edges_overlapping) j["to"] = place(m.to);
+  j["vertices"] = m.vertices;
+  j["edges"] = m.edges;
+  return j;
+}
+
+Json to_json(const std::vector<SelfMeeting>& meetings) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(meetings.size(), most_listed); ++i) list.push_back(to_json(meetings[i]));
+  return list;
+}
+
+/// Sums of rational vertices grow with their number: beyond this many, areas in reports are those of the rounded vertices.
+constexpr std::size_t most_exact = 20000;
+
+Json facts(const Region& region) {
+  std::uint32_t holes = 0, simple = 0, manifold = 0;
+  for (std::uint32_t p = 0; p < region.polygons(); ++p) {
+    const PolygonKind kind = kind_of(region, p);
+    holes += region.holes(p);
+    simple += kind.is_simple() ? 1 : 0;
+    manifold += kind.is_manifold ? 1 : 0;
+  }
+  const std::size_t constructed = region.loops.places.meets.size();
+  Json j = {{"polygons", region.polygons()}, {"holes", holes},
+            {"simple", simple},              {"manifold", manifold},
+            {"vertices", region.loops.vertices.size()}, {"constructed_points", constructed},
+            {"area", nullptr},               {"area_exact", nullptr}};
+  if (constructed <= most_exact) {
+    const strata::Rational exact = area(region);
+    j["area"] = strata::to_nearest_double(exact);
+    j["area_exact"] = exact.str();
+  } else {
+    Loops rounded;
+    rounded.places.place = region.loops.places.place;
+    rounded.vertices = region.loops.vertices;
+    rounded.first_vertex = region.loops.first_vertex;
+    j["area"] = strata::to_nearest_double(twice_area(rounded) / 2);
+  }
+  return j;
+}
+
+Json operand_facts(const Settings& settings, const std::vector<PlanarFile>& files) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < files.size(); ++i)
+    list.push_back({{"path", settings.operands[i]},
+                    {"loops", files[i].loops.size()},
+                    {"vertices", files[i].loops.vertices.size()}});
+  return list;
+}
+
+template <class Work>
+auto cancellable(Watch& watch, const Settings& settings, const Work& work) {
+  watch.on_stop(OnStop::ask);
+  try {
+    ProgressBar bar(settings.progress, settings.quiet);
+    const std::function<void(double)> progress = [&bar](double fraction) { bar.show(fraction); };
+    return work(strata::Monitor(&watch.token(), &progress));
+  } catch (const strata::Cancelled&) {
+    watch.on_stop(OnStop::leave);  // says why
+    throw;
+  }
+}
+
+void print_facts(const Json& result, const Settings& settings) {
+  if (settings.quiet || settings.report == "-") return;
+  for (const auto& [key, value] : result.items())
+    fmt::print(settings.output == "-" ? stderr : stdout, "{:18} {}\n", key, value.dump());
+}
+
+}  // namespace
+
+ExitCode run_planar(Operation operation, const char* name, const PlanarSettings& planar, const Settings& settings) {
+  Watch watch(settings.timeout);
+  Stopwatch stopwatch;
+  Json report = {{"operation", name}, {"operands", nullptr}, {"result", nullptr}, {"seconds", Json::object()}};
+  const PlanarFormat format = output_format_of(settings);
+  if (settings.exact && format != PlanarFormat::wkt) throw UsageError("--exact is for WKT: other formats have no quotients");
+  const std::vector<PlanarFile> files = read_files(settings);
+  report["operands"] = operand_facts(settings, files);
+  report["seconds"]["read"] = stopwatch.lap();
+
+  std::vector<Operand> operands;
+  for (const PlanarFile& file : files) operands.push_back({file.loops, fill_rule(planar)});
+  std::vector<SelfMeeting> conflicts;
+  const Region region = cancellable(watch, settings, [&](const strata::Monitor& monitor) {
+    Region r = combine(operands, operation, monitor);
+    report["seconds"]["evaluate"] = stopwatch.lap();
+    if (!settings.exact) conflicts = rounding_conflicts(r);
+    return r;
+  });
+  report["seconds"]["check_rounding"] = stopwatch.lap();
+  if (!settings.report.empty() || !settings.quiet) report["result"] = facts(region);
+  if (report["result"].is_object()) report["result"]["rounding_conflicts"] = conflicts.size();
+  report["rounding_conflicts"] = to_json(conflicts);
+  report["seconds"]["measure"] = stopwatch.lap();
+
+  watch.on_stop(OnStop::finish);
+  write_text(settings.output, to_text(region, format, settings.exact ? Coordinates::exact : Coordinates::nearest));
+  report["seconds"]["write"] = stopwatch.lap();
+  report["peak_bytes"] = peak_bytes();
+  if (report["result"].is_object()) print_facts(report["result"], settings);
+  if (!settings.report.empty()) write_report(settings.report, std::move(report));
+  if (conflicts.empty()) return ExitCode::ok;
+  fmt::print(stderr, "strata: rounding the result's vertices makes its loops meet in {} places, the first one near {}; --exact writes it as it is\n",
+             conflicts.size(), place(conflicts.front().where).dump());
+  return ExitCode::not_certified;
+}
+
+ExitCode run_planar_check(const Settings& settings) {
+  Watch watch(settings.timeout);
+  const PlanarFile file = read_operand(settings.operands.front(), settings);
+  const std::vector<SelfMeeting> meetings = self_meetings(file.loops);
+  const bool clean = meetings.empty() && is_clean(file.loops);
+  if (!settings.quiet && settings.report != "-") {
+    fmt::print("{}: {}\n", settings.operands.front(), clean ? "clean" : "not clean");
+    for (std::size_t i = 0; i < std::min(meetings.size(), most_listed); ++i)
+      fmt::print("  {} at {}\n", name(meetings[i].kind), place(meetings[i].where).dump());
+    if (meetings.size() > most_listed) fmt::print("  and {} more\n", meetings.size() - most_listed);
+  }
+  if (!settings.report.empty())
+    write_report(settings.report, {{"operation", "planar check"},
+                                   {"operands", operand_facts(settings, {file})},
+                                   {"clean", clean},
+                                   {"meetings", meetings.size()},
+                                   {"listed", to_json(meetings)}});
+  return clean ? ExitCode::ok : ExitCode::negative;
+}
+
+ExitCode run_planar_info(const PlanarSettings& planar, const Settings& settings) {
+  Watch watch(settings.timeout);
+  const PlanarFile file = read_operand(settings.operands.front(), settings);
+  const Region region = cancellable(watch, settings, [&](const strata::Monitor& monitor) {
+    const Operand operand(file.loops, fill_rule(planar));
+    return combine(std::span(&operand, 1), Operation::unite, monitor);
+  });
+  Json result = facts(region);
+  print_facts(result, settings);
+  if (!settings.report.empty())
+    write_report(settings.report, {{"operation", "planar info"},
+                                   {"operands", operand_facts(settings, {file})},
+                                   {"result", std::move(result)}});
+  return ExitCode::ok;
+}
