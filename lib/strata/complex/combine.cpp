@@ -6,6 +6,7 @@
 #include "strata/complex/operands.h"
 #include "strata/complex/overlay.h"
 #include "strata/complex/selective_complex.h"
+#include "strata/exact/failure.h"
 
 namespace strata::complex {
 namespace {
@@ -28,8 +29,11 @@ void mark(Overlay& overlay, const Formula& formula, std::span<const SelectiveCom
   for (std::size_t d = 0; d < 4; ++d)
     for (std::size_t i = 0; i < overlay.cells.marks[d].size(); ++i) {
       Windings in;
-      for (std::uint32_t k = 0; k < operands.size(); ++k)
-        if (marks[k][overlay.labels[d][i * operands.size() + k]] != 0) in.set(k, 1);
+      for (std::uint32_t k = 0; k < operands.size(); ++k) {
+        const std::uint32_t label = overlay.labels[d][i * operands.size() + k];
+        if (label == none) throw LogicError("a cell of an overlay lies in no cell of an operand");
+        if (marks[k][label] != 0) in.set(k, 1);
+      }
       overlay.cells.marks[d][i] = formula.holds(in) ? 1 : 0;
     }
 }
