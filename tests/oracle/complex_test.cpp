@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstdlib>
+#include <functional>
 #include <random>
+#include <stdexcept>
 #include <string>
 
 #include "oracle/nef_complex.h"
@@ -26,6 +27,14 @@ template <int D>
 struct Both {
   SelectiveComplex ours;
   NefComplex<D> nef;
+  /// Membership by the formula over simplices alone, without any overlay; unknown for results of operators.
+  std::function<bool(const RationalPoint&)> is_in = nullptr;
+};
+
+/// CGAL contradicts the formula.
+class OracleIsWrong : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 RationalPoint middle(const std::vector<RationalPoint>& points) {
@@ -97,6 +106,10 @@ void require_equal(const Both<D>& s) {
   for (const auto& [cell, point] : samples(s.ours)) {
     CAPTURE(cell.dimension, cell.index);
     REQUIRE(complex::locate(s.ours, point) == cell);
+    if (s.is_in) {
+      REQUIRE(s.is_in(point) == s.ours.mark(cell));
+      if (s.nef.contains(point) != s.ours.mark(cell)) throw OracleIsWrong("a point is where it is not");
+    }
     REQUIRE(s.nef.contains(point) == s.ours.mark(cell));
   }
 }
@@ -114,8 +127,9 @@ class RandomPairs {
       for (Vertex& c : corners) c = {1. * below(4), 1. * below(4), D == 2 ? 0. : 1. * below(4)};
       const bool closed = below(2) == 0;
       try {
-        return {complex::simplex(D, corners, closed ? Border::closed : Border::open),
-                NefComplex<D>::simplex(corners, closed)};
+        const SelectiveComplex ours = complex::simplex(D, corners, closed ? Border::closed : Border::open);
+        return {ours, NefComplex<D>::simplex(corners, closed),
+                [ours](const RationalPoint& p) { return complex::contains(ours, p); }};
       } catch (const InputError&) {  // not independent
       }
     }
@@ -128,19 +142,19 @@ class RandomPairs {
       switch (below(5)) {
         case 0:
         case 1:
-          s = {s.ours | t.ours, s.nef.unite(t.nef)};
+          s = {s.ours | t.ours, s.nef.unite(t.nef), [f = s.is_in, g = t.is_in](const auto& p) { return f(p) || g(p); }};
           break;
         case 2:
-          s = {s.ours ^ t.ours, s.nef.exclude(t.nef)};
+          s = {s.ours ^ t.ours, s.nef.exclude(t.nef), [f = s.is_in, g = t.is_in](const auto& p) { return f(p) != g(p); }};
           break;
         case 3:
-          s = {s.ours - t.ours, s.nef.subtract(t.nef)};
+          s = {s.ours - t.ours, s.nef.subtract(t.nef), [f = s.is_in, g = t.is_in](const auto& p) { return f(p) && !g(p); }};
           break;
         default:
-          s = {~s.ours & t.ours, s.nef.complement().intersect(t.nef)};
+          s = {~s.ours & t.ours, s.nef.complement().intersect(t.nef), [f = s.is_in, g = t.is_in](const auto& p) { return !f(p) && g(p); }};
       }
     }
-    if (below(5) == 0) s = {~s.ours, s.nef.complement()};
+    if (below(5) == 0) s = {~s.ours, s.nef.complement(), [f = s.is_in](const auto& p) { return !f(p); }};
     return s;
   }
 
@@ -152,17 +166,22 @@ template <int D>
 void compare(RandomPairs<D>& random) {
   const Both<D> s = random.next(3 + random.below(2));
   require_equal(s);
+  UNSCOPED_INFO("complement");
   require_equal<D>({~s.ours, s.nef.complement()});
+  UNSCOPED_INFO("interior");
   require_equal<D>({interior(s.ours), s.nef.interior()});
+  UNSCOPED_INFO("closure");
   require_equal<D>({closure(s.ours), s.nef.closure()});
+  UNSCOPED_INFO("boundary");
   require_equal<D>({boundary(s.ours), s.nef.boundary()});
+  UNSCOPED_INFO("regularized");
   require_equal<D>({regularized(s.ours), s.nef.regularization()});
 }
 
-/// What CGAL contradicts itself about is no answer; there must be few of these.
+/// Where CGAL contradicts itself, or what follows point by point from the formula, it has no answer; there must be few.
 template <int D>
 void compare(std::uint32_t first, std::uint32_t last) {
-  std::uint32_t failed = 0;
+  std::uint32_t failed = 0, wrong = 0;
   for (std::uint32_t seed = first; seed < last; ++seed) {
     CAPTURE(D, seed);
     RandomPairs<D> random(seed);
@@ -170,10 +189,13 @@ void compare(std::uint32_t first, std::uint32_t last) {
       compare(random);
     } catch (const CGAL::Failure_exception&) {
       ++failed;
+    } catch (const OracleIsWrong&) {
+      ++wrong;
     }
   }
-  if (failed > 0) WARN("CGAL failed on " << failed << " of " << last - first << " complexes");
-  CHECK(failed <= 1 + (last - first) / 20);
+  if (failed + wrong > 0)
+    WARN("of " << last - first << " complexes CGAL failed on " << failed << " and was wrong about " << wrong);
+  CHECK(failed + wrong <= 1 + (last - first) / 20);
 }
 }  // namespace
 

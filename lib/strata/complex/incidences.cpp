@@ -1,66 +1,65 @@
 #include "strata/complex/incidences.h"
 
 #include <algorithm>
-#include <utility>
+#include <numeric>
 
 namespace strata::complex {
 namespace {
 
-using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+using Index = std::uint32_t;
 
-void sort_unique(Pairs& pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-}
-
-/// Every incidence that follows from one with a cell in between: (low, middle) and (middle, high) give (low, high).
-Pairs closed_over(const Pairs& direct, std::uint32_t count) {
-  const Lists up(count, direct);
-  Pairs all = direct;
-  for (const auto& [low, middle] : direct)
-    for (const std::uint32_t high : up[middle]) {
-      all.emplace_back(low, high);
-      for (const std::uint32_t top : up[high]) all.emplace_back(low, top);
-    }
-  sort_unique(all);
-  return all;
+void keep_different(std::vector<Index>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 }  // namespace
 
-Lists::Lists(std::uint32_t lists, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs)
-    : first_(std::size_t{lists} + 1) {
-  entries_.reserve(pairs.size());
-  for (const auto& [list, entry] : pairs) {
-    ++first_[list + 1];
-    entries_.push_back(entry);
+template <class Visit>
+Lists::Lists(Index count, const Visit& visit) : first_(std::size_t{count} + 1) {
+  visit([&](Index list, Index) { ++first_[list + 1]; });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  entries_.resize(first_.back());
+  std::vector<Index> next(first_.begin(), first_.end() - 1);
+  visit([&](Index list, Index entry) { entries_[next[list]++] = entry; });
+}
+
+Lists Lists::followed() const {
+  Lists result;
+  result.first_.reserve(first_.size());
+  std::vector<Index> all;
+  for (Index list = 0; list + 1 < first_.size(); ++list) {
+    all.assign((*this)[list].begin(), (*this)[list].end());
+    for (std::size_t from = 0; from < all.size();) {  // each round goes up by a dimension at least: three at most
+      const std::size_t end = all.size();
+      for (; from < end; ++from) all.insert(all.end(), (*this)[all[from]].begin(), (*this)[all[from]].end());
+      std::sort(all.begin() + static_cast<std::ptrdiff_t>(end), all.end());
+      all.erase(std::unique(all.begin() + static_cast<std::ptrdiff_t>(end), all.end()), all.end());
+    }
+    keep_different(all);
+    result.entries_.insert(result.entries_.end(), all.begin(), all.end());
+    result.first_.push_back(static_cast<Index>(result.entries_.size()));
   }
-  for (std::size_t i = 0; i < lists; ++i) first_[i + 1] += first_[i];
+  return result;
 }
 
 Incidences::Incidences(const Cells& cells) {
-  for (int d = 0; d < 4; ++d) {
-    const auto i = static_cast<std::size_t>(d);
-    first_[i + 1] = first_[i] + cells.count(d);
-  }
-  Pairs direct;
-  const auto add = [&](int d, std::uint32_t low, int e, std::uint32_t high) {
-    direct.emplace_back(number({d, low}), number({e, high}));
-  };
-  for (std::uint32_t e = 0; e < cells.edges.size(); ++e)
-    for (const std::uint32_t v : cells.edges[e]) add(0, v, 1, e);
-  for (const Wing& w : cells.wings) add(1, w.edge, 2, w.face);
-  for (const Isolated& i : cells.vertices_in_faces) add(0, i.cell, 2, i.in);
-  for (const Isolated& i : cells.vertices_in_volumes) add(0, i.cell, 3, i.in);
-  for (const Isolated& i : cells.edges_in_volumes) add(1, i.cell, 3, i.in);
-  for (std::uint32_t f = 0; f < cells.sides.size(); ++f)
-    for (const std::uint32_t v : cells.sides[f]) add(2, f, 3, v);
-  sort_unique(direct);
-  Pairs all = closed_over(direct, count());
-  star_ = Lists(count(), all);
-  for (auto& [low, high] : all) std::swap(low, high);
-  std::sort(all.begin(), all.end());
-  boundary_ = Lists(count(), all);
+  for (std::size_t d = 0; d < 4; ++d) first_[d + 1] = first_[d] + cells.count(static_cast<int>(d));
+  const Lists above(count(), [&](const auto& add) {
+    for (Index e = 0; e < cells.edges.size(); ++e)
+      for (const Index v : cells.edges[e]) add(v, first_[1] + e);
+    for (const Wing& w : cells.wings) add(first_[1] + w.edge, first_[2] + w.face);
+    for (const Isolated& i : cells.vertices_in_faces) add(i.cell, first_[2] + i.in);
+    for (const Isolated& i : cells.vertices_in_volumes) add(i.cell, first_[3] + i.in);
+    for (const Isolated& i : cells.edges_in_volumes) add(first_[1] + i.cell, first_[3] + i.in);
+    for (Index f = 0; f < cells.sides.size(); ++f)
+      for (const Index v : cells.sides[f]) add(first_[2] + f, first_[3] + v);
+  });
+  star_ = above.followed();
+  boundary_ = Lists(count(), [&](const auto& add) {
+    for (Index c = 0; c < count(); ++c)
+      for (const Index high : star_[c]) add(high, c);
+  });
 }
 
 Cell Incidences::cell(std::uint32_t number) const {

@@ -11,8 +11,11 @@ namespace strata::complex {
 class Lists {
  public:
   Lists() = default;
-  /// Turns pairs (list, entry), which are sorted, into lists.
-  Lists(std::uint32_t lists, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
+  /// Lists of what `visit(add)` adds by `add(list, entry)`; it is called twice. Entries keep their order.
+  template <class Visit>
+  Lists(std::uint32_t count, const Visit& visit);
+  /// Lists of lists: to every entry those of its own list, and so on; each once, rising. Requires that this ends.
+  [[nodiscard]] Lists followed() const;
 
   [[nodiscard]] std::span<const std::uint32_t> operator[](std::uint32_t list) const {
     return std::span(entries_).subspan(first_[list], first_[list + 1] - first_[list]);
@@ -28,7 +31,7 @@ class Lists {
 class Incidences {
  public:
   Incidences() = default;
-  explicit Incidences(const Cells& cells);  ///< O(k log k) for k incidences
+  explicit Incidences(const Cells& cells);  ///< O(k log d) for k incidences and at most d at a cell below volumes
 
   [[nodiscard]] std::uint32_t number(Cell c) const { return first_[static_cast<std::size_t>(c.dimension)] + c.index; }
   [[nodiscard]] Cell cell(std::uint32_t number) const;

@@ -20,6 +20,7 @@ struct Merged {
         volume_of_vertex(cells.count(0), none),
         volume_of_edge(cells.count(1), none) {}
 
+  bool changes = false;  ///< anything
   DisjointSets<std::uint32_t> edges, faces, volumes;
   std::vector<bool> keeps_vertex, keeps_edge, keeps_face;
   std::vector<std::uint32_t> face_of_vertex, volume_of_vertex, volume_of_edge;  ///< of isolated ones

@@ -1,16 +1,36 @@
 #include "strata/complex/selective_complex.h"
 
 #include <algorithm>
+#include <mutex>
+#include <stdexcept>
 #include <utility>
 
 #include "strata/complex/simplify.h"
 
 namespace strata::complex {
 
+namespace {
+
+/// Found when they are asked for first. Sets over the same cells share them.
+class LazyIncidences {
+ public:
+  const Incidences& of(const Cells& cells) {
+    std::call_once(once_, [&] { incidences_ = Incidences(cells); });
+    return incidences_;
+  }
+
+ private:
+  std::once_flag once_;
+  Incidences incidences_;
+};
+
+}  // namespace
+
 struct SelectiveComplex::Data {
-  explicit Data(Cells c) : cells(std::move(c)), incidences(cells) {}
+  explicit Data(Cells c, std::shared_ptr<LazyIncidences> known = std::make_shared<LazyIncidences>())
+      : cells(std::move(c)), incidences(std::move(known)) {}
   Cells cells;
-  Incidences incidences;
+  std::shared_ptr<LazyIncidences> incidences;
 };
 
 namespace {
@@ -37,7 +57,7 @@ SelectiveComplex SelectiveComplex::of(const Cells& cells) {
 }
 
 const Cells& SelectiveComplex::cells() const { return data_->cells; }
-const Incidences& SelectiveComplex::incidences() const { return data_->incidences; }
+const Incidences& SelectiveComplex::incidences() const { return data_->incidences->of(data_->cells); }
 
 std::vector<std::uint8_t> SelectiveComplex::marks() const {
   std::vector<std::uint8_t> all;
@@ -53,7 +73,9 @@ SelectiveComplex SelectiveComplex::with_marks(std::span<const std::uint8_t> mark
     std::copy_n(next, list.size(), list.begin());
     next += static_cast<std::ptrdiff_t>(list.size());
   }
-  return of(changed);
+  if (auto fewer = simplified_if_needed(changed))
+    return SelectiveComplex(std::make_shared<const Data>(*std::move(fewer)));
+  return SelectiveComplex(std::make_shared<const Data>(std::move(changed), data_->incidences));
 }
 
 SelectiveComplex SelectiveComplex::with_marks(const std::function<bool(Cell)>& mark) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "strata/complex/collinear.h"
 #include "strata/complex/renumber.h"
@@ -46,7 +47,9 @@ class Merger {
     for (Index f = 0; f < cells_.sides.size(); ++f) {
       const auto [above, below] = cells_.sides[f];
       merged_.keeps_face[f] = mark(3, above) != mark(2, f) || mark(3, below) != mark(2, f);
-      if (!merged_.keeps_face[f]) merged_.volumes.unite(above, below);
+      if (merged_.keeps_face[f]) continue;
+      merged_.changes = true;
+      merged_.volumes.unite(above, below);
     }
   }
 
@@ -64,10 +67,12 @@ class Merger {
       if (count == 0) {
         const Index volume = merged_.volumes.find(volume_of_edge_[e]);
         merged_.keeps_edge[e] = mark(3, volume) != mark(1, e);
+        merged_.changes = merged_.changes || !merged_.keeps_edge[e];
         merged_.volume_of_edge[e] = volume;
       } else if (count == 2 && cells_.plane[faces[0]] == cells_.plane[faces[1]] &&
                  mark(2, faces[0]) == mark(1, e) && mark(2, faces[1]) == mark(1, e)) {
         merged_.keeps_edge[e] = false;
+        merged_.changes = true;
         merged_.faces.unite(faces[0], faces[1]);
       }
     }
@@ -100,6 +105,7 @@ class Merger {
     if (count == 2 && merged_.face_of_vertex[v] == none && mark(1, edges[0]) == mark(0, v) &&
         mark(1, edges[1]) == mark(0, v) && is_straight(v, edges)) {
       merged_.keeps_vertex[v] = false;
+      merged_.changes = true;
       merged_.edges.unite(edges[0], edges[1]);
     }
   }
@@ -125,6 +131,7 @@ class Merger {
       merged_.volume_of_vertex[v] = merged_.volumes.find(volume);
       merged_.keeps_vertex[v] = mark(3, merged_.volume_of_vertex[v]) != mark(0, v);
     }
+    merged_.changes = merged_.changes || !merged_.keeps_vertex[v];
   }
 
   [[nodiscard]] bool is_straight(Index v, const std::array<Index, 2>& edges) const {
@@ -159,5 +166,11 @@ class Merger {
 }  // namespace
 
 Cells simplified(const Cells& cells) { return renumbered(cells, Merger(cells).run()); }
+
+std::optional<Cells> simplified_if_needed(const Cells& cells) {
+  Merged merged = Merger(cells).run();
+  if (!merged.changes) return std::nullopt;
+  return renumbered(cells, std::move(merged));
+}
 
 }  // namespace strata::complex

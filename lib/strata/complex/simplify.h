@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "strata/complex/cells.h"
 
 namespace strata::complex {
@@ -11,5 +13,8 @@ namespace strata::complex {
 /// sorted, and the unbounded cell first among those of the highest dimension, where it stays.
 /// O(n log n) for n cells and wings, exact arithmetic for vertices between two edges only.
 [[nodiscard]] Cells simplified(const Cells& cells);
+
+/// The same, or nothing where these cells, numbered as `simplified` does, need not be merged. O(n) then.
+[[nodiscard]] std::optional<Cells> simplified_if_needed(const Cells& cells);
 
 }  // namespace strata::complex
