@@ -3,6 +3,7 @@
 
 #include "strata/complex/locate.h"
 #include "strata/complex/make.h"
+#include "strata/complex/manifold.h"
 #include "strata/complex/measure.h"
 #include "strata/complex/operators.h"
 #include "strata/complex/topology.h"
@@ -128,6 +129,27 @@ TEST_CASE("an intersection of manifold polygons may have four components of whic
   const SelectiveComplex s = a & (simple | open_regularized(bow | point2(6, 2)) | left | right);
   CHECK(components(s).count == 5);  // the bow's two halves touch in a point that is not in it
   CHECK(components(open_regularized(s)).count == 4);
+}
+
+TEST_CASE("manifold boundaries are told from others", "[complex]") {
+  CHECK(is_manifold(square(0, 0, 1, Border::open)));
+  CHECK(!is_manifold(square(0, 0, 1, Border::open) - point2(0.5, 0.5)));  // exercise 26: neither the disk without centre,
+  CHECK(is_manifold(closure(square(0, 0, 1, Border::open) - point2(0.5, 0.5))));  // but its closure
+  CHECK(!is_manifold(point2(0, 0)));                                              // exercise 25
+  CHECK(non_manifold_cells(square(0, 0, 1, Border::closed) | square(1, 1, 1, Border::closed)).size() == 1);
+
+  const SelectiveComplex a = of_solid(box({0, 0, 0}, {2, 2, 2}));
+  CHECK(is_manifold(a));
+  CHECK(is_manifold(a - of_solid(box({1, 1, 1}, {3, 3, 3}))));
+  CHECK(non_manifold_cells(a | of_solid(box({2, 2, 2}, {3, 3, 3}))) == std::vector<Cell>{{0, 7}});
+  const SelectiveComplex beside = a | of_solid(box({2, 2, 0}, {4, 4, 2}));  // a common edge and its ends
+  CHECK(non_manifold_cells(beside).size() == 3);
+  // A face with two corners at one vertex, where a box stands on its edge's end from above and one from below.
+  const SelectiveComplex chess = a | of_solid(box({2, 2, 0}, {4, 4, 3}));
+  CHECK(non_manifold_cells(chess).size() == 3);
+  CHECK(!is_manifold(a - simplex(3, std::vector<Vertex>{{1, 1, 1}})));
+  CHECK(is_manifold(a - simplex(3, std::vector<Vertex>{{1, 1, 2}})));  // a wound of one point in a face
+  CHECK(!is_manifold(a | simplex(3, std::vector<Vertex>{{1, 1, 2}, {1, 1, 3}})));
 }
 
 TEST_CASE("complements are sets like others", "[complex]") {
