@@ -12,9 +12,8 @@ namespace {
 class Names {
  public:
   Expression parse(const std::string& text) {
-    return parse_expression(text, [this](const std::string& name) {
-      return solids_.try_emplace(name, Solid::trusted({})).first->second;
-    });
+    return parse_expression(
+        text, [this](const std::string& name) { return solids_.try_emplace(name, Solid::trusted({})).first->second; });
   }
 
  private:
@@ -23,7 +22,8 @@ class Names {
 
 }  // namespace
 
-TEST_CASE("expressions of complexes are evaluated at once, as they are step by step", "[complex][expression][property]") {
+TEST_CASE("expressions of complexes are evaluated at once, as they are step by step",
+          "[complex][expression][property]") {
   Names names;
   const Expression e = names.parse("(a - b) - (c - d) ^ (a & ~c)");
   REQUIRE(e.primitives().size() == 4);
@@ -77,8 +77,7 @@ TEST_CASE("a disjunctive form asks of a primitive once, and not beyond need", "[
 TEST_CASE("a disjunctive form that grows exponentially is refused", "[complex][expression]") {
   Names names;
   std::string text;
-  for (int i = 0; i < 24; ++i)
-    text += (i > 0 ? " & (p" : "(p") + std::to_string(i) + " | q" + std::to_string(i) + ")";
+  for (int i = 0; i < 24; ++i) text += (i > 0 ? " & (p" : "(p") + std::to_string(i) + " | q" + std::to_string(i) + ")";
   CHECK_THROWS_AS(names.parse(text).products(100'000), std::length_error);
 }
 

@@ -1,8 +1,9 @@
+#include "strata/complex/file.h"
+
 #include <catch2/catch.hpp>
 #include <sstream>
 
 #include "random_complex.h"
-#include "strata/complex/file.h"
 #include "strata/io/io_error.h"
 #include "support/rounds.h"
 

@@ -77,8 +77,8 @@ TEST_CASE("operators are what overlays of their definitions give", "[complex][pr
     REQUIRE(part(s, Part::cut) == (dangle(s) - s));
     // Trim the hair, heal wound and cut, as far as these touch what the source says they do.
     const SelectiveComplex touched = closure(interior(s));
-    REQUIRE(regularized(s) == ((s - (part(s, Part::hair) - touched)) | part(s, Part::wound) |
-                               (part(s, Part::cut) & touched)));
+    REQUIRE(regularized(s) ==
+            ((s - (part(s, Part::hair) - touched)) | part(s, Part::wound) | (part(s, Part::cut) & touched)));
   });
 }
 

@@ -13,7 +13,8 @@ namespace strata::complex {
 namespace {
 
 SelectiveComplex square(double x, double y, double size, Border border) {
-  return polygon(std::vector<std::vector<Point2>>{{{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}}, border);
+  return polygon(std::vector<std::vector<Point2>>{{{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}},
+                 border);
 }
 
 SelectiveComplex point2(double x, double y) { return simplex(2, std::vector<Vertex>{{x, y, 0}}); }
@@ -94,8 +95,7 @@ TEST_CASE("two squares in a checkerboard have an open union that is not open-reg
 }
 
 TEST_CASE("hair, cut and wound may each be a single point", "[complex][plane]") {
-  const SelectiveComplex s =
-      (square(0, 0, 4, Border::closed) - point2(2, 2) - point2(0, 0)) | point2(9, 9);
+  const SelectiveComplex s = (square(0, 0, 4, Border::closed) - point2(2, 2) - point2(0, 0)) | point2(9, 9);
   CHECK(part(s, Part::hair) == point2(9, 9));
   CHECK(part(s, Part::cut) == point2(2, 2));
   CHECK(part(s, Part::wound) == point2(0, 0));
@@ -122,7 +122,9 @@ TEST_CASE("hair may touch the interior only, and a cut the exterior only", "[com
 TEST_CASE("an intersection of manifold polygons may have four components of which two merge", "[complex][plane]") {
   // Problem 5. A spans the base of the prongs of B, which a cut of no width keeps apart.
   const SelectiveComplex a = square(0, 0, 20, Border::open);
-  const auto loop = [](std::vector<Point2> points) { return polygon(std::vector<std::vector<Point2>>{std::move(points)}, Border::open); };
+  const auto loop = [](std::vector<Point2> points) {
+    return polygon(std::vector<std::vector<Point2>>{std::move(points)}, Border::open);
+  };
   const SelectiveComplex simple = loop({{1, 1}, {3, 1}, {3, 3}, {1, 3}});
   const SelectiveComplex bow = loop({{5, 1}, {7, 3}, {7, 1}, {5, 3}});
   const SelectiveComplex left = square(10, 1, 2, Border::open), right = square(12, 1, 2, Border::open);
@@ -133,7 +135,8 @@ TEST_CASE("an intersection of manifold polygons may have four components of whic
 
 TEST_CASE("manifold boundaries are told from others", "[complex]") {
   CHECK(is_manifold(square(0, 0, 1, Border::open)));
-  CHECK(!is_manifold(square(0, 0, 1, Border::open) - point2(0.5, 0.5)));  // exercise 26: neither the disk without centre,
+  CHECK(
+      !is_manifold(square(0, 0, 1, Border::open) - point2(0.5, 0.5)));  // exercise 26: neither the disk without centre,
   CHECK(is_manifold(closure(square(0, 0, 1, Border::open) - point2(0.5, 0.5))));  // but its closure
   CHECK(!is_manifold(point2(0, 0)));                                              // exercise 25
   CHECK(non_manifold_cells(square(0, 0, 1, Border::closed) | square(1, 1, 1, Border::closed)).size() == 1);
@@ -168,7 +171,8 @@ TEST_CASE("nested shells are volumes in one another", "[complex]") {
   CHECK(s.count(3) == 7);
   CHECK(components(s).count == 3);
   Rational expected = 0;
-  for (int i = 0, sign = 1; i < 6; ++i, sign = -sign) expected += sign * Rational((20 - 2 * i) * (20 - 2 * i) * (20 - 2 * i));
+  for (int i = 0, sign = 1; i < 6; ++i, sign = -sign)
+    expected += sign * Rational((20 - 2 * i) * (20 - 2 * i) * (20 - 2 * i));
   CHECK(volume(s) == expected);
 }
 
@@ -198,7 +202,8 @@ TEST_CASE("shells beside and inside each other are told apart", "[complex]") {
 TEST_CASE("exact places decide, at any scale", "[complex]") {
   const double tiny = 1e-300, huge = 1e300;
   const SelectiveComplex s = simplex(3, std::vector<Vertex>{{0, 0, 0}, {huge, 0, 0}, {0, huge, 0}});
-  const SelectiveComplex near = simplex(3, std::vector<Vertex>{{tiny, tiny, 0}}), off = simplex(3, std::vector<Vertex>{{tiny, tiny, tiny}});
+  const SelectiveComplex near = simplex(3, std::vector<Vertex>{{tiny, tiny, 0}}),
+                         off = simplex(3, std::vector<Vertex>{{tiny, tiny, tiny}});
   CHECK((s | near) == s);
   CHECK((s | off) != s);
   CHECK((s | off).count(0) == 4);
@@ -220,8 +225,9 @@ TEST_CASE("bad input has a name", "[complex]") {
     return std::string("none");
   };
   CHECK(kind([&] { (void)simplex(3, std::vector<Vertex>{{nan, 0, 0}}); }) == "non-finite coordinate");
-  CHECK(kind([&] { (void)polygon(std::vector<std::vector<Point2>>{{{0, 0}, {1, 0}, {nan, 1}}}); }) ==
-        "non-finite coordinate");
+  CHECK(kind([&] {
+          (void)polygon(std::vector<std::vector<Point2>>{{{0, 0}, {1, 0}, {nan, 1}}});
+        }) == "non-finite coordinate");
   CHECK(kind([&] { (void)simplex(3, std::vector<Vertex>{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}); }) == "degenerate triangle");
   CHECK(kind([&] { (void)simplex(3, std::vector<Vertex>{{0, 0, 0}, {0, 0, 0}}); }) == "degenerate triangle");
   CHECK(kind([&] { (void)simplex(2, std::vector<Vertex>{{0, 0, 1}}); }) == "invalid argument");

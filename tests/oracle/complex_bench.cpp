@@ -1,4 +1,5 @@
-// complex_bench [FILE...]: operators of complexes beside CGAL's Nef_polyhedron_3, on solids in files. Minimum of the runs.
+// complex_bench [FILE...]: operators of complexes beside CGAL's Nef_polyhedron_3, on solids in files. Minimum of the
+// runs.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -42,19 +43,26 @@ void run(const std::string& path, int runs) {
     for (std::size_t i = 0; i < 3; ++i) p[i] += (box.upper[i] - box.lower[i]) / 3.0;
   const SelectiveComplex s = strata::complex::of_solid(solid);
   const Nef n = Nef::solid(solid.mesh());
-  std::printf("%s: %zu triangles; cells %u %u %u %u\n", path.c_str(), solid.mesh().triangles.size(), s.count(0), s.count(1),
-              s.count(2), s.count(3));
-  compare("from the solid", runs, [&] { (void)strata::complex::of_solid(solid); },
-          [&] { (void)Nef::solid(solid.mesh()); });
-  compare("interior", runs, [&] { (void)interior(s); }, [&] { (void)n.interior(); });
-  compare("closure", runs, [&] { (void)closure(s); }, [&] { (void)n.closure(); });
-  compare("boundary", runs, [&] { (void)boundary(s); }, [&] { (void)n.boundary(); });
-  compare("regularization", runs, [&] { (void)regularized(s); }, [&] { (void)n.regularization(); });
-  compare("complement", runs, [&] { (void)~s; }, [&] { (void)n.complement(); });
+  std::printf("%s: %zu triangles; cells %u %u %u %u\n", path.c_str(), solid.mesh().triangles.size(), s.count(0),
+              s.count(1), s.count(2), s.count(3));
+  compare(
+      "from the solid", runs, [&] { (void)strata::complex::of_solid(solid); }, [&] { (void)Nef::solid(solid.mesh()); });
+  compare(
+      "interior", runs, [&] { (void)interior(s); }, [&] { (void)n.interior(); });
+  compare(
+      "closure", runs, [&] { (void)closure(s); }, [&] { (void)n.closure(); });
+  compare(
+      "boundary", runs, [&] { (void)boundary(s); }, [&] { (void)n.boundary(); });
+  compare(
+      "regularization", runs, [&] { (void)regularized(s); }, [&] { (void)n.regularization(); });
+  compare(
+      "complement", runs, [&] { (void)~s; }, [&] { (void)n.complement(); });
   const SelectiveComplex t = strata::complex::of_solid(strata::Solid(moved), strata::complex::Border::open);
   const Nef m = Nef::solid(moved).interior();
-  compare("closed | open", runs, [&] { (void)(s | t); }, [&] { (void)n.unite(m); });
-  compare("closed - open", runs, [&] { (void)(s - t); }, [&] { (void)n.subtract(m); });
+  compare(
+      "closed | open", runs, [&] { (void)(s | t); }, [&] { (void)n.unite(m); });
+  compare(
+      "closed - open", runs, [&] { (void)(s - t); }, [&] { (void)n.subtract(m); });
 }
 
 }  // namespace

@@ -136,16 +136,20 @@ class RandomPairs {
       switch (below(5)) {
         case 0:
         case 1:
-          s = {s.ours | t.ours, united(s.nef, t.nef), [f = s.is_in, g = t.is_in](const auto& p) { return f(p) || g(p); }};
+          s = {s.ours | t.ours, united(s.nef, t.nef),
+               [f = s.is_in, g = t.is_in](const auto& p) { return f(p) || g(p); }};
           break;
         case 2:
-          s = {s.ours ^ t.ours, excluded(s.nef, t.nef), [f = s.is_in, g = t.is_in](const auto& p) { return f(p) != g(p); }};
+          s = {s.ours ^ t.ours, excluded(s.nef, t.nef),
+               [f = s.is_in, g = t.is_in](const auto& p) { return f(p) != g(p); }};
           break;
         case 3:
-          s = {s.ours - t.ours, subtracted(s.nef, t.nef), [f = s.is_in, g = t.is_in](const auto& p) { return f(p) && !g(p); }};
+          s = {s.ours - t.ours, subtracted(s.nef, t.nef),
+               [f = s.is_in, g = t.is_in](const auto& p) { return f(p) && !g(p); }};
           break;
         default:
-          s = {~s.ours & t.ours, subtracted(t.nef, s.nef), [f = s.is_in, g = t.is_in](const auto& p) { return !f(p) && g(p); }};
+          s = {~s.ours & t.ours, subtracted(t.nef, s.nef),
+               [f = s.is_in, g = t.is_in](const auto& p) { return !f(p) && g(p); }};
       }
     }
     if (below(5) == 0) s = {~s.ours, s.nef.complement(), [f = s.is_in](const auto& p) { return !f(p); }};
@@ -177,12 +181,13 @@ template <int D>
 std::string differences(std::uint32_t seed, Way way) {
   RandomPairs<D> random(seed, way);
   const Both<D> s = random.next(3 + random.below(2));
-  const std::vector<std::pair<const char*, Both<D>>> sets{{"the set", s},
-                                                          {"complement", {~s.ours, s.nef.complement()}},
-                                                          {"interior", {interior(s.ours), s.nef.interior()}},
-                                                          {"closure", {closure(s.ours), s.nef.closure()}},
-                                                          {"boundary", {boundary(s.ours), s.nef.boundary()}},
-                                                          {"regularization", {regularized(s.ours), s.nef.regularization()}}};
+  const std::vector<std::pair<const char*, Both<D>>> sets{
+      {"the set", s},
+      {"complement", {~s.ours, s.nef.complement()}},
+      {"interior", {interior(s.ours), s.nef.interior()}},
+      {"closure", {closure(s.ours), s.nef.closure()}},
+      {"boundary", {boundary(s.ours), s.nef.boundary()}},
+      {"regularization", {regularized(s.ours), s.nef.regularization()}}};
   std::string text;
   for (const auto& [name, both] : sets)
     if (const std::string found = difference<D>(both); !found.empty()) text += std::string(name) + ": " + found + "; ";

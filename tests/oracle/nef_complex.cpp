@@ -123,9 +123,10 @@ template <>
 NefComplex<2> NefComplex<2>::simplex(std::span<const Vertex> corners, bool closed) {
   std::vector<Nef2::Point> p;
   for (const Vertex& c : corners) p.emplace_back(Number(c[0]), Number(c[1]));
-  if (p.size() == 3 && CGAL::Cartesian<Number>::Orientation_2()(
-                           {Number(corners[0][0]), Number(corners[0][1])}, {Number(corners[1][0]), Number(corners[1][1])},
-                           {Number(corners[2][0]), Number(corners[2][1])}) == CGAL::RIGHT_TURN)
+  if (p.size() == 3 &&
+      CGAL::Cartesian<Number>::Orientation_2()({Number(corners[0][0]), Number(corners[0][1])},
+                                               {Number(corners[1][0]), Number(corners[1][1])},
+                                               {Number(corners[2][0]), Number(corners[2][1])}) == CGAL::RIGHT_TURN)
     std::swap(p[1], p[2]);
   Nef2 nef(p.begin(), p.end(), closed || p.size() < 3 ? Nef2::INCLUDED : Nef2::EXCLUDED);
   if (!closed && p.size() == 2)
@@ -141,42 +142,42 @@ NefComplex<3> NefComplex<3>::solid(const Mesh& mesh) {
   return NefComplex(std::make_shared<Data>(Data{Nef3(polyhedron)}));
 }
 
-#define STRATA_OPERATIONS(D)                                                                      \
-  template <>                                                                                     \
-  NefComplex<D> NefComplex<D>::unite(const NefComplex& other) const {                             \
-    return NefComplex(std::make_shared<Data>(Data{data_->nef + other.data_->nef}));               \
-  }                                                                                               \
-  template <>                                                                                     \
-  NefComplex<D> NefComplex<D>::intersect(const NefComplex& other) const {                         \
-    return NefComplex(std::make_shared<Data>(Data{data_->nef * other.data_->nef}));               \
-  }                                                                                               \
-  template <>                                                                                     \
-  NefComplex<D> NefComplex<D>::subtract(const NefComplex& other) const {                          \
-    return NefComplex(std::make_shared<Data>(Data{data_->nef - other.data_->nef}));               \
-  }                                                                                               \
-  template <>                                                                                     \
-  NefComplex<D> NefComplex<D>::exclude(const NefComplex& other) const {                           \
-    return NefComplex(std::make_shared<Data>(Data{data_->nef ^ other.data_->nef}));               \
-  }                                                                                               \
-  template <>                                                                                     \
-  NefComplex<D> NefComplex<D>::complement() const {                                               \
-    return NefComplex(std::make_shared<Data>(Data{data_->nef.complement()}));                     \
-  }                                                                                               \
-  template <>                                                                                     \
-  NefComplex<D> NefComplex<D>::interior() const {                                                 \
-    return NefComplex(std::make_shared<Data>(Data{data_->nef.interior()}));                       \
-  }                                                                                               \
-  template <>                                                                                     \
-  NefComplex<D> NefComplex<D>::closure() const {                                                  \
-    return NefComplex(std::make_shared<Data>(Data{data_->nef.closure()}));                        \
-  }                                                                                               \
-  template <>                                                                                     \
-  NefComplex<D> NefComplex<D>::boundary() const {                                                 \
-    return NefComplex(std::make_shared<Data>(Data{data_->nef.boundary()}));                       \
-  }                                                                                               \
-  template <>                                                                                     \
-  NefComplex<D> NefComplex<D>::regularization() const {                                           \
-    return NefComplex(std::make_shared<Data>(Data{data_->nef.regularization()}));                 \
+#define STRATA_OPERATIONS(D)                                                        \
+  template <>                                                                       \
+  NefComplex<D> NefComplex<D>::unite(const NefComplex& other) const {               \
+    return NefComplex(std::make_shared<Data>(Data{data_->nef + other.data_->nef})); \
+  }                                                                                 \
+  template <>                                                                       \
+  NefComplex<D> NefComplex<D>::intersect(const NefComplex& other) const {           \
+    return NefComplex(std::make_shared<Data>(Data{data_->nef * other.data_->nef})); \
+  }                                                                                 \
+  template <>                                                                       \
+  NefComplex<D> NefComplex<D>::subtract(const NefComplex& other) const {            \
+    return NefComplex(std::make_shared<Data>(Data{data_->nef - other.data_->nef})); \
+  }                                                                                 \
+  template <>                                                                       \
+  NefComplex<D> NefComplex<D>::exclude(const NefComplex& other) const {             \
+    return NefComplex(std::make_shared<Data>(Data{data_->nef ^ other.data_->nef})); \
+  }                                                                                 \
+  template <>                                                                       \
+  NefComplex<D> NefComplex<D>::complement() const {                                 \
+    return NefComplex(std::make_shared<Data>(Data{data_->nef.complement()}));       \
+  }                                                                                 \
+  template <>                                                                       \
+  NefComplex<D> NefComplex<D>::interior() const {                                   \
+    return NefComplex(std::make_shared<Data>(Data{data_->nef.interior()}));         \
+  }                                                                                 \
+  template <>                                                                       \
+  NefComplex<D> NefComplex<D>::closure() const {                                    \
+    return NefComplex(std::make_shared<Data>(Data{data_->nef.closure()}));          \
+  }                                                                                 \
+  template <>                                                                       \
+  NefComplex<D> NefComplex<D>::boundary() const {                                   \
+    return NefComplex(std::make_shared<Data>(Data{data_->nef.boundary()}));         \
+  }                                                                                 \
+  template <>                                                                       \
+  NefComplex<D> NefComplex<D>::regularization() const {                             \
+    return NefComplex(std::make_shared<Data>(Data{data_->nef.regularization()}));   \
   }
 STRATA_OPERATIONS(2)
 STRATA_OPERATIONS(3)
@@ -191,7 +192,8 @@ template <>
 std::array<std::size_t, 4> NefComplex<2>::counts() const {
   const auto explorer = data_->nef.explorer();
   std::array<std::size_t, 4> counts{};
-  for (auto v = explorer.vertices_begin(); v != explorer.vertices_end(); ++v) counts[0] += explorer.is_standard(v) ? 1 : 0;
+  for (auto v = explorer.vertices_begin(); v != explorer.vertices_end(); ++v)
+    counts[0] += explorer.is_standard(v) ? 1 : 0;
   for (auto e = explorer.halfedges_begin(); e != explorer.halfedges_end(); ++e)
     counts[1] += explorer.is_frame_edge(e) ? 0 : 1;
   counts[1] /= 2;

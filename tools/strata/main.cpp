@@ -192,12 +192,14 @@ Examples:
 }
 
 void add_topology(CLI::App& app, Settings& settings, Action& action) {
-  CLI::App* verb = app.add_subcommand("topology", "Sets that need not be regular: cells, parts of the boundary, components, holes");
+  CLI::App* verb =
+      app.add_subcommand("topology", "Sets that need not be regular: cells, parts of the boundary, components, holes");
   verb->add_option("MESH", settings.bindings,
                    "Mesh or complex (.sgc) files, called a, b, c, ... in order, or NAME=FILE; - is standard input")
       ->required()
       ->expected(1, CLI::detail::expected_max_vector_size);
-  verb->add_option("--expression", settings.expression, "Of names, with | & - ^ ~ and parentheses; the union unless told")
+  verb->add_option("--expression", settings.expression,
+                   "Of names, with | & - ^ ~ and parentheses; the union unless told")
       ->type_name("E");
   verb->add_option("--operator", settings.operators,
                    "Applied to the result, one after the other: interior, closure, boundary, exterior, complement, "
@@ -209,7 +211,8 @@ void add_topology(CLI::App& app, Settings& settings, Action& action) {
       ->type_name("OUT.sgc");
   add_input_class(*verb, settings);
   add_run_options(*verb, settings);
-  verb->footer(fmt::format(R"(Nothing is regularized: a closed solid minus an open one keeps their common boundary. Counts are of cells of dimension 0, 1, 2
+  verb->footer(fmt::format(
+      R"(Nothing is regularized: a closed solid minus an open one keeps their common boundary. Counts are of cells of dimension 0, 1, 2
 and 3; parts are the interior, the exterior and of the boundary skin and wound (touching both), hair and cut (dangling).
 
 Examples:
@@ -218,7 +221,7 @@ Examples:
   strata topology part.sgc --operator interior --operator closure -o regular.sgc
 
 {})",
-                           exit_codes));
+      exit_codes));
   verb->callback([&] { action = [&] { return run_topology(settings); }; });
 }
 

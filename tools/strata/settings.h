@@ -32,14 +32,15 @@ struct Settings {
   bool first = false;           ///< list the first hit of a ray only
   bool exploded = false;        ///< pieces pulled apart
   bool exact = false;           ///< rationals beside doubles
-  std::vector<std::string> operators;  ///< of topology, one after the other
-  std::vector<std::string> open;       ///< names of operands without their boundaries
   double distance = 0;          ///< by which a solid is grown, or shrunk if it is negative
   std::uint32_t facets = 320;   ///< of the ball that does it, about
   unsigned threads = 0;         ///< 0: all cores
   bool quiet = false;
   bool progress = false;
   double timeout = 0;  ///< seconds; 0: none
+
+  std::vector<std::string> operators;  ///< of topology, one after the other
+  std::vector<std::string> open;       ///< names of operands without their boundaries
 };
 
 /// The options make no sense together.

@@ -1,3 +1,5 @@
+#include "strata/complex/topology.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +19,6 @@
 #include "strata/complex/make.h"
 #include "strata/complex/measure.h"
 #include "strata/complex/operators.h"
-#include "strata/complex/topology.h"
 #include "verbs.h"
 #include "watch.h"
 
@@ -203,7 +204,8 @@ ExitCode run_topology(Settings& settings) {
   const std::vector<Operand> operands = operands_of(settings);
   const Parsed parsed = parse(settings, operands);
   (void)operated(SelectiveComplex(), settings.operators);  // are these all operators?
-  Json report = {{"operation", "topology"}, {"expression", parsed.expression.text()}, {"operators", settings.operators}};
+  Json report = {
+      {"operation", "topology"}, {"expression", parsed.expression.text()}, {"operators", settings.operators}};
   std::vector<LoadedMesh> meshes;
   const std::vector<SelectiveComplex> complexes = read(settings, operands, meshes);
   report["operands"] = Json::array();

@@ -69,8 +69,7 @@ class Cutter {
     }
     for (std::size_t i = 0; i < constraints_.size(); ++i)
       if (ends_[i].first != ends_[i].second)
-        triangulation_.add_segment(ends_[i].first, ends_[i].second, static_cast<std::int32_t>(i),
-                                   constraints_[i].line);
+        triangulation_.add_segment(ends_[i].first, ends_[i].second, static_cast<std::int32_t>(i), constraints_[i].line);
   }
 
   void list_coplanar() {

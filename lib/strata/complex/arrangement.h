@@ -23,8 +23,8 @@ struct GivenFaces {
 /// A part of a face, counter-clockwise as seen from its upper side.
 struct Piece {
   std::array<std::uint32_t, 3> v{};
-  std::uint32_t face = 0;                ///< the lowest of those that hold it
-  std::uint32_t first = 0, covers = 0;   ///< the others, in Arrangement::covers
+  std::uint32_t face = 0;               ///< the lowest of those that hold it
+  std::uint32_t first = 0, covers = 0;  ///< the others, in Arrangement::covers
 };
 
 /// A part of a side of a given triangle.
@@ -40,12 +40,12 @@ struct Arrangement {
 
   Carriers carriers;
   PointTable points;
-  std::vector<PointId> vertices;        ///< in lexicographic order of places
+  std::vector<PointId> vertices;         ///< in lexicographic order of places
   std::vector<std::uint32_t> vertex_of;  ///< of given vertices, in `vertices`
   std::vector<Piece> pieces;
   std::vector<std::uint32_t> covers;
   std::vector<SidePart> side_parts;
-  std::vector<std::uint8_t> is_turned;  ///< per face: its normal points down
+  std::vector<std::uint8_t> is_turned;                            ///< per face: its normal points down
   std::vector<std::pair<std::uint32_t, std::uint32_t>> coplanar;  ///< pairs of faces that touch in one plane
 };
 

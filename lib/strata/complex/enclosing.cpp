@@ -91,7 +91,8 @@ std::vector<std::uint32_t> enclosing_shells(const Arrangement& arrangement, cons
         }
     }
   }
-  for (std::size_t i = 0; i < sets.size(); ++i) {  // shells around a point lie in one another: the inner ones are in more
+  for (std::size_t i = 0; i < sets.size();
+       ++i) {  // shells around a point lie in one another: the inner ones are in more
     std::size_t most = 0;
     for (const Index shell : around[i])
       if (const std::size_t depth = 1 + around[set_of_shell.at(shell)].size(); depth > most) {

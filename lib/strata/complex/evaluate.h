@@ -7,8 +7,8 @@
 
 namespace strata::complex {
 
-/// An expression about complexes: its solids stand for them, one per primitive and in that order. Not regularized, in one
-/// overlay of all. Throws as `combine` does.
+/// An expression about complexes: its solids stand for them, one per primitive and in that order. Not regularized, in
+/// one overlay of all. Throws as `combine` does.
 [[nodiscard]] SelectiveComplex evaluate(const Expression& expression, std::span<const SelectiveComplex> primitives,
                                         const Monitor& monitor = {});
 

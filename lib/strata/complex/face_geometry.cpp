@@ -37,9 +37,8 @@ bool surely_has_area(const Cells& cells, std::span<const Wing> wings, std::size_
 }  // namespace
 
 WingsOfFaces::WingsOfFaces(const Cells& cells) : wings_(cells.wings), first_(cells.count(2) + 1) {
-  std::sort(wings_.begin(), wings_.end(), [](const Wing& a, const Wing& b) {
-    return a.face != b.face ? a.face < b.face : a < b;
-  });
+  std::sort(wings_.begin(), wings_.end(),
+            [](const Wing& a, const Wing& b) { return a.face != b.face ? a.face < b.face : a < b; });
   for (const Wing& w : wings_) ++first_[w.face + 1];
   for (std::size_t f = 0; f + 1 < first_.size(); ++f) first_[f + 1] += first_[f];
 }

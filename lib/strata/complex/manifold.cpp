@@ -111,9 +111,10 @@ std::vector<Cell> non_manifold_cells(const SelectiveComplex& s) {
   for (const Isolated& i : cells.vertices_in_faces) in_face[i.cell] = true;
   Rings rings(cells);
   for (Index v = 0; v < cells.count(0); ++v) {
-    const bool has_two_wings = std::all_of(edges_at[v].begin(), edges_at[v].end(), [&](Index e) { return wings[e] == 2; });
-    const bool is_ring = edges_at[v].empty() ? in_face[v]
-                                             : !in_face[v] && has_two_wings && rings.is_one_ring(v, edges_at[v]);
+    const bool has_two_wings =
+        std::all_of(edges_at[v].begin(), edges_at[v].end(), [&](Index e) { return wings[e] == 2; });
+    const bool is_ring =
+        edges_at[v].empty() ? in_face[v] : !in_face[v] && has_two_wings && rings.is_one_ring(v, edges_at[v]);
     if (!is_ring) vertices.push_back({0, v});
   }
   vertices.insert(vertices.end(), edges.begin(), edges.end());

@@ -16,7 +16,11 @@ using Index = std::uint32_t;
 class FaceTriangulator {
  public:
   FaceTriangulator(const Cells& cells, Soup& soup)
-      : cells_(cells), soup_(soup), wings_(cells), first_edge_(cells.count(0)), first_face_(first_edge_ + cells.count(1)),
+      : cells_(cells),
+        soup_(soup),
+        wings_(cells),
+        first_edge_(cells.count(0)),
+        first_face_(first_edge_ + cells.count(1)),
         first_volume_(first_face_ + cells.count(2)) {
     for (const Isolated& i : cells.vertices_in_faces) isolated_.emplace(i.in, i.cell);
   }
@@ -71,8 +75,7 @@ class FaceTriangulator {
       const auto& part = subdivision.parts[p];
       std::array<Index, 3> edges{none, none, none};
       for (std::size_t i = 0; i < 3; ++i)
-        if (!part.sides[i].segments.empty())
-          edges[i] = first_edge_ + wings[part.sides[i].segments.front().first].edge;
+        if (!part.sides[i].segments.empty()) edges[i] = first_edge_ + wings[part.sides[i].segments.front().first].edge;
       append(face, {vertex[part.v[0]], vertex[part.v[1]], vertex[part.v[2]]}, edges);
     }
   }

@@ -10,8 +10,9 @@ namespace strata::complex {
 
 [[nodiscard]] SelectiveComplex interior(const SelectiveComplex& s);  ///< S.i, the points about which all is in S
 [[nodiscard]] SelectiveComplex closure(const SelectiveComplex& s);   ///< S.c, the points that touch S
-[[nodiscard]] SelectiveComplex boundary(const SelectiveComplex& s);  ///< S.b, the points that touch S and its complement
-[[nodiscard]] SelectiveComplex exterior(const SelectiveComplex& s);  ///< S.e, the interior of the complement
+[[nodiscard]] SelectiveComplex boundary(
+    const SelectiveComplex& s);  ///< S.b, the points that touch S and its complement
+[[nodiscard]] SelectiveComplex exterior(const SelectiveComplex& s);          ///< S.e, the interior of the complement
 [[nodiscard]] SelectiveComplex regularized(const SelectiveComplex& s);       ///< S.r = S.i.c
 [[nodiscard]] SelectiveComplex open_regularized(const SelectiveComplex& s);  ///< S.o = S.c.i
 

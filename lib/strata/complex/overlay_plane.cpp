@@ -86,7 +86,8 @@ class PlaneOverlay {
         const auto face = static_cast<Index>(result_.cells.plane.size());
         for (const auto& [segment, forward] : side.segments) {
           const auto [k, s] = all_.source[segment];
-          label(2, face, k) = drawings_[k].by_parity ? 1 - label(2, face, k) : drawings_[k].face_cell[s][forward ? 1 : 0];
+          label(2, face, k) =
+              drawings_[k].by_parity ? 1 - label(2, face, k) : drawings_[k].face_cell[s][forward ? 1 : 0];
         }
         enter(static_cast<Index>(side.neighbour));
       }

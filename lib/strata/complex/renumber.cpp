@@ -44,8 +44,7 @@ class Renumbering {
       vertex_[v] = static_cast<Index>(new_.points.size());
       new_.points.push_back(old_.points[v]);
       while (rational != old_.exact.end() && rational->vertex < v) ++rational;
-      if (rational != old_.exact.end() && rational->vertex == v)
-        new_.exact.push_back({vertex_[v], rational->position});
+      if (rational != old_.exact.end() && rational->vertex == v) new_.exact.push_back({vertex_[v], rational->position});
       new_.marks[0].push_back(old_.marks[0][v]);
     }
   }
@@ -65,8 +64,7 @@ class Renumbering {
       new_.edges[edge_[e]] = key;
       new_.marks[1][edge_[e]] = old_.marks[1][e];
     }
-    for (Index e = 0; e < old_.count(1); ++e)
-      edge_[e] = merged_.keeps_edge[e] ? edge_[merged_.edges.find(e)] : none;
+    for (Index e = 0; e < old_.count(1); ++e) edge_[e] = merged_.keeps_edge[e] ? edge_[merged_.edges.find(e)] : none;
   }
 
   [[nodiscard]] Index face_class(Index f) { return merged_.keeps_face[f] ? merged_.faces.find(f) : none; }

@@ -26,8 +26,8 @@ struct Merged {
   std::vector<std::uint32_t> face_of_vertex, volume_of_vertex, volume_of_edge;  ///< of isolated ones
 };
 
-/// The cells that are left, in the order of their places: vertices lexicographically, edges by their vertices, faces and
-/// volumes by what bounds them; the unbounded cell first among those of the highest dimension.
+/// The cells that are left, in the order of their places: vertices lexicographically, edges by their vertices, faces
+/// and volumes by what bounds them; the unbounded cell first among those of the highest dimension.
 [[nodiscard]] Cells renumbered(const Cells& cells, Merged merged);
 
 }  // namespace strata::complex

@@ -21,7 +21,7 @@ namespace strata::complex {
 /// Source: Rossignac and O'Connor 1989; theory.md.
 class SelectiveComplex {
  public:
-  explicit SelectiveComplex(int dimension = 3);       ///< the empty set of the plane (2) or of space (3)
+  explicit SelectiveComplex(int dimension = 3);                  ///< the empty set of the plane (2) or of space (3)
   [[nodiscard]] static SelectiveComplex all(int dimension = 3);  ///< the whole plane, or space
   /// Whatever cells these are, simplified. Requires what `simplified` does: `validate` tells.
   [[nodiscard]] static SelectiveComplex of(const Cells& cells);
@@ -30,9 +30,7 @@ class SelectiveComplex {
   [[nodiscard]] const Cells& cells() const;
   [[nodiscard]] const Incidences& incidences() const;
   [[nodiscard]] std::uint32_t count(int d) const { return cells().count(d); }  ///< cells of one dimension
-  [[nodiscard]] bool mark(Cell c) const {
-    return cells().marks[static_cast<std::size_t>(c.dimension)][c.index] != 0;
-  }
+  [[nodiscard]] bool mark(Cell c) const { return cells().marks[static_cast<std::size_t>(c.dimension)][c.index] != 0; }
   [[nodiscard]] std::vector<std::uint8_t> marks() const;  ///< of all cells, as `incidences` numbers them
   /// Another set over the same cells. O(n log n).
   [[nodiscard]] SelectiveComplex with_marks(std::span<const std::uint8_t> marks) const;

@@ -94,8 +94,8 @@ ExactMesh mesh_of(const Arrangement& arrangement, const Cells& cells, std::span<
   ExactMesh mesh;
   auto rational = cells.exact.begin();
   for (const Index v : used) {
-    rational = std::lower_bound(rational, cells.exact.end(), v,
-                                [](const ExactVertex& e, Index w) { return e.vertex < w; });
+    rational =
+        std::lower_bound(rational, cells.exact.end(), v, [](const ExactVertex& e, Index w) { return e.vertex < w; });
     if (rational != cells.exact.end() && rational->vertex == v) mesh.exact.push_back({number(v), rational->position});
     mesh.mesh.vertices.push_back(cells.points[v]);
   }

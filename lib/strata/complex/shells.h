@@ -18,9 +18,9 @@ struct Volumes {
 /// Finds them from the order of pieces around each edge. `cells` holds the pieces as faces, with wings and vertices.
 ///
 /// Pieces around an edge in order make connected shells of their sides; a shell encloses a bounded volume exactly when
-/// its signed volume is positive, and every connected set of pieces has exactly one that does not: theory.md, section 2.
-/// That one bounds the innermost volume around the set. O(n log n), and for every connected set a look at the triangles
-/// of those whose boxes are around it.
+/// its signed volume is positive, and every connected set of pieces has exactly one that does not: theory.md,
+/// section 2. That one bounds the innermost volume around the set. O(n log n), and for every connected set a look at
+/// the triangles of those whose boxes are around it.
 [[nodiscard]] Volumes find_volumes(const Arrangement& arrangement, const Cells& cells);
 
 }  // namespace strata::complex

@@ -69,8 +69,8 @@ class Merger {
         merged_.keeps_edge[e] = mark(3, volume) != mark(1, e);
         merged_.changes = merged_.changes || !merged_.keeps_edge[e];
         merged_.volume_of_edge[e] = volume;
-      } else if (count == 2 && cells_.plane[faces[0]] == cells_.plane[faces[1]] &&
-                 mark(2, faces[0]) == mark(1, e) && mark(2, faces[1]) == mark(1, e)) {
+      } else if (count == 2 && cells_.plane[faces[0]] == cells_.plane[faces[1]] && mark(2, faces[0]) == mark(1, e) &&
+                 mark(2, faces[1]) == mark(1, e)) {
         merged_.keeps_edge[e] = false;
         merged_.changes = true;
         merged_.faces.unite(faces[0], faces[1]);
@@ -140,7 +140,8 @@ class Merger {
     return (a < v) != (b < v) && are_collinear(cells_, a, v, b);
   }
 
-  /// The face that goes round a vertex of edges which are not its own, or none: where two did, they would meet in edges.
+  /// The face that goes round a vertex of edges which are not its own, or none: where two did, they would meet in
+  /// edges.
   [[nodiscard]] Index pierced_face(Index v) {
     bordered_.clear();
     for (const Index e : edges_at(v))

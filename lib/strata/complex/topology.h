@@ -23,7 +23,7 @@ struct Components {
 [[nodiscard]] SelectiveComplex holes(const SelectiveComplex& s);
 [[nodiscard]] std::uint32_t count_holes(const SelectiveComplex& s);
 
-[[nodiscard]] bool is_connected(const SelectiveComplex& s);         ///< at most one component
+[[nodiscard]] bool is_connected(const SelectiveComplex& s);  ///< at most one component
 /// Without holes: of a bounded set, that the complement is connected. Throws std::invalid_argument for one that is not.
 [[nodiscard]] bool is_simply_connected(const SelectiveComplex& s);
 

@@ -38,8 +38,10 @@ void check_vertices(const Cells& c) {
 
 void check_edges(const Cells& c) {
   for (Index e = 0; e < c.count(1); ++e) {
-    require(c.edges[e][0] < c.edges[e][1] && c.edges[e][1] < c.count(0), {1, e}, "an edge needs a lower and a higher vertex");
-    require(e == 0 || c.edges[e - 1] < c.edges[e], {1, e}, "edges are not in the order of their vertices, or are the same");
+    require(c.edges[e][0] < c.edges[e][1] && c.edges[e][1] < c.count(0), {1, e},
+            "an edge needs a lower and a higher vertex");
+    require(e == 0 || c.edges[e - 1] < c.edges[e], {1, e},
+            "edges are not in the order of their vertices, or are the same");
   }
 }
 

@@ -89,8 +89,8 @@ class Expression {
   std::shared_ptr<const Node> node_;
 };
 
-/// True when a point is in a disjunctive form. `is_in(primitive)` is asked at most once of each, and of none that does not
-/// matter any more: a product ends at its first factor that does not hold, the form at its first product that does.
+/// True when a point is in a disjunctive form. `is_in(primitive)` is asked at most once of each, and of none that does
+/// not matter any more: a product ends at its first factor that does not hold, the form at its first product that does.
 /// O(factors).
 [[nodiscard]] bool is_in_products(const Expression::Products& products,
                                   const std::function<bool(std::uint32_t)>& is_in);
