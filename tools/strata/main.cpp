@@ -234,6 +234,40 @@ void add_planar(CLI::App& app, PlanarSettings& planar, Settings& settings, Actio
   info->callback([&] { action = [&] { return run_planar_info(planar, settings); }; });
 }
 
+void add_topology(CLI::App& app, Settings& settings, Action& action) {
+  CLI::App* verb =
+      app.add_subcommand("topology", "Sets that need not be regular: cells, parts of the boundary, components, holes");
+  verb->add_option("MESH", settings.bindings,
+                   "Mesh or complex (.sgc) files, called a, b, c, ... in order, or NAME=FILE; - is standard input")
+      ->required()
+      ->expected(1, CLI::detail::expected_max_vector_size);
+  verb->add_option("--expression", settings.expression,
+                   "Of names, with | & - ^ ~ and parentheses; the union unless told")
+      ->type_name("E");
+  verb->add_option("--operator", settings.operators,
+                   "Applied to the result, one after the other: interior, closure, boundary, exterior, complement, "
+                   "regularized, open-regularized, membrane, dangle, skin, wound, hair, cut, holes")
+      ->type_name("OP")
+      ->take_all();
+  verb->add_option("--open", settings.open, "Operands without their boundaries")->type_name("NAME")->take_all();
+  verb->add_option("-o,--output", settings.output, "Where the complex goes (.sgc); - is standard output")
+      ->type_name("OUT.sgc");
+  add_input_class(*verb, settings);
+  add_run_options(*verb, settings);
+  verb->footer(fmt::format(
+      R"(Nothing is regularized: a closed solid minus an open one keeps their common boundary. Counts are of cells of dimension 0, 1, 2
+and 3; parts are the interior, the exterior and of the boundary skin and wound (touching both), hair and cut (dangling).
+
+Examples:
+  strata topology block.stl drill.stl --expression "a - b" --report - -o part.sgc
+  strata topology block.stl drill.stl --expression "a - b" --open b --operator hair
+  strata topology part.sgc --operator interior --operator closure -o regular.sgc
+
+{})",
+      exit_codes));
+  verb->callback([&] { action = [&] { return run_topology(settings); }; });
+}
+
 void add_hull(CLI::App& app, Settings& settings, Action& action) {
   CLI::App* verb = app.add_subcommand("hull", "The convex hull of all vertices of meshes, and of points");
   verb->add_option("MESH", settings.operands, "Mesh files in any state; - is standard input")
@@ -433,6 +467,7 @@ int main(int argc, char** argv) {
   add_layers(app, settings, action);
   add_bsp(app, settings, action);
   add_decompose(app, settings, action);
+  add_topology(app, settings, action);
   add_hull(app, settings, action);
   add_minkowski(app, settings, action);
   add_planar(app, planar_settings, settings, action);

@@ -38,6 +38,9 @@ struct Settings {
   bool quiet = false;
   bool progress = false;
   double timeout = 0;  ///< seconds; 0: none
+
+  std::vector<std::string> operators;  ///< of topology, one after the other
+  std::vector<std::string> open;       ///< names of operands without their boundaries
 };
 
 /// The options make no sense together.

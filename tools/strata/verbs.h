@@ -41,3 +41,6 @@
 
 /// A solid grown or shrunk by a polyhedral ball.
 [[nodiscard]] ExitCode run_offset(const Settings& settings);
+
+/// Sets that need not be regular: an expression over meshes and complexes, operators, and what their boundaries are.
+[[nodiscard]] ExitCode run_topology(Settings& settings);

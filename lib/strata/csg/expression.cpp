@@ -119,6 +119,18 @@ Solid Expression::evaluate(const Options& options) const {
   return combine_solids(formula, operands, options);
 }
 
+Formula Expression::formula() const {
+  if (node_->size >= 0xffffffffu) throw std::length_error("an expression of more than 2^32 - 2 solids");
+  const NumberedSolids numbering(*node_);
+  Formula formula(static_cast<std::uint32_t>(numbering.occurrences().size()));
+  const auto whole = fold<Formula::Term>(
+      *node_, [&](const Occurrence& o) { return formula.operand(numbering.number_of(o)); },
+      [](const Formula::Term& t) { return !t; },
+      [&](Kind kind, const std::vector<Formula::Term>& terms) { return formula.join(join_of(kind), terms); });
+  formula.close(whole);
+  return formula;
+}
+
 std::vector<Expression::Primitive> Expression::primitives() const {
   const NumberedSolids numbering(*node_);
   const std::vector<bool> matters = find_what_matters(*node_, numbering);

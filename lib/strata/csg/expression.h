@@ -63,6 +63,22 @@ class Expression {
   /// The different solids by first occurrence; the same solid under the same map is one.
   [[nodiscard]] std::vector<Primitive> primitives() const;
 
+  /// The expression as a formula about its primitives, by their numbers: for sets of other kinds, one per primitive.
+  /// Throws std::length_error beyond 2^32 - 2 solids.
+  [[nodiscard]] Formula formula() const;
+
+  /// A primitive by number, or its complement.
+  struct Factor {
+    std::uint32_t primitive = 0;
+    bool negative = false;
+
+    friend bool operator==(const Factor&, const Factor&) = default;
+  };
+  /// A union of intersections: no product is everything, none is nothing.
+  using Products = std::vector<std::vector<Factor>>;
+  /// The disjunctive form as lists, short products first. Throws std::length_error beyond `most` factors.
+  [[nodiscard]] Products products(std::size_t most = 1'000'000) const;
+
   /// With names, operators and as few parentheses as they need. Solids without a name are `?`; maps are left out.
   [[nodiscard]] std::string text() const;
 
@@ -72,6 +88,12 @@ class Expression {
   explicit Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
   std::shared_ptr<const Node> node_;
 };
+
+/// True when a point is in a disjunctive form. `is_in(primitive)` is asked at most once of each, and of none that does
+/// not matter any more: a product ends at its first factor that does not hold, the form at its first product that does.
+/// O(factors).
+[[nodiscard]] bool is_in_products(const Expression::Products& products,
+                                  const std::function<bool(std::uint32_t)>& is_in);
 
 /// An error in a text, with its place.
 class ParseError : public std::runtime_error {

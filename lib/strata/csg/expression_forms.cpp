@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <stdexcept>
 
 #include "strata/csg/expression.h"
@@ -110,13 +111,12 @@ Expression Expression::positive_form(std::size_t most) const {
   return Expression(both.part);
 }
 
-Expression Expression::disjunctive_form(std::size_t most) const {
-  const Expression positive = positive_form(most);
-  std::vector<Pointer> solids;
-  const NumberedSolids numbered(*positive.node_);
-  for (const Occurrence& o : numbered.occurrences()) solids.push_back(placed(o));
-  const Clauses clauses = fold<Clauses>(
-      *positive.node_, [&](const Occurrence& o) { return Clauses{{std::int64_t{numbered.number_of(o)} + 1}}; },
+namespace {
+
+/// The clauses of an expression in positive form.
+Clauses clauses_of(const Node& positive, const NumberedSolids& numbered, std::size_t most) {
+  return fold<Clauses>(
+      positive, [&](const Occurrence& o) { return Clauses{{std::int64_t{numbered.number_of(o)} + 1}}; },
       [](Clauses c) {  // of a solid
         c.front().front() *= -1;
         return c;
@@ -144,16 +144,48 @@ Expression Expression::disjunctive_form(std::size_t most) const {
         require_size(size_of(result), most);
         return result;
       });
+}
+
+std::uint32_t solid_of(std::int64_t factor) { return static_cast<std::uint32_t>(std::abs(factor) - 1); }
+
+}  // namespace
+
+Expression Expression::disjunctive_form(std::size_t most) const {
+  const Expression positive = positive_form(most);
+  std::vector<Pointer> solids;
+  const NumberedSolids numbered(*positive.node_);
+  for (const Occurrence& o : numbered.occurrences()) solids.push_back(placed(o));
   std::vector<Pointer> terms;
-  for (const Clause& c : clauses) {
+  for (const Clause& c : clauses_of(*positive.node_, numbered, most)) {
     std::vector<Pointer> factors;
-    for (const std::int64_t x : c) {
-      const Pointer& solid = solids[static_cast<std::size_t>(std::abs(x)) - 1];
-      factors.push_back(x > 0 ? solid : complement_of(solid));
-    }
+    for (const std::int64_t x : c) factors.push_back(x > 0 ? solids[solid_of(x)] : complement_of(solids[solid_of(x)]));
     terms.push_back(Node::join(Kind::all, std::move(factors)));
   }
   return Expression(Node::join(Kind::any, std::move(terms)));
+}
+
+Expression::Products Expression::products(std::size_t most) const {
+  const Expression positive = positive_form(most);
+  const NumberedSolids own(*node_), numbered(*positive.node_);
+  std::vector<std::uint32_t> primitive;
+  for (const Occurrence& o : numbered.occurrences()) primitive.push_back(own.number_of(o));
+  Products products;
+  for (const Clause& c : clauses_of(*positive.node_, numbered, most)) {
+    auto& factors = products.emplace_back();
+    for (const std::int64_t x : c) factors.push_back({primitive[solid_of(x)], x < 0});
+  }
+  return products;
+}
+
+bool is_in_products(const Expression::Products& products, const std::function<bool(std::uint32_t)>& is_in) {
+  std::map<std::uint32_t, bool> known;
+  const auto holds = [&](const Expression::Factor& f) {
+    auto at = known.find(f.primitive);
+    if (at == known.end()) at = known.emplace(f.primitive, is_in(f.primitive)).first;
+    return at->second != f.negative;
+  };
+  return std::any_of(products.begin(), products.end(),
+                     [&](const auto& factors) { return std::all_of(factors.begin(), factors.end(), holds); });
 }
 
 }  // namespace strata

@@ -1,0 +1,14 @@
+#pragma once
+#include "strata/complex/cells.h"
+#include "strata/complex/soup.h"
+
+namespace strata::complex {
+
+/// A complex in space as triangles: faces are triangulated, edges and vertices in volumes get triangles to carry them.
+/// Cells are numbered as `Incidences` does. O(n log n) for faces of bounded size.
+[[nodiscard]] Soup soup_of(const Cells& cells);
+
+/// A complex in the plane as segments.
+[[nodiscard]] Drawing drawing_of(const Cells& cells);
+
+}  // namespace strata::complex
