@@ -6,6 +6,7 @@
 #include "strata/bsp/partition.h"
 #include "strata/bsp/polygon.h"
 #include "strata/bsp/transform.h"
+#include "strata/contact/assembly.h"
 #include "strata/convex/decompose.h"
 #include "strata/convex/hull.h"
 #include "strata/convex/minkowski.h"
