@@ -36,15 +36,21 @@ class PartTree {
     return std::span<const std::uint32_t>(faces_).subspan(node.first, node.count);
   }
 
-  /// Calls `visit(face)` for all faces in leaves whose boxes meet a box; ends, and returns false, when `visit` does.
-  template <class Visit>
-  bool for_each_near(const Box& box, const Visit& visit, std::uint32_t node = 0) const {
-    if (nodes_.empty() || !nodes_[node].box.overlaps(box)) return true;
+  /// Calls `visit(face)` for all faces in leaves whose boxes, and those around them, `enter` lets in; ends, and returns
+  /// false, when `visit` does.
+  template <class Enter, class Visit>
+  bool for_each_in(const Enter& enter, const Visit& visit, std::uint32_t node = 0) const {
+    if (nodes_.empty() || !enter(nodes_[node].box)) return true;
     if (!nodes_[node].is_leaf())
-      return for_each_near(box, visit, node + 1) && for_each_near(box, visit, nodes_[node].right);
+      return for_each_in(enter, visit, node + 1) && for_each_in(enter, visit, nodes_[node].right);
     for (const std::uint32_t f : faces(nodes_[node]))
       if (!visit(f)) return false;
     return true;
+  }
+  /// The same for boxes that meet a box.
+  template <class Visit>
+  bool for_each_near(const Box& box, const Visit& visit) const {
+    return for_each_in([&](const Box& b) { return b.overlaps(box); }, visit);
   }
 
  private:

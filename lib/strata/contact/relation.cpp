@@ -1,11 +1,13 @@
 #include "strata/contact/relation.h"
 
+#include <algorithm>
 #include <boost/container/static_vector.hpp>
 
 #include "strata/contact/common_points.h"
 #include "strata/contact/near_pairs.h"
 #include "strata/contact/separation.h"
 #include "strata/csg/combine.h"
+#include "strata/kernel/predicates.h"
 
 namespace strata::contact {
 namespace {
@@ -52,20 +54,29 @@ class Inquiry {
     is_decided_ = try_plane(f.face, a_, b_) || try_plane(g.face, b_, a_);
   }
 
-  /// Tries planes of few faces only: where these do not separate, hardly any does.
+  /// Tries few planes, each once: where these do not separate, hardly any does.
   bool try_plane(std::uint32_t face, std::uint32_t below, std::uint32_t above) {
-    if (tried_ == most_planes) return false;
-    ++tried_;
+    if (tried_.size() == most_planes) return false;
+    for (const std::uint32_t f : tried_)
+      if (has_plane_of(f, face)) return false;
+    tried_.push_back(face);
     return separates(parts_, face, below, above);
   }
+  /// True when a face lies in the plane of another one.
+  [[nodiscard]] bool has_plane_of(std::uint32_t face, std::uint32_t other) const {
+    const auto f = parts_.carriers().face(face), g = parts_.carriers().face(other);
+    return std::all_of(g.begin(), g.end(), [&](std::uint32_t v) {
+      return orient3d(parts_.carriers(), f[0], f[1], f[2], v) == Sign::zero;
+    });
+  }
 
-  static constexpr int most_planes = 8;
+  static constexpr std::size_t most_planes = 8;
   const Parts& parts_;
   std::uint32_t a_, b_;
   bool are_beside_;
   Relation relation_ = Relation::apart;
   bool is_decided_ = false;
-  int tried_ = 0;
+  boost::container::static_vector<std::uint32_t, most_planes> tried_;
 };
 
 }  // namespace
