@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <map>
 #include <string>
 #include <vector>
@@ -91,20 +92,22 @@ std::vector<Solid> solids_of(std::vector<Mesh> meshes) {
 }
 
 void run_ours(const Request& r, const std::vector<Mesh>& meshes) {
-  double best = 1e9, best_prepare = 1e9;
+  double best = 1e9, best_prepare = 1e9, best_processor = 1e9;
   std::vector<strata::contact::RelatedPair> pairs;
   for (int n = 0; n < r.runs; ++n) {
     std::vector<Mesh> copy = meshes;
     const auto start = std::chrono::steady_clock::now();
+    const std::clock_t processor = std::clock();
     const std::vector<Solid> solids = solids_of(std::move(copy));
     const double prepare = seconds_since(start);
     pairs = strata::contact::Assembly(solids).pairs();
     best = std::min(best, seconds_since(start));
+    best_processor = std::min(best_processor, static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC);
     best_prepare = std::min(best_prepare, prepare);
   }
   std::map<std::string, int> seen;
   for (const auto& pair : pairs) ++seen[name(pair.relation)];
-  std::printf("strata  %.3f s (checking the parts %.3f s)", best, best_prepare);
+  std::printf("strata  %.3f s, of processors %.3f s (checking the parts %.3f s)", best, best_processor, best_prepare);
   for (const auto& [what, count] : seen) std::printf("  %s %d", what.c_str(), count);
   std::printf("\n");
   if (!r.regions) return;

@@ -37,6 +37,7 @@ void check_output(const Settings& settings) {
                                  settings.output));
   if (!settings.output_format.empty() && settings.overlaps.empty())
     throw UsageError("--format is for the files of --overlap");
+  if (!settings.output_format.empty()) (void)output_format(settings);  // is there such a one?
   std::error_code unknown;
   const std::filesystem::path folder = settings.overlaps;
   if (settings.overlaps.empty() || !std::filesystem::exists(folder, unknown)) return;
