@@ -15,6 +15,7 @@
 #include "strata/complex/operators.h"
 #include "strata/complex/selective_complex.h"
 #include "strata/complex/topology.h"
+#include "strata/contact/assembly.h"
 #include "strata/convex/decompose.h"
 #include "strata/convex/hull.h"
 #include "strata/convex/minkowski.h"

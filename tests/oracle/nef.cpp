@@ -119,6 +119,29 @@ std::vector<ExactFacet> boundary_facets(const Nef& nef) {
   return facets;
 }
 
+ExactFacet facet_of(const Nef::Halffacet_const_handle& f) {
+  ExactFacet facet;
+  for (auto cycle = f->facet_cycles_begin(); cycle != f->facet_cycles_end(); ++cycle)
+    if (cycle.is_shalfedge()) facet.push_back(loop_points(Nef::SHalfedge_const_handle(cycle)));
+  return facet;
+}
+
+RationalPoint place_of(const Nef::Vertex_const_handle& v) {
+  const Kernel::Point_3& p = v->point();
+  return {from_cgal(p.x()), from_cgal(p.y()), from_cgal(p.z())};
+}
+
+/// The cells of a set without volume. Of a facet one side is listed.
+void list_cells(const Nef& set, NefContact& cells) {
+  for (auto f = set.halffacets_begin(); f != set.halffacets_end(); ++f)
+    if (f->mark() && &*f < &*f->twin()) cells.facets.push_back(facet_of(f));
+  for (auto e = set.halfedges_begin(); e != set.halfedges_end(); ++e)
+    if (e->mark() && &*e < &*e->twin() && e->out_sedge() == Nef::SHalfedge_const_handle())
+      cells.edges.push_back({place_of(e->source()), place_of(e->twin()->source())});
+  for (auto v = set.vertices_begin(); v != set.vertices_end(); ++v)
+    if (v->mark() && v->svertices_begin() == v->svertices_end()) cells.vertices.push_back(place_of(v));
+}
+
 /// Runs `work` with every complaint of CGAL turned into OracleFailed.
 template <typename Work>
 auto guarded(Work work) {
@@ -188,6 +211,16 @@ NefSolid nef_minkowski_sum(const NefSolid& a, const NefSolid& b) {
     Nef x = a.data_->nef, y = b.data_->nef;  // they are changed
     return std::make_shared<const NefSolid::Data>(NefSolid::Data{CGAL::minkowski_sum_3(x, y)});
   }));
+}
+
+NefContact nef_contact(const NefSolid& a, const NefSolid& b) {
+  return guarded([&] {
+    const Nef x = a.data_->nef.regularization(), y = b.data_->nef.regularization();
+    NefContact contact;
+    contact.interiors_meet = !(x.interior() * y.interior()).is_empty();
+    if (!contact.interiors_meet) list_cells(x.boundary() * y.boundary(), contact);
+    return contact;
+  });
 }
 
 CanonicalForm nef_boolean(Operation operation, std::span<const ExactMesh> operands, Way way) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -11,6 +12,15 @@
 #include "strata/mesh/exact_mesh.h"
 
 namespace strata::oracle {
+
+/// What two solids have in common, of which no dimension is told again by a lower one: facets of which the interiors
+/// are apart, edges on no facet, isolated vertices.
+struct NefContact {
+  bool interiors_meet = false;
+  std::vector<ExactFacet> facets;  ///< seen from either side
+  std::vector<std::array<RationalPoint, 2>> edges;
+  std::vector<RationalPoint> vertices;
+};
 
 /// CGAL refused or contradicted itself: the oracle has no answer. An outcome of its own, never a pass.
 class OracleFailed : public std::runtime_error {
@@ -48,6 +58,7 @@ class NefSolid {
   /// As a regular solid: facets() gives the boundary of the closure of the interior. Throws OracleFailed.
   friend NefSolid nef_combine(Operation operation, std::span<const NefSolid> operands, Way way);
   friend NefSolid nef_minkowski_sum(const NefSolid& a, const NefSolid& b);
+  friend NefContact nef_contact(const NefSolid& a, const NefSolid& b);
 
  private:
   struct Data;
@@ -59,6 +70,10 @@ class NefSolid {
 
 /// By CGAL::minkowski_sum_3. Throws OracleFailed.
 [[nodiscard]] NefSolid nef_minkowski_sum(const NefSolid& a, const NefSolid& b);
+
+/// Whether the intersection of the interiors of two solids is not empty; if it is, that of their boundaries. Of the
+/// regularizations of both, since sheets that were joined leave walls. Throws OracleFailed.
+[[nodiscard]] NefContact nef_contact(const NefSolid& a, const NefSolid& b);
 
 /// Canonical form of the regularized Boolean, by CGAL. Throws OracleFailed.
 [[nodiscard]] CanonicalForm nef_boolean(Operation operation, std::span<const ExactMesh> operands,

@@ -56,13 +56,18 @@ class Picture {
  public:
   Picture(const Extent& all, double distance) : all_(all), middle_(all.middle()), distance_(distance) {}
 
-  void add_cell(const CellPolygons& polygons) {
+  /// Without colours: the next one of the palette.
+  void add_cell(const CellPolygons& polygons, const std::vector<Colour>& colours = {}) {
     Extent cell;
     for (const auto& polygon : polygons)
       for (const Point& p : polygon) cell.add(p);
     const Point away = placed(cell.middle());
-    for (const auto& polygon : polygons)
-      for (std::size_t i = 2; i < polygon.size(); ++i) add_triangle({polygon[0], polygon[i - 1], polygon[i]}, away);
+    for (std::size_t p = 0; p < polygons.size(); ++p) {
+      const auto& polygon = polygons[p];
+      const Colour colour = colours.empty() ? palette_colour(cells_) : colours[p];
+      for (std::size_t i = 2; i < polygon.size(); ++i)
+        add_triangle({polygon[0], polygon[i - 1], polygon[i]}, away, colour);
+    }
     ++cells_;
   }
 
@@ -105,7 +110,7 @@ class Picture {
     const double size = all_.size();
     return {(p[0] - middle_[0]) / size, (p[1] - middle_[1]) / size, (p[2] - middle_[2]) / size};
   }
-  void add_triangle(const std::array<Point, 3>& corners, const Point& away) {
+  void add_triangle(const std::array<Point, 3>& corners, const Point& away, const Colour& colour) {
     std::array<Point, 3> at{};
     for (std::size_t k = 0; k < 3; ++k) {
       at[k] = placed(corners[k]);
@@ -115,7 +120,6 @@ class Picture {
     Point normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     const double length = std::hypot(normal[0], normal[1], normal[2]);
     if (!(length > 0)) return;  // too thin for floats
-    const Colour colour = palette_colour(cells_);
     for (const Point& p : at) {
       extent_.add(p);
       for (std::size_t i = 0; i < 3; ++i) {
@@ -143,16 +147,22 @@ class Picture {
 
 }  // namespace
 
-void write_cells(const std::string& path, const std::vector<CellPolygons>& cells, double distance) {
+void write_cells(const std::string& path, const std::vector<CellPolygons>& cells,
+                 const std::vector<std::vector<Colour>>& colours, double distance) {
   Extent all;
   for (const CellPolygons& cell : cells)
     for (const auto& polygon : cell)
       for (const Point& p : polygon) all.add(p);
   Picture picture(all, distance);
-  for (const CellPolygons& cell : cells) picture.add_cell(cell);
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    picture.add_cell(cells[c], colours.empty() ? std::vector<Colour>{} : colours[c]);
   OutputFile file(path);
   file.write(picture.glb());
   file.finish();
+}
+
+void write_cells(const std::string& path, const std::vector<CellPolygons>& cells, double distance) {
+  write_cells(path, cells, {}, distance);
 }
 
 void write_cells(const std::string& path, const Partition<3>& region) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "palette.h"
 #include "strata/bsp/partition.h"
 
 /// Convex cells as polygons, seen counter-clockwise from outside.
@@ -14,6 +15,10 @@ inline constexpr double exploded = 0.35, in_place = 0;
 /// Writes cells, coloured in turn and pulled apart from the middle of all of them, as glTF 2.0 (.glb). In units of
 /// their common size, since glTF has floats only. Throws strata::IoError.
 void write_cells(const std::string& path, const std::vector<CellPolygons>& cells, double distance);
+
+/// The same in colours of one's own, one per polygon.
+void write_cells(const std::string& path, const std::vector<CellPolygons>& cells,
+                 const std::vector<std::vector<Colour>>& colours, double distance);
 
 /// The inside leaves of a bounded region, pulled apart.
 void write_cells(const std::string& path, const strata::bsp::Partition<3>& region);

@@ -268,6 +268,32 @@ Examples:
   verb->callback([&] { action = [&] { return run_topology(settings); }; });
 }
 
+void add_contacts(CLI::App& app, Settings& settings, Action& action) {
+  CLI::App* verb = app.add_subcommand("contacts", "Which solids interfere, where they touch, how far they are apart");
+  add_common_options(*verb, settings, 1, 0);
+  add_input_class(*verb, settings);
+  verb->add_option("-o,--output", settings.output,
+                   "A picture: the parts and, coloured by pair, where they touch; in place (.ply) or pulled apart (.glb)")
+      ->type_name("OUT");
+  verb->add_flag("--distance", settings.distances, "Least distances of all pairs that are apart, and where they are");
+  verb->add_option("--overlap", settings.overlaps, "A folder for what pairs that interfere have in common, a file each")
+      ->type_name("DIR");
+  verb->add_option("--format", settings.output_format,
+                   "Of the files of that folder: off, obj, stl, ply, ...; xoff, which keeps rationals, unless told")
+      ->type_name("FORMAT");
+  verb->footer(fmt::format(
+      R"(Every file is a part. Parts interfere when their interiors meet, are in contact when only their boundaries do, and
+are apart when they have no point in common: exactly, by the doubles in the files. Gaps of an ulp are gaps.
+
+Examples:
+  strata contacts housing.stl shaft.stl bearing.stl --report contacts.json
+  strata contacts housing.stl shaft.stl -o contacts.glb --distance --overlap overlaps
+
+{})",
+      exit_codes));
+  verb->callback([&] { action = [&] { return run_contacts(settings); }; });
+}
+
 void add_hull(CLI::App& app, Settings& settings, Action& action) {
   CLI::App* verb = app.add_subcommand("hull", "The convex hull of all vertices of meshes, and of points");
   verb->add_option("MESH", settings.operands, "Mesh files in any state; - is standard input")
@@ -468,6 +494,7 @@ int main(int argc, char** argv) {
   add_bsp(app, settings, action);
   add_decompose(app, settings, action);
   add_topology(app, settings, action);
+  add_contacts(app, settings, action);
   add_hull(app, settings, action);
   add_minkowski(app, settings, action);
   add_planar(app, planar_settings, settings, action);

@@ -32,6 +32,8 @@ struct Settings {
   bool first = false;           ///< list the first hit of a ray only
   bool exploded = false;        ///< pieces pulled apart
   bool exact = false;           ///< rationals beside doubles
+  bool distances = false;       ///< of parts that are apart
+  std::string overlaps;         ///< folder for what parts have in common
   double distance = 0;          ///< by which a solid is grown, or shrunk if it is negative
   std::uint32_t facets = 320;   ///< of the ball that does it, about
   unsigned threads = 0;         ///< 0: all cores

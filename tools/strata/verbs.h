@@ -27,6 +27,9 @@
 /// A solid as convex pieces: files of a folder, or a picture.
 [[nodiscard]] ExitCode run_decompose(const Settings& settings);
 
+/// Which solids interfere, touch, or are apart, and where and how far.
+[[nodiscard]] ExitCode run_contacts(const Settings& settings);
+
 /// The convex hull of meshes and points.
 [[nodiscard]] ExitCode run_hull(const Settings& settings);
 

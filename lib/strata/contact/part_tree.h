@@ -1,0 +1,64 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "strata/kernel/box.h"
+#include "strata/kernel/carriers.h"
+
+namespace strata::contact {
+
+/// A box that holds a face wherever its vertices are: one step of doubles outwards where they are rational.
+[[nodiscard]] Box box_of_face(const Carriers& carriers, std::uint32_t part, std::uint32_t face);
+/// The same for a vertex.
+[[nodiscard]] Box box_of_vertex(const Carriers& carriers, std::uint32_t vertex);
+
+/// A tree of boxes over the faces of one part, halved at medians of their middles. Decides nothing. An immutable value;
+/// O(n log n) to make, about 20 bytes per face.
+class PartTree {
+ public:
+  static constexpr std::uint32_t leaf_size = 8;
+
+  struct Node {
+    Box box;
+    std::uint32_t first = 0, count = 0;  ///< of its faces
+    std::uint32_t right = 0;             ///< the second child, the first one is the next node; 0: a leaf
+
+    [[nodiscard]] bool is_leaf() const { return right == 0; }
+  };
+
+  PartTree(const Carriers& carriers, std::uint32_t part);
+
+  /// The root is the first; none: a part without faces.
+  [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
+  /// Global numbers of a node's faces.
+  [[nodiscard]] std::span<const std::uint32_t> faces(const Node& node) const {
+    return std::span<const std::uint32_t>(faces_).subspan(node.first, node.count);
+  }
+
+  /// Calls `visit(face)` for all faces in leaves whose boxes, and those around them, `enter` lets in; ends, and returns
+  /// false, when `visit` does.
+  template <class Enter, class Visit>
+  bool for_each_in(const Enter& enter, const Visit& visit, std::uint32_t node = 0) const {
+    if (nodes_.empty() || !enter(nodes_[node].box)) return true;
+    if (!nodes_[node].is_leaf())
+      return for_each_in(enter, visit, node + 1) && for_each_in(enter, visit, nodes_[node].right);
+    for (const std::uint32_t f : faces(nodes_[node]))
+      if (!visit(f)) return false;
+    return true;
+  }
+  /// The same for boxes that meet a box.
+  template <class Visit>
+  bool for_each_near(const Box& box, const Visit& visit) const {
+    return for_each_in([&](const Box& b) { return b.overlaps(box); }, visit);
+  }
+
+ private:
+  struct Middle;
+  void build(const Carriers& carriers, std::uint32_t part, std::span<Middle> middles, std::uint32_t first);
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> faces_;
+};
+
+}  // namespace strata::contact

@@ -1,0 +1,89 @@
+#include "strata/contact/relation.h"
+
+#include <algorithm>
+#include <boost/container/static_vector.hpp>
+
+#include "strata/contact/common_points.h"
+#include "strata/contact/near_pairs.h"
+#include "strata/contact/separation.h"
+#include "strata/csg/combine.h"
+#include "strata/kernel/predicates.h"
+
+namespace strata::contact {
+namespace {
+
+bool is_empty(const BooleanResult& r) { return r.mesh.triangles.empty(); }
+
+/// By the overlap itself.
+bool interiors_meet(const Solid& a, const Solid& b) {
+  const Operand operands[] = {{a.mesh(), a.exact_mesh().exact, true}, {b.mesh(), b.exact_mesh().exact, true}};
+  Options options;
+  options.threads = 1;
+  return !is_empty(combine(Operation::intersect, operands, options));
+}
+
+/// What is learned of two parts, one pair of faces that meet after the other.
+class Inquiry {
+ public:
+  Inquiry(const Parts& parts, std::uint32_t a, std::uint32_t b)
+      : parts_(parts), a_(a), b_(b), are_beside_(parts.are_beside(a, b)) {}
+
+  Relation find() {
+    const bool is_open = for_each_meeting(
+        parts_, a_, b_, [this](const FilteredFace& f, const FilteredFace& g, const Meetings& m) {
+          look_at(f, g, m);
+          return !is_decided_;
+        });
+    if (!is_open) return relation_;
+    if (relation_ == Relation::contact)
+      return interiors_meet(parts_.solid(a_), parts_.solid(b_)) ? Relation::interfering : Relation::contact;
+    const bool is_nested = parts_.has_piece_inside(a_, b_) || parts_.has_piece_inside(b_, a_);
+    return is_nested ? Relation::interfering : Relation::apart;
+  }
+
+ private:
+  void look_at(const FilteredFace& f, const FilteredFace& g, const Meetings& meetings) {
+    relation_ = Relation::contact;
+    is_decided_ = are_beside_;
+    if (is_decided_) return;
+    if (proves_interference(parts_.carriers(), meetings)) {
+      relation_ = Relation::interfering;
+      is_decided_ = true;
+      return;
+    }
+    is_decided_ = try_plane(f.face, a_, b_) || try_plane(g.face, b_, a_);
+  }
+
+  /// Tries few planes, each once: where these do not separate, hardly any does.
+  bool try_plane(std::uint32_t face, std::uint32_t below, std::uint32_t above) {
+    if (tried_.size() == most_planes) return false;
+    for (const std::uint32_t f : tried_)
+      if (has_plane_of(f, face)) return false;
+    tried_.push_back(face);
+    return separates(parts_, face, below, above);
+  }
+  /// True when a face lies in the plane of another one.
+  [[nodiscard]] bool has_plane_of(std::uint32_t face, std::uint32_t other) const {
+    const auto f = parts_.carriers().face(face), g = parts_.carriers().face(other);
+    return std::all_of(g.begin(), g.end(), [&](std::uint32_t v) {
+      return orient3d(parts_.carriers(), f[0], f[1], f[2], v) == Sign::zero;
+    });
+  }
+
+  static constexpr std::size_t most_planes = 8;
+  const Parts& parts_;
+  std::uint32_t a_, b_;
+  bool are_beside_;
+  Relation relation_ = Relation::apart;
+  bool is_decided_ = false;
+  boost::container::static_vector<std::uint32_t, most_planes> tried_;
+};
+
+}  // namespace
+
+Relation relation_of(const Parts& parts, std::uint32_t a, std::uint32_t b) {
+  if (parts.common_box(a, b).empty()) return Relation::apart;
+  return Inquiry(parts, a, b).find();
+}
+
+}  // namespace strata::contact

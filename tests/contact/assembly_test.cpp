@@ -1,0 +1,109 @@
+#include "strata/contact/assembly.h"
+
+#include <tbb/global_control.h>
+
+#include <catch2/catch.hpp>
+#include <map>
+
+#include "contact/parts.h"
+#include "strata/contact/box_pairs.h"
+#include "support/random.h"
+#include "support/touching.h"
+
+namespace strata::contact {
+namespace {
+
+using namespace test_parts;
+
+std::vector<Solid> grid(int nx, int ny, int nz, double step) {
+  std::vector<Solid> cubes;
+  for (int i = 0; i < nx; ++i)
+    for (int j = 0; j < ny; ++j)
+      for (int k = 0; k < nz; ++k)
+        cubes.push_back(box({i * step, j * step, k * step}, {i * step + 1, j * step + 1, k * step + 1}));
+  return cubes;
+}
+
+TEST_CASE("cubes of a grid touch in as many faces, edges and vertices as they must", "[contact]") {
+  for (const auto& [x, y, z] : {std::array{2, 3, 4}, {5, 1, 3}, {1, 1, 6}, {4, 4, 4}}) {
+    CAPTURE(x, y, z);
+    const std::vector<Solid> cubes = grid(x, y, z, 1);
+    const Assembly assembly(cubes);
+    std::map<std::vector<std::size_t>, int> seen;
+    double area = 0, length = 0;
+    for (const RelatedPair& pair : assembly.pairs()) {
+      REQUIRE(pair.relation == Relation::contact);
+      const ContactRegion r = assembly.contact_region(pair.a, pair.b);
+      ++seen[counts(r)];
+      area += r.area();
+      length += r.length();
+    }
+    const int a = x - 1, b = y - 1, c = z - 1;
+    const int faces = a * y * z + x * b * z + x * y * c;
+    const int edges = 2 * (a * b * z + a * y * c + x * b * c);
+    const int vertices = 4 * a * b * c;
+    CHECK(seen[{1, 0, 0}] == faces);
+    CHECK(seen[{0, 1, 0}] == edges);
+    CHECK(seen[{0, 0, 1}] == vertices);
+    CHECK(area == faces);
+    CHECK(length == edges);
+  }
+}
+
+TEST_CASE("cubes of a grid that is too narrow interfere, of a wide one are apart", "[contact]") {
+  const auto narrow = Assembly(grid(3, 3, 3, 0.75)).pairs();
+  CHECK(narrow.size() == 3 * 18 + 6 * 12 + 4 * 8);
+  for (const RelatedPair& pair : narrow) CHECK(pair.relation == Relation::interfering);
+  CHECK(Assembly(grid(3, 3, 3, 1.25)).pairs().empty());
+}
+
+TEST_CASE("pairs of an assembly are what two parts alone are, for any number of threads", "[contact][property]") {
+  std::vector<Solid> parts;
+  test::Random random(7);
+  for (int n = 0; n < 40; ++n) {
+    const Vertex by{double(random.between(0, 9)), double(random.between(0, 9)), double(random.between(0, 9))};
+    parts.emplace_back(test::translated(test::lattice_solid(random), by));
+  }
+  parts.emplace_back();
+  const Assembly assembly(parts);
+  const auto pairs = assembly.pairs();
+  std::vector<RelatedPair> expected;
+  for (std::uint32_t a = 0; a < parts.size(); ++a)
+    for (std::uint32_t b = a + 1; b < parts.size(); ++b)
+      if (const Relation r = relation(parts[a], parts[b]); r != Relation::apart) expected.push_back({a, b, r});
+  CHECK(pairs == expected);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  CHECK(Assembly(parts).pairs() == pairs);
+}
+
+TEST_CASE("what two parts have in common is a solid", "[contact]") {
+  const Assembly two = pair(box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {4, 4, 1.5}));
+  CHECK(two.overlap(0, 1).volume() == Rational(1) / 2);
+  CHECK(pair(box({0, 0, 0}, {1, 1, 1}), box({5, 5, 5}, {6, 6, 6})).overlap(0, 1).is_empty());
+}
+
+TEST_CASE("an assembly can be cancelled", "[contact]") {
+  const std::atomic<bool> cancel = true;
+  CHECK_THROWS_AS(Assembly(grid(2, 2, 2, 1)).pairs(Monitor(&cancel)), Cancelled);
+}
+
+TEST_CASE("boxes that overlap are found among many", "[contact]") {
+  test::Random random(3);
+  std::vector<Box> boxes(200);
+  for (Box& b : boxes) {
+    if (random.once_in(20)) continue;  // empty
+    Vertex p{double(random.between(0, 20)), double(random.between(0, 40)), double(random.between(0, 5))}, q = p;
+    for (double& x : q) x += random.between(0, 4);
+    b.include(p);
+    b.include(q);
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> expected;
+  for (std::uint32_t a = 0; a < boxes.size(); ++a)
+    for (std::uint32_t b = a + 1; b < boxes.size(); ++b)
+      if (!boxes[a].empty() && !boxes[b].empty() && boxes[a].overlaps(boxes[b])) expected.emplace_back(a, b);
+  CHECK(overlapping_boxes(boxes) == expected);
+  CHECK(overlapping_boxes({}).empty());
+}
+
+}  // namespace
+}  // namespace strata::contact
