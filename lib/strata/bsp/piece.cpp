@@ -24,7 +24,7 @@ Lie lie_of(const Signs& signs) {
     minus |= s == Sign::negative;
     plus |= s == Sign::positive;
   }
-  return lie_of(minus, plus);
+  return bsp::lie_of(minus, plus);
 }
 
 /// Where the sides of a piece go through a hyperplane that has corners on both, in their order: one point on a line,
