@@ -1,5 +1,6 @@
-// planar_bench FILE: Booleans of the polygons in a file of arrays, arrays in and arrays out. Prints the median of the runs.
-// The file: a count of operands, then for each a count of rings, and for each ring a count and x y pairs; all as binary doubles.
+// planar_bench FILE: Booleans of the polygons in a file of arrays, arrays in and arrays out. Prints the median of the
+// runs. The file: a count of operands, then for each a count of rings, and for each ring a count and x y pairs; all as
+// binary doubles.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -81,6 +82,6 @@ int main(int argc, char** argv) {
   std::sort(times.begin(), times.end());
   std::size_t vertices = 0;
   for (const Ring& ring : result) vertices += ring.size();
-  std::printf("{\"seconds\": %.6f, \"rings\": %zu, \"vertices\": %zu, \"area\": %.15g}\n", times[(times.size() - 1) / 2], result.size(),
-              vertices, area_of(result));
+  std::printf("{\"seconds\": %.6f, \"rings\": %zu, \"vertices\": %zu, \"area\": %.15g}\n",
+              times[(times.size() - 1) / 2], result.size(), vertices, area_of(result));
 }

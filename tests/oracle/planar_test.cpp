@@ -51,10 +51,18 @@ Set parity_of(const Loops& loops) {
 
 Set combined(Operation operation, Set a, const Set& b) {
   switch (operation) {
-    case Operation::unite: a.join(b); break;
-    case Operation::intersect: a.intersection(b); break;
-    case Operation::subtract: a.difference(b); break;
-    case Operation::symmetric_difference: a.symmetric_difference(b); break;
+    case Operation::unite:
+      a.join(b);
+      break;
+    case Operation::intersect:
+      a.intersection(b);
+      break;
+    case Operation::subtract:
+      a.difference(b);
+      break;
+    case Operation::symmetric_difference:
+      a.symmetric_difference(b);
+      break;
   }
   return a;
 }
@@ -110,7 +118,9 @@ void compare_seeds(std::uint64_t first, std::uint64_t last) {
 }  // namespace
 
 // Catches: whatever the library's own laws and definitions have in common with its arrangement.
-TEST_CASE("600 Booleans of random degenerate polygons are what CGAL gives", "[oracle][planar]") { compare_seeds(0, 600); }
+TEST_CASE("600 Booleans of random degenerate polygons are what CGAL gives", "[oracle][planar]") {
+  compare_seeds(0, 600);
+}
 
 TEST_CASE("9,400 more Booleans of random degenerate polygons are what CGAL gives", "[oracle][planar][slow]") {
   compare_seeds(600, 10000);

@@ -91,7 +91,8 @@ TEST_CASE("crossing segments share a vertex that is the meet of their lines", "[
 
 TEST_CASE("three segments through one point make one vertex", "[planar][arrangement][degenerate]") {
   // Thirds are no doubles: the point is known only as a meet of any two.
-  const Arrangement a = arrange(segments_of({{0, 0}, {1, 1}, {0, 1}, {0.5, 0}, {1, 0}, {0, 0.5}}, {{0, 1}, {2, 3}, {4, 5}}));
+  const Arrangement a =
+      arrange(segments_of({{0, 0}, {1, 1}, {0, 1}, {0.5, 0}, {1, 0}, {0, 0.5}}, {{0, 1}, {2, 3}, {4, 5}}));
   CHECK(count_vertices(a) == 7);
   CHECK(a.pieces.size() == 6);
   CHECK(exact_place(a.places, a.pieces[0][1]) == RationalPlacement{Rational(1, 3), Rational(1, 3)});
@@ -123,7 +124,8 @@ TEST_CASE("arrangements are what the definition gives", "[planar][arrangement][p
   std::vector<std::array<std::uint32_t, 2>> ends;
   std::vector<std::array<RationalPlacement, 2>> exact;
   for (int i = 0; i < count; ++i) {
-    for (int k = 0; k < 2; ++k) points.push_back({coordinate(random) * scale, coordinate(random) * (seed % 11 == 3 ? 1 : scale)});
+    for (int k = 0; k < 2; ++k)
+      points.push_back({coordinate(random) * scale, coordinate(random) * (seed % 11 == 3 ? 1 : scale)});
     const auto n = static_cast<std::uint32_t>(points.size());
     ends.push_back({n - 2, n - 1});
     exact.emplace_back();

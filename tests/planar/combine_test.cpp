@@ -14,10 +14,14 @@ using namespace test;
 Loops random_operand(Random& random, unsigned seed) {
   const int grid = 2 + static_cast<int>(seed % 5);
   switch (seed % 8) {
-    case 0: return in_thirds(random_grid_loops(random, grid));
-    case 1: return loops(random_grid_loops(random, grid, 0x1p-1074));
-    case 2: return loops(random_grid_loops(random, grid, 0x1p1020));
-    default: return loops(random_grid_loops(random, grid));
+    case 0:
+      return in_thirds(random_grid_loops(random, grid));
+    case 1:
+      return loops(random_grid_loops(random, grid, 0x1p-1074));
+    case 2:
+      return loops(random_grid_loops(random, grid, 0x1p1020));
+    default:
+      return loops(random_grid_loops(random, grid));
   }
 }
 
@@ -43,7 +47,8 @@ TEST_CASE("squares side by side are united without a cut", "[planar][combine][de
   CHECK(intersect(square(0, 0), square(1, 0)).empty());
 }
 
-TEST_CASE("two squares in checkerboard contact stay two polygons that share a vertex", "[planar][combine][degenerate]") {
+TEST_CASE("two squares in checkerboard contact stay two polygons that share a vertex",
+          "[planar][combine][degenerate]") {
   const Region r = unite(square(0, 0), square(1, 1));
   REQUIRE(r.polygons() == 2);
   CHECK(validate(r).empty());

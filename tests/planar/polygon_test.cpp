@@ -65,20 +65,23 @@ TEST_CASE("membership is in, on or out, also beside vertices", "[planar][locator
   CHECK(locator.locate(PlanePoint{1, 1}) == Membership::in);
   CHECK(locator.locate(PlanePoint{2, 2}) == Membership::on);
   CHECK(locator.locate(PlanePoint{2, 2.5}) == Membership::out);
-  CHECK(locator.locate(PlanePoint{1, 2}) == Membership::in);  // level with a vertex
+  CHECK(locator.locate(PlanePoint{1, 2}) == Membership::in);   // level with a vertex
   CHECK(locator.locate(PlanePoint{5, 0}) == Membership::out);  // level with an edge
   CHECK(locator.locate(PlanePoint{3, 0}) == Membership::on);
   CHECK(locator.locate(PlanePoint{3, 0x1p-1074}) == Membership::in);
   CHECK(locator.locate(PlanePoint{3, -0x1p-1074}) == Membership::out);
   CHECK(locator.locate(RationalPlacement{Rational(10, 3), Rational(10, 3)}) == Membership::on);
-  CHECK(locator.locate(RationalPlacement{Rational(10, 3), Rational(10, 3) - Rational(1, 1000000007)}) == Membership::in);
+  CHECK(locator.locate(RationalPlacement{Rational(10, 3), Rational(10, 3) - Rational(1, 1000000007)}) ==
+        Membership::in);
 }
 
 TEST_CASE("an intersection of four components, one of which touches itself", "[planar][combine][degenerate]") {
-  const Region a = subtract(boxes({box(0, 0, 3, 3), box(0, -1, 10, 0), box(5, 0, 6, 3), box(8, 0, 10, 1), box(9, 1, 10, 2)}),
-                            loops({box(1, 1, 2, 2)}));
-  const Region b = subtract(boxes({box(0, 0, 3, 3), box(0, 3, 10, 4), box(5, 0, 6, 3), box(8, 0, 9, 3), box(9, 1, 10, 2)}),
-                            loops({box(2, 2, 3, 3)}));
+  const Region a =
+      subtract(boxes({box(0, 0, 3, 3), box(0, -1, 10, 0), box(5, 0, 6, 3), box(8, 0, 10, 1), box(9, 1, 10, 2)}),
+               loops({box(1, 1, 2, 2)}));
+  const Region b =
+      subtract(boxes({box(0, 0, 3, 3), box(0, 3, 10, 4), box(5, 0, 6, 3), box(8, 0, 9, 3), box(9, 1, 10, 2)}),
+               loops({box(2, 2, 3, 3)}));
   REQUIRE(a.polygons() == 1);
   REQUIRE(b.polygons() == 1);
   CHECK(kind_of(a, 0).is_manifold);
@@ -88,12 +91,14 @@ TEST_CASE("an intersection of four components, one of which touches itself", "[p
   CHECK_FALSE(kind_of(common, 0).is_manifold);  // around the square hole of a, to its corner
   CHECK(kind_of(common, 0).is_simply_connected);
   for (std::uint32_t p = 1; p < 4; ++p) CHECK(kind_of(common, p).is_simple());
-  // Two touch in a vertex. They are not one polygon: sets that are open and regular have an open and regular intersection.
+  // Two touch in a vertex. They are not one polygon: sets that are open and regular have an open and regular
+  // intersection.
   CHECK(contact_of(polygon_of(common, 2), polygon_of(common, 3)).points == std::vector<RationalPlacement>{{9, 1}});
   CHECK(contact_of(polygon_of(common, 1), polygon_of(common, 2)).relation == Relation::apart);
 }
 
-TEST_CASE("the canonical decomposition has the polygon's corners and where it touches itself", "[planar][decomposition]") {
+TEST_CASE("the canonical decomposition has the polygon's corners and where it touches itself",
+          "[planar][decomposition]") {
   const Region r = boxes({box(0, 0, 1, 1), box(1, 0, 2, 1), box(2, 1, 3, 2)});
   REQUIRE(r.polygons() == 2);
   const CanonicalDecomposition d = canonical_decomposition(r, 0);
@@ -134,7 +139,8 @@ TEST_CASE("rounding that makes loops meet is told", "[planar][clean]") {
 }
 
 // Catches: bridges that miss what they should see, and polygons that are merged or split wrongly.
-TEST_CASE("polygons are one loop with bridges and back, and touch one another in points", "[planar][bridges][property]") {
+TEST_CASE("polygons are one loop with bridges and back, and touch one another in points",
+          "[planar][bridges][property]") {
   const auto seed = GENERATE(range(0u, 300u));
   CAPTURE(seed);
   Random random(seed);

@@ -14,7 +14,9 @@ inline Loop box(double left, double low, double right, double high) {
   return {{left, low}, {right, low}, {right, high}, {left, high}};
 }
 inline Loops loops(std::vector<Loop> all) { return loops_of(all); }
-inline Loops square(double left, double low, double side = 1) { return loops({box(left, low, left + side, low + side)}); }
+inline Loops square(double left, double low, double side = 1) {
+  return loops({box(left, low, left + side, low + side)});
+}
 
 /// One to three loops over a small grid: they cross, touch, overlap and run back. Coordinates are multiples of `unit`.
 inline std::vector<Loop> random_grid_loops(Random& random, int grid, double unit = 1) {
@@ -22,7 +24,8 @@ inline std::vector<Loop> random_grid_loops(Random& random, int grid, double unit
   for (Loop& loop : all) {
     const std::size_t count = 3 + random() % 6;
     for (std::size_t i = 0; i < count; ++i)
-      loop.push_back({unit * static_cast<double>(random() % (grid + 1)), unit * static_cast<double>(random() % (grid + 1))});
+      loop.push_back(
+          {unit * static_cast<double>(random() % (grid + 1)), unit * static_cast<double>(random() % (grid + 1))});
   }
   return all;
 }
@@ -31,7 +34,8 @@ inline std::vector<Loop> random_grid_loops(Random& random, int grid, double unit
 inline Loops in_thirds(const std::vector<Loop>& all) {
   LoopsBuilder builder;
   for (const Loop& loop : all) {
-    for (const PlanePoint& p : loop) builder.add_vertex(RationalPlacement{to_rational(p[0]) / 3, to_rational(p[1]) / 3});
+    for (const PlanePoint& p : loop)
+      builder.add_vertex(RationalPlacement{to_rational(p[0]) / 3, to_rational(p[1]) / 3});
     builder.end_loop();
   }
   return builder.finish();
@@ -43,7 +47,8 @@ inline int winding(const Loops& loops, const RationalPlacement& q) {
   for (std::uint32_t l = 0; l < loops.size(); ++l) {
     const auto loop = loops.loop(l);
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const RationalPlacement a = exact_place(loops.places, loop[i]), b = exact_place(loops.places, loop[(i + 1) % loop.size()]);
+      const RationalPlacement a = exact_place(loops.places, loop[i]),
+                              b = exact_place(loops.places, loop[(i + 1) % loop.size()]);
       if ((a[1] <= q[1]) == (b[1] <= q[1])) continue;
       const Rational turn = (b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0]);
       if (b[1] > a[1] && turn > 0) ++sum;

@@ -85,7 +85,8 @@ Json to_json(const std::vector<SelfMeeting>& meetings) {
   return list;
 }
 
-/// Sums of rational vertices grow with their number: beyond this many, areas in reports are those of the rounded vertices.
+/// Sums of rational vertices grow with their number: beyond this many, areas in reports are those of the rounded
+/// vertices.
 constexpr std::size_t most_exact = 20000;
 
 Json facts(const Region& region) {
@@ -97,10 +98,14 @@ Json facts(const Region& region) {
     manifold += kind.is_manifold ? 1 : 0;
   }
   const std::size_t constructed = region.loops.places.meets.size();
-  Json j = {{"polygons", region.polygons()}, {"holes", holes},
-            {"simple", simple},              {"manifold", manifold},
-            {"vertices", region.loops.vertices.size()}, {"constructed_points", constructed},
-            {"area", nullptr},               {"area_exact", nullptr}};
+  Json j = {{"polygons", region.polygons()},
+            {"holes", holes},
+            {"simple", simple},
+            {"manifold", manifold},
+            {"vertices", region.loops.vertices.size()},
+            {"constructed_points", constructed},
+            {"area", nullptr},
+            {"area_exact", nullptr}};
   if (constructed <= most_exact) {
     const strata::Rational exact = area(region);
     j["area"] = strata::to_nearest_double(exact);
@@ -150,7 +155,8 @@ ExitCode run_planar(Operation operation, const char* name, const PlanarSettings&
   Stopwatch stopwatch;
   Json report = {{"operation", name}, {"operands", nullptr}, {"result", nullptr}, {"seconds", Json::object()}};
   const PlanarFormat format = output_format_of(settings);
-  if (settings.exact && format != PlanarFormat::wkt) throw UsageError("--exact is for WKT: other formats have no quotients");
+  if (settings.exact && format != PlanarFormat::wkt)
+    throw UsageError("--exact is for WKT: other formats have no quotients");
   const std::vector<PlanarFile> files = read_files(settings);
   report["operands"] = operand_facts(settings, files);
   report["seconds"]["read"] = stopwatch.lap();
@@ -177,7 +183,9 @@ ExitCode run_planar(Operation operation, const char* name, const PlanarSettings&
   if (report["result"].is_object()) print_facts(report["result"], settings);
   if (!settings.report.empty()) write_report(settings.report, std::move(report));
   if (conflicts.empty()) return ExitCode::ok;
-  fmt::print(stderr, "strata: rounding the result's vertices makes its loops meet in {} places, the first one near {}; --exact writes it as it is\n",
+  fmt::print(stderr,
+             "strata: rounding the result's vertices makes its loops meet in {} places, the first one near {}; --exact "
+             "writes it as it is\n",
              conflicts.size(), place(conflicts.front().where).dump());
   return ExitCode::not_certified;
 }
@@ -212,8 +220,8 @@ ExitCode run_planar_info(const PlanarSettings& planar, const Settings& settings)
   Json result = facts(region);
   print_facts(result, settings);
   if (!settings.report.empty())
-    write_report(settings.report, {{"operation", "planar info"},
-                                   {"operands", operand_facts(settings, {file})},
-                                   {"result", std::move(result)}});
+    write_report(
+        settings.report,
+        {{"operation", "planar info"}, {"operands", operand_facts(settings, {file})}, {"result", std::move(result)}});
   return ExitCode::ok;
 }

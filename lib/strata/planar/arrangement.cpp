@@ -45,16 +45,67 @@ Box box_of(const Places& places, const std::array<std::uint32_t, 2>& ends) {
   return box;
 }
 
-std::unique_ptr<Strips> strips_of(const Segments& segments) {
-  std::vector<Box> boxes;
-  std::vector<std::array<PlanePoint, 2>> ends;
-  boxes.reserve(segments.ends.size());
-  ends.reserve(segments.ends.size());
-  for (const auto& e : segments.ends) {
-    boxes.push_back(box_of(segments.places, e));
-    ends.push_back({segments.places.place[e[0]], segments.places.place[e[1]]});
+double size_of(const Box& box) { return (box.right - box.left) + (box.high - box.low); }
+
+Box hull(const Box& a, const Box& b) {
+  return {std::min(a.left, b.left), std::max(a.right, b.right), std::min(a.low, b.low), std::max(a.high, b.high)};
+}
+
+/// Consecutive segments that make progress, up to eight together: fewer things to sort, and boxes that are little
+/// larger.
+std::vector<std::uint32_t> runs_of(const Segments& segments, const std::vector<Box>& boxes) {
+  constexpr std::uint32_t longest = 8;
+  constexpr double progress = 0.6;  // of the box in what the segments measure
+  std::vector<std::uint32_t> first;
+  Box box;
+  double total = 0;
+  for (std::uint32_t s = 0; s < boxes.size(); ++s) {
+    const Box joined = s > 0 ? hull(box, boxes[s]) : boxes[s];
+    const double size = size_of(boxes[s]);
+    const bool goes_on = s > 0 && s - first.back() < longest && segments.ends[s - 1][1] == segments.ends[s][0] &&
+                         size_of(joined) >= progress * (total + size);
+    if (!goes_on) first.push_back(s);
+    box = goes_on ? joined : boxes[s];
+    total = goes_on ? total + size : size;
   }
-  return std::make_unique<Strips>(std::move(boxes), std::move(ends));
+  first.push_back(static_cast<std::uint32_t>(boxes.size()));
+  return first;
+}
+
+std::unique_ptr<Strips> strips_of(const Segments& segments, const std::vector<Box>& boxes,
+                                  const std::vector<std::uint32_t>& first_of_run) {
+  std::vector<Box> run_boxes;
+  std::vector<std::array<PlanePoint, 2>> ends;
+  for (std::size_t r = 0; r + 1 < first_of_run.size(); ++r) {
+    const std::uint32_t first = first_of_run[r], end = first_of_run[r + 1];
+    Box box = boxes[first];
+    for (std::uint32_t s = first + 1; s < end; ++s) box = hull(box, boxes[s]);
+    run_boxes.push_back(box);
+    const PlanePoint& from = segments.places.place[segments.ends[first][0]];
+    const PlanePoint& to = segments.places.place[segments.ends[first][1]];
+    ends.push_back({from, end - first == 1 ? to : from});  // only what is straight is cut along its line
+  }
+  return std::make_unique<Strips>(std::move(run_boxes), std::move(ends));
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
+}
+
+/// Tests all pairs of segments with boxes that meet: within runs, and between runs that meet in a strip.
+void find_meetings(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& first_of_run, Strips& strips,
+                   MeetingFinder& finder) {
+  for (std::size_t r = 0; r + 1 < first_of_run.size(); ++r)
+    for (std::uint32_t s = first_of_run[r]; s < first_of_run[r + 1]; ++s)
+      for (std::uint32_t t = s + 1; t < first_of_run[r + 1]; ++t)
+        if (overlap(boxes[s], boxes[t])) finder.test(s, t, none);
+  strips.sort([&](std::uint32_t q, std::uint32_t r, std::uint32_t strip) {
+    for (std::uint32_t s = first_of_run[q]; s < first_of_run[q + 1]; ++s) {
+      if (!overlap(boxes[s], strips.box(r))) continue;
+      for (std::uint32_t t = first_of_run[r]; t < first_of_run[r + 1]; ++t)
+        if (overlap(boxes[s], boxes[t])) finder.test(s, t, strip);
+    }
+  });
 }
 
 /// The points inside every segment, as lists in order along it. Equal ones are united.
@@ -79,7 +130,8 @@ class PointsInside {
     const auto order = [&](std::uint32_t p, std::uint32_t q) { return compare_along(places, s, p, q); };
     std::sort(points.begin(), points.end(), [&](auto p, auto q) { return order(p, q) == Sign::negative; });
     for (std::size_t i = 1; i < points.size(); ++i)
-      if (points[i] != points[i - 1] && order(points[i - 1], points[i]) == Sign::zero) names.unite(points[i - 1], points[i]);
+      if (points[i] != points[i - 1] && order(points[i - 1], points[i]) == Sign::zero)
+        names.unite(points[i - 1], points[i]);
   }
 
   std::vector<std::uint32_t> first_, point_;
@@ -104,15 +156,20 @@ void split(const PointsInside& inside, Arrangement& a) {
 }  // namespace
 
 std::uint32_t Arrangement::segment_of(std::uint32_t piece) const {
-  return static_cast<std::uint32_t>(std::upper_bound(first_piece.begin(), first_piece.end(), piece) - first_piece.begin() - 1);
+  return static_cast<std::uint32_t>(std::upper_bound(first_piece.begin(), first_piece.end(), piece) -
+                                    first_piece.begin() - 1);
 }
 
 Arrangement arrange(Segments segments, const Monitor& monitor) {
   Arrangement a;
-  std::unique_ptr<Strips> strips = strips_of(segments);
+  std::vector<Box> boxes;
+  boxes.reserve(segments.ends.size());
+  for (const auto& e : segments.ends) boxes.push_back(box_of(segments.places, e));
+  a.first_of_run = runs_of(segments, boxes);
+  std::unique_ptr<Strips> strips = strips_of(segments, boxes, a.first_of_run);
   monitor.check();
   MeetingFinder finder(segments, *strips);
-  strips->sort([&](std::uint32_t s, std::uint32_t t, std::uint32_t strip) { finder.test(s, t, strip); });
+  find_meetings(boxes, a.first_of_run, *strips, finder);
   a.strips = std::move(strips);
   monitor.check();
 
@@ -134,7 +191,8 @@ std::vector<std::uint32_t> first_equal(std::span<const PlanePoint> points) {
   const std::size_t mask = std::bit_ceil(points.size() * 2 + 2) - 1;
   std::vector<std::uint32_t> slots(mask + 1, none), name(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const auto x = std::bit_cast<std::uint64_t>(points[i][0] + 0.0), y = std::bit_cast<std::uint64_t>(points[i][1] + 0.0);
+    const auto x = std::bit_cast<std::uint64_t>(points[i][0] + 0.0),
+               y = std::bit_cast<std::uint64_t>(points[i][1] + 0.0);
     std::uint64_t h = (x ^ std::rotl(y * 0x9e3779b97f4a7c15, 29)) * 0xbf58476d1ce4e5b9;
     h = (h ^ (h >> 32)) * 0x94d049bb133111eb;
     std::size_t at = (h >> 20) & mask;

@@ -10,8 +10,9 @@
 
 namespace strata::plane {
 
-/// Segments of the plane, to be split where they meet. Line i of `places` carries segment i and points its way; further lines
-/// are those that meets among the given points refer to. A segment from a point to itself stands for this point alone.
+/// Segments of the plane, to be split where they meet. Line i of `places` carries segment i and points its way; further
+/// lines are those that meets among the given points refer to. A segment from a point to itself stands for this point
+/// alone.
 struct Segments {
   Places places;
   std::vector<std::array<std::uint32_t, 2>> ends;  ///< of segment i: points it goes from and to
@@ -19,11 +20,12 @@ struct Segments {
 
 /// Segments split where they meet: vertices, and pieces between them.
 ///
-/// What holds: two pieces meet in common ends only, or have both ends in common and coincide. Equal places are one vertex:
-/// `vertex_of` names every point by the lowest number that its place has, and pieces use only such numbers. (So a place given as
-/// doubles is named by a point given as doubles.) The pieces of segment i are first_piece[i] .. first_piece[i + 1] - 1, in order
-/// along it, each from pieces[k][0] to pieces[k][1] in the segment's direction; a segment that is a point has none.
-/// Places of crossings are meets of two segments' lines, appended to the points that were given.
+/// What holds: two pieces meet in common ends only, or have both ends in common and coincide. Equal places are one
+/// vertex: `vertex_of` names every point by the lowest number that its place has, and pieces use only such numbers. (So
+/// a place given as doubles is named by a point given as doubles.) The pieces of segment i are first_piece[i] ..
+/// first_piece[i + 1] - 1, in order along it, each from pieces[k][0] to pieces[k][1] in the segment's direction; a
+/// segment that is a point has none. Places of crossings are meets of two segments' lines, appended to the points that
+/// were given.
 struct Arrangement {
   Places places;
   std::vector<std::array<std::uint32_t, 2>> ends;    ///< of segments, as vertices
@@ -31,7 +33,8 @@ struct Arrangement {
   std::vector<std::uint32_t> first_piece;            ///< of every segment, and the count of pieces
   std::vector<std::array<std::uint32_t, 2>> pieces;  ///< from vertex to vertex
   std::vector<std::uint8_t> is_fold;                 ///< of every vertex: two segments leave it the same way
-  std::unique_ptr<const Strips> strips;              ///< where segments are, for queries
+  std::vector<std::uint32_t> first_of_run;           ///< segments in runs of a few consecutive ones, and their count
+  std::unique_ptr<const Strips> strips;              ///< where runs are, for queries
 
   /// The segment a piece is of. O(log n).
   [[nodiscard]] std::uint32_t segment_of(std::uint32_t piece) const;
@@ -39,8 +42,8 @@ struct Arrangement {
   [[nodiscard]] bool is_point(std::uint32_t segment) const { return ends[segment][0] == ends[segment][1]; }
 };
 
-/// Splits segments where they meet, exactly. O(n log n + pairs of segments whose boxes meet in a strip); memory O(n + k).
-/// Throws Cancelled when the monitor asks for it.
+/// Splits segments where they meet, exactly. O(n log n + pairs of segments whose boxes meet in a strip); memory O(n +
+/// k). Throws Cancelled when the monitor asks for it.
 [[nodiscard]] Arrangement arrange(Segments segments, const Monitor& monitor = {});
 
 /// The names of equal doubles made equal: of each place the first point's. O(n). -0 equals 0.

@@ -35,7 +35,12 @@ class FaceSets {
 class Linker {
  public:
   Linker(const Arrangement& a, const Subdivision& s, const std::vector<std::uint8_t>& label)
-      : a_(a), s_(s), faces_(s, label), is_kept_(s.next.size()), next_(s.next.size(), none), place_on_path_(a.places.size(), none) {
+      : a_(a),
+        s_(s),
+        faces_(s, label),
+        is_kept_(s.next.size()),
+        next_(s.next.size(), none),
+        place_on_path_(a.places.size(), none) {
     for (std::uint32_t h = 0; h < s.next.size(); ++h)
       is_kept_[h] = s.next[h] != none && label[s.cycle_of[h]] && !label[s.cycle_of[h ^ 1]];
   }

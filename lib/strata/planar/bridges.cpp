@@ -53,8 +53,9 @@ class Bridging {
     return place(p)[1] <= place(v)[1];
   }
 
-  /// A vertex of the walk that the hole's least vertex v sees: take the edge to the left of v, just above its height, the point M
-  /// where it comes to this height and its upper end P; of all vertices in the triangle v M P the first one, turning up from M.
+  /// A vertex of the walk that the hole's least vertex v sees: take the edge to the left of v, just above its height,
+  /// the point M where it comes to this height and its upper end P; of all vertices in the triangle v M P the first
+  /// one, turning up from M.
   [[nodiscard]] std::uint32_t visible_from(std::uint32_t v) const {
     std::optional<Rational> nearest;
     std::uint32_t upper = none;
@@ -67,7 +68,8 @@ class Bridging {
       const Rational x = a[0] + (place(v)[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
       if (x > place(v)[0]) continue;
       const RationalPlacement d{b[0] - a[0], b[1] - a[1]};
-      const bool is_nearer = !nearest || x > *nearest || (x == *nearest && d[0] * (*direction)[1] > d[1] * (*direction)[0]);
+      const bool is_nearer =
+          !nearest || x > *nearest || (x == *nearest && d[0] * (*direction)[1] > d[1] * (*direction)[0]);
       if (!is_nearer) continue;
       nearest = x;
       upper = high;
@@ -75,7 +77,8 @@ class Bridging {
     }
     return first_in_triangle(v, {*nearest, place(v)[1]}, upper);
   }
-  [[nodiscard]] std::uint32_t first_in_triangle(std::uint32_t v, const RationalPlacement& m, std::uint32_t upper) const {
+  [[nodiscard]] std::uint32_t first_in_triangle(std::uint32_t v, const RationalPlacement& m,
+                                                std::uint32_t upper) const {
     std::uint32_t best = upper;
     for (const std::uint32_t w : walk_) {
       if (height(w) < height(v) || height(w) > height(upper)) continue;
@@ -126,7 +129,8 @@ Region polygon_of(const Region& region, std::uint32_t polygon) {
   loops.vertices.assign(region.loops.vertices.begin() + begin_vertex, region.loops.vertices.begin() + end_vertex);
   loops.edge_line.assign(region.loops.edge_line.begin() + begin_vertex, region.loops.edge_line.begin() + end_vertex);
   loops.first_vertex.clear();
-  for (std::uint32_t l = first; l <= end; ++l) loops.first_vertex.push_back(region.loops.first_vertex[l] - begin_vertex);
+  for (std::uint32_t l = first; l <= end; ++l)
+    loops.first_vertex.push_back(region.loops.first_vertex[l] - begin_vertex);
   return fill({loops, FillRule::positive});
 }
 

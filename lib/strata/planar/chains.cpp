@@ -96,8 +96,8 @@ class Fan {
 
 }  // namespace
 
-std::vector<std::uint32_t> cut_into_chains(const Arrangement& a, std::span<const std::uint32_t> first_segment, ChainEnds ends,
-                                           Subdivision& s) {
+std::vector<std::uint32_t> cut_into_chains(const Arrangement& a, std::span<const std::uint32_t> first_segment,
+                                           ChainEnds ends, Subdivision& s) {
   for (const std::uint32_t segment : first_segment) s.first_piece_of_ring.push_back(a.first_piece[segment]);
   const auto rings = static_cast<std::uint32_t>(first_segment.size() - 1);
   std::vector<std::uint8_t> is_node = degrees(a);
@@ -129,7 +129,8 @@ void sort_around_nodes(const Arrangement& a, const std::vector<std::uint32_t>& s
   Fan fan(a, segment_of_piece, s);
   for (std::uint32_t v = 0; v < a.places.size(); ++v) {
     if (s.first_around[v] == s.end_around[v]) continue;
-    s.end_around[v] = s.first_around[v] + fan.sort({s.around.data() + s.first_around[v], s.around.data() + s.end_around[v]});
+    s.end_around[v] =
+        s.first_around[v] + fan.sort({s.around.data() + s.first_around[v], s.around.data() + s.end_around[v]});
     // Who arrives by a half-edge goes on by the one that comes before it, clockwise.
     std::uint32_t before = s.around[s.end_around[v] - 1];
     for (const std::uint32_t h : s.around_vertex(v)) {

@@ -6,8 +6,8 @@ namespace strata::plane {
 /// Steps of `subdivide`. Each fills its part of the subdivision from the parts before.
 
 /// Rings cut into chains. Returns every ring's least vertex (none for rings without pieces).
-std::vector<std::uint32_t> cut_into_chains(const Arrangement& a, std::span<const std::uint32_t> first_segment, ChainEnds ends,
-                                           Subdivision& s);
+std::vector<std::uint32_t> cut_into_chains(const Arrangement& a, std::span<const std::uint32_t> first_segment,
+                                           ChainEnds ends, Subdivision& s);
 
 /// Half-edges sorted around nodes, coinciding chains made one edge, `next`.
 void sort_around_nodes(const Arrangement& a, const std::vector<std::uint32_t>& segment_of_piece, Subdivision& s);

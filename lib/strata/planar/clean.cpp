@@ -58,7 +58,8 @@ class MeetingCollector {
       found_.back().to = exact_place(arrangement_.places, ends.second);
     }
   }
-  void add(SelfMeetingKind kind, std::uint32_t v, std::vector<std::uint32_t> vertices, std::vector<std::uint32_t> edges) {
+  void add(SelfMeetingKind kind, std::uint32_t v, std::vector<std::uint32_t> vertices,
+           std::vector<std::uint32_t> edges) {
     found_.push_back({kind, exact_place(arrangement_.places, v), {}, std::move(vertices), std::move(edges)});
   }
   [[nodiscard]] std::uint32_t vertex(std::uint32_t p) const { return arrangement_.vertex_of[gathered_.name_of[0][p]]; }
@@ -73,10 +74,14 @@ class MeetingCollector {
 
 std::string_view name(SelfMeetingKind kind) {
   switch (kind) {
-    case SelfMeetingKind::vertex_on_vertex: return "vertex on vertex";
-    case SelfMeetingKind::vertex_on_edge: return "vertex on edge";
-    case SelfMeetingKind::edges_crossing: return "edges crossing";
-    case SelfMeetingKind::edges_overlapping: return "edges overlapping";
+    case SelfMeetingKind::vertex_on_vertex:
+      return "vertex on vertex";
+    case SelfMeetingKind::vertex_on_edge:
+      return "vertex on edge";
+    case SelfMeetingKind::edges_crossing:
+      return "edges crossing";
+    case SelfMeetingKind::edges_overlapping:
+      return "edges overlapping";
   }
   return "";
 }

@@ -31,8 +31,9 @@ struct SelfMeeting {
 /// Whether loops are clean polyloops, apart from each other, of three vertices or more.
 [[nodiscard]] bool is_clean(const Loops& loops);
 
-/// Where a region's loops, with every vertex at its nearest double, would meet other than in the vertices that they share: what must
-/// be known before the rounded region is taken for a region. Empty where all vertices are doubles. O(n log n).
+/// Where a region's loops, with every vertex at its nearest double, would meet other than in the vertices that they
+/// share: what must be known before the rounded region is taken for a region. Empty where all vertices are doubles. O(n
+/// log n).
 [[nodiscard]] std::vector<SelfMeeting> rounding_conflicts(const Region& region);
 
 /// What a region promises and does not keep; empty for every result of this room. O(n log n).

@@ -26,7 +26,8 @@ Region combine_where(std::span<const Operand> operands, const Holds& holds, cons
 }  // namespace
 
 Region combine(std::span<const Operand> operands, Operation operation, const Monitor& monitor) {
-  return combine_where(operands, [operation](const Inside& inside) { return holds(operation, inside); }, monitor);
+  return combine_where(
+      operands, [operation](const Inside& inside) { return holds(operation, inside); }, monitor);
 }
 
 Region combine(std::span<const Operand> operands, const Combination& combination, const Monitor& monitor) {

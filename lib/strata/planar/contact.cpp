@@ -89,9 +89,8 @@ Contact contact_of(const Region& a, const Region& b) {
   Gathered gathered = gather(operands);
   const Arrangement arrangement = arrange(std::move(gathered.segments));
   const Subdivision subdivision = subdivide(arrangement, gathered.first_segment);
-  const std::vector<std::uint8_t> common = Labels(gathered, subdivision, operands).evaluate([](const Inside& inside) {
-    return inside.count == 2;
-  });
+  const std::vector<std::uint8_t> common =
+      Labels(gathered, subdivision, operands).evaluate([](const Inside& inside) { return inside.count == 2; });
   if (std::find(common.begin(), common.end(), 1) != common.end()) return {Relation::interfering, {}, {}};
   return ContactFinder(arrangement, gathered).find();
 }

@@ -10,8 +10,8 @@ enum class Relation {
   interfering,  ///< their interiors have
 };
 
-/// The contact region A.b n B.b of two regions that do not interfere: closed edges, as long as they go straight and nothing else
-/// comes in, and isolated points. Both are exact, in lexicographic order.
+/// The contact region A.b n B.b of two regions that do not interfere: closed edges, as long as they go straight and
+/// nothing else comes in, and isolated points. Both are exact, in lexicographic order.
 struct Contact {
   Relation relation = Relation::apart;
   std::vector<std::array<RationalPlacement, 2>> edges;  ///< the lesser end first

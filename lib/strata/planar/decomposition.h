@@ -3,9 +3,9 @@
 
 namespace strata::plane {
 
-/// The canonical decomposition SGC(S) of the plane by a polygon S (source document, 3.2): the face S, the exterior faces, and the
-/// boundary's edges and vertices, which the polygon determines. A vertex is a boundary point around which the boundary is no straight
-/// line; edges are the components of the rest. Labels: S true, all else false.
+/// The canonical decomposition SGC(S) of the plane by a polygon S (source document, 3.2): the face S, the exterior
+/// faces, and the boundary's edges and vertices, which the polygon determines. A vertex is a boundary point around
+/// which the boundary is no straight line; edges are the components of the rest. Labels: S true, all else false.
 struct CanonicalDecomposition {
   struct Edge {
     std::uint32_t from = 0, to = 0;  ///< in `vertices`; S lies to the left

@@ -5,7 +5,8 @@
 namespace strata::plane {
 
 /// Exact coordinates of points and lines in a ring of numbers: WideInt, Integer (doubles on a lattice) or Rational.
-/// Widths in bits for b-bit lattice coordinates, theory.md, section 2: line forms b+1, b+1, 2b+1; meets 3b+3, 3b+3, 2b+3.
+/// Widths in bits for b-bit lattice coordinates, theory.md, section 2: line forms b+1, b+1, 2b+1; meets 3b+3, 3b+3,
+/// 2b+3.
 
 /// The point (x / w, y / w).
 template <class Number>

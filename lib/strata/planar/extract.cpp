@@ -9,7 +9,8 @@
 namespace strata::plane {
 namespace {
 
-/// A corner of a loop in the arrangement's numbers: a vertex, and the line of the edge that leaves it, which goes along or against.
+/// A corner of a loop in the arrangement's numbers: a vertex, and the line of the edge that leaves it, which goes along
+/// or against.
 struct Corner {
   std::uint32_t vertex = 0, line = 0;
   bool against = false;
@@ -29,7 +30,8 @@ struct CornerLoops {
 
 class CornerFinder {
  public:
-  CornerFinder(const Arrangement& a, const Subdivision& s) : a_(a), s_(s), is_visited_(a.places.size()), is_shared_(a.places.size()) {}
+  CornerFinder(const Arrangement& a, const Subdivision& s)
+      : a_(a), s_(s), is_visited_(a.places.size()), is_shared_(a.places.size()) {}
 
   CornerLoops find(const BoundaryLoops& loops) {
     for (const std::uint32_t h : loops.half_edges) {
@@ -87,7 +89,8 @@ std::vector<std::uint32_t> order_loops(const Places& places, const BoundaryLoops
                                        std::vector<std::uint32_t>& first_loop) {
   const auto count = static_cast<std::uint32_t>(loops.component.size());
   const auto least = [&](std::uint32_t l) { return corners.corners[corners.first[l]].vertex; };
-  std::vector<std::uint32_t> outer_of(loops.component.empty() ? 0 : *std::max_element(loops.component.begin(), loops.component.end()) + 1, none);
+  std::vector<std::uint32_t> outer_of(
+      loops.component.empty() ? 0 : *std::max_element(loops.component.begin(), loops.component.end()) + 1, none);
   for (std::uint32_t l = 0; l < count; ++l)
     if (corners.is_outer[l]) outer_of[loops.component[l]] = l;
   std::vector<std::uint32_t> order(count);
@@ -111,7 +114,8 @@ std::vector<std::uint32_t> order_loops(const Places& places, const BoundaryLoops
 /// Takes the points and lines that a region needs over into its own numbering.
 class PlacesCopy {
  public:
-  PlacesCopy(const Places& from, Places& to) : from_(from), to_(to), point_(from.size(), none), line_(from.lines.size(), none) {}
+  PlacesCopy(const Places& from, Places& to)
+      : from_(from), to_(to), point_(from.size(), none), line_(from.lines.size(), none) {}
 
   void need_point(std::uint32_t p) {
     if (std::exchange(point_[p], 0) != none || !from_.is_meet(p)) return;

@@ -16,10 +16,14 @@ enum class FillRule {
 
 [[nodiscard]] constexpr bool is_filled(FillRule rule, std::int32_t winding) {
   switch (rule) {
-    case FillRule::even_odd: return (winding & 1) != 0;
-    case FillRule::nonzero: return winding != 0;
-    case FillRule::positive: return winding > 0;
-    case FillRule::negative: return winding < 0;
+    case FillRule::even_odd:
+      return (winding & 1) != 0;
+    case FillRule::nonzero:
+      return winding != 0;
+    case FillRule::positive:
+      return winding > 0;
+    case FillRule::negative:
+      return winding < 0;
   }
   return false;
 }
@@ -34,18 +38,22 @@ struct Inside {
 using Combination = std::function<bool(const Inside&)>;
 
 enum class Operation {
-  unite,               ///< in any
-  intersect,           ///< in all
-  subtract,            ///< in the first and in no other
-  symmetric_difference ///< in an odd number
+  unite,                ///< in any
+  intersect,            ///< in all
+  subtract,             ///< in the first and in no other
+  symmetric_difference  ///< in an odd number
 };
 
 [[nodiscard]] inline bool holds(Operation operation, const Inside& inside) {
   switch (operation) {
-    case Operation::unite: return inside.count > 0;
-    case Operation::intersect: return inside.count == inside.is_in.size() && inside.count > 0;
-    case Operation::subtract: return inside.count == 1 && inside.is_in.front() != 0;
-    case Operation::symmetric_difference: return (inside.count & 1) != 0;
+    case Operation::unite:
+      return inside.count > 0;
+    case Operation::intersect:
+      return inside.count == inside.is_in.size() && inside.count > 0;
+    case Operation::subtract:
+      return inside.count == 1 && inside.is_in.front() != 0;
+    case Operation::symmetric_difference:
+      return (inside.count & 1) != 0;
   }
   return false;
 }

@@ -9,8 +9,8 @@ struct Gathered {
   Segments segments;
   std::vector<std::uint32_t> first_segment{0};  ///< of every ring, and the count: a ring is a loop's edges
   std::vector<std::uint32_t> first_ring{0};     ///< of every operand, and the count
-  std::vector<std::uint32_t> operand_of;  ///< of every segment
-  std::vector<std::uint32_t> edge_of;     ///< of every segment: its edge's first vertex, as an index of `Loops::vertices`
+  std::vector<std::uint32_t> operand_of;        ///< of every segment
+  std::vector<std::uint32_t> edge_of;  ///< of every segment: its edge's first vertex, as an index of `Loops::vertices`
   std::vector<std::vector<std::uint32_t>> name_of;  ///< if kept: of every operand's points, in the segments' numbering
 };
 

@@ -10,9 +10,9 @@ namespace strata::plane {
 
 /// Evaluates a combination in every face of a subdivision.
 ///
-/// Winding numbers are carried from face to face: crossing a chain from its left to its right takes 1 from its operand. A walk
-/// over all faces goes back the way it came, so that one vector of winding numbers serves, whatever the number of operands.
-/// From a face it goes to the components that lie in it, too.
+/// Winding numbers are carried from face to face: crossing a chain from its left to its right takes 1 from its operand.
+/// A walk over all faces goes back the way it came, so that one vector of winding numbers serves, whatever the number
+/// of operands. From a face it goes to the components that lie in it, too.
 class Labels {
  public:
   Labels(const Gathered& gathered, const Subdivision& s, std::span<const Operand> operands);
@@ -78,9 +78,10 @@ class Labels {
 
   const Subdivision& subdivision_;
   std::vector<FillRule> fill_;
-  std::vector<std::uint32_t> same_edge_;        ///< the next chain that coincides with a chain
+  std::vector<std::uint32_t> same_edge_;  ///< the next chain that coincides with a chain
   std::vector<std::uint32_t> operand_of_chain_;
-  std::vector<std::uint32_t> first_inside_, next_inside_;  ///< components in the face of a cycle; of none, if there is one component
+  std::vector<std::uint32_t> first_inside_,
+      next_inside_;  ///< components in the face of a cycle; of none, if there is one component
   std::vector<std::int32_t> winding_;
   Inside inside_;
   std::vector<Step> path_;

@@ -59,7 +59,8 @@ Sign Locator::side(const Query& q, std::uint32_t edge) const {
   const auto [a, b] = lines_[edge];
   const Places& places = loops_.places;
   const Bounded ax = places.bounded(a, 0), ay = places.bounded(a, 1);
-  const Bounded turn = (places.bounded(b, 0) - ax) * (q.bounded[1] - ay) - (places.bounded(b, 1) - ay) * (q.bounded[0] - ax);
+  const Bounded turn =
+      (places.bounded(b, 0) - ax) * (q.bounded[1] - ay) - (places.bounded(b, 1) - ay) * (q.bounded[0] - ax);
   if (const auto sign = turn.sign()) return *sign;
   const RationalPlacement p = exact_place(places, a), r = exact_place(places, b), x = q.exact();
   return sign_of(Rational((r[0] - p[0]) * (x[1] - p[1]) - (r[1] - p[1]) * (x[0] - p[0])));
@@ -72,7 +73,8 @@ Membership Locator::locate(const RationalPlacement& p) const {
   for (std::size_t i = 0; i < 2; ++i) {
     const double x = to_nearest_double(p[i]);
     if (!std::isfinite(x)) return Membership::out;  // beyond all doubles: beyond all given points, and meets of edges
-    q.bounded[i] = to_rational(x) == p[i] ? Bounded(x) : Bounded(x, std::abs(x) * Bounded::rounding + Bounded::underflow);
+    q.bounded[i] =
+        to_rational(x) == p[i] ? Bounded(x) : Bounded(x, std::abs(x) * Bounded::rounding + Bounded::underflow);
   }
   return locate(q);
 }
@@ -83,7 +85,8 @@ Membership Locator::locate(const Query& q) const {
   for (std::uint32_t k = first; k <= last; ++k)
     for (const std::uint32_t e : strips_->segments(k)) {
       const Box& box = strips_->box(e);
-      if (box.left > q.bounded[0].upper() || box.low > q.bounded[1].upper() || box.high < q.bounded[1].lower()) continue;
+      if (box.left > q.bounded[0].upper() || box.low > q.bounded[1].upper() || box.high < q.bounded[1].lower())
+        continue;
       if (k > first && strips_->strip_of(box.low) < k) continue;  // seen before
       const auto [from, to] = edges_[e];
       const Sign start = compare_height(from, q), end = compare_height(to, q);

@@ -16,8 +16,8 @@ class Locator {
  public:
   explicit Locator(const Region& region);
 
-  /// Exact for all finite points. Counts the edges to the left, at a height just above the point: no ray meets a vertex.
-  /// O(segments in a strip).
+  /// Exact for all finite points. Counts the edges to the left, at a height just above the point: no ray meets a
+  /// vertex. O(segments in a strip).
   [[nodiscard]] Membership locate(const PlanePoint& p) const;
   [[nodiscard]] Membership locate(const RationalPlacement& p) const;
 

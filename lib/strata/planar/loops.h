@@ -7,15 +7,17 @@
 
 namespace strata::plane {
 
-/// Polyloops: cyclic lists of vertices, each joined to the next by an edge. Nothing more is asked of them: they may cross
-/// themselves and each other, touch, run back along themselves, or consist of one vertex.
+/// Polyloops: cyclic lists of vertices, each joined to the next by an edge. Nothing more is asked of them: they may
+/// cross themselves and each other, touch, run back along themselves, or consist of one vertex.
 ///
-/// An edge lies on the line through its ends, or, if one of them is a meet, on a given line that `edge_line` names; so results of
-/// operations remember where their edges came from. Points that are no vertices are there for the lines that need them.
+/// An edge lies on the line through its ends, or, if one of them is a meet, on a given line that `edge_line` names; so
+/// results of operations remember where their edges came from. Points that are no vertices are there for the lines that
+/// need them.
 struct Loops {
   Places places;
-  std::vector<std::uint32_t> vertices;         ///< of all loops, one loop after the other
-  std::vector<std::uint32_t> edge_line;        ///< of the edge from vertex i to the next; none: the line through both (given) ends
+  std::vector<std::uint32_t> vertices;  ///< of all loops, one loop after the other
+  std::vector<std::uint32_t>
+      edge_line;  ///< of the edge from vertex i to the next; none: the line through both (given) ends
   std::vector<std::uint32_t> first_vertex{0};  ///< of every loop, in `vertices`, and the count
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(first_vertex.size() - 1); }
@@ -44,8 +46,9 @@ class LoopsBuilder {
 /// Loops from lists of points.
 [[nodiscard]] Loops loops_of(std::span<const std::vector<PlanePoint>> loops);
 
-/// Twice the area that the loops wind around, counter-clockwise positive: the sum of vertex cross products. Exact; rationals of
-/// meets grow with their number, so this takes O(k log k) operations on numbers of up to k times the size of one meet.
+/// Twice the area that the loops wind around, counter-clockwise positive: the sum of vertex cross products. Exact;
+/// rationals of meets grow with their number, so this takes O(k log k) operations on numbers of up to k times the size
+/// of one meet.
 [[nodiscard]] Rational twice_area(const Loops& loops, std::span<const std::uint32_t> loop);
 [[nodiscard]] Rational twice_area(const Loops& loops);
 

@@ -7,7 +7,8 @@ namespace strata::plane {
 void MeetingFinder::test(std::uint32_t s, std::uint32_t t, std::uint32_t strip) {
   const auto [p, q] = ends_[s];
   const auto [r, u] = ends_[t];
-  if (p == q) return r == u ? (compare_xy(places_, p, r) == Sign::zero ? equal.push_back({p, r}) : void()) : test_point(p, t);
+  if (p == q)
+    return r == u ? (compare_xy(places_, p, r) == Sign::zero ? equal.push_back({p, r}) : void()) : test_point(p, t);
   if (r == u) return test_point(r, s);
   if (p == r) return test_sharing(s, t, p, q, u);
   if (p == u) return test_sharing(s, t, p, q, r);
@@ -35,9 +36,11 @@ void MeetingFinder::test(std::uint32_t s, std::uint32_t t, std::uint32_t strip) 
 /// A pair is tested in every strip that holds its crossing, so one strip can do it if it certainly is the only one.
 void MeetingFinder::add_crossing(std::uint32_t s, std::uint32_t t, std::uint32_t strip) {
   const std::uint32_t point = places_.add(Meet{std::min(s, t), std::max(s, t)});
-  const Bounded y = places_.bounded(point, 1);
-  const std::uint32_t first = strips_.strip_of(y.lower());
-  if (first != strip && first == strips_.strip_of(y.upper())) return places_.drop_last_meet();
+  if (strip != none) {
+    const Bounded y = places_.bounded(point, 1);
+    const std::uint32_t first = strips_.strip_of(y.lower());
+    if (first != strip && first == strips_.strip_of(y.upper())) return places_.drop_last_meet();
+  }
   meetings.push_back({s, point});
   meetings.push_back({t, point});
 }
@@ -63,7 +66,8 @@ void MeetingFinder::test_overlap(std::uint32_t s, std::uint32_t t) {
 }
 
 /// s = shared a, t = shared b: they meet nowhere else unless they leave the same way.
-void MeetingFinder::test_sharing(std::uint32_t s, std::uint32_t t, std::uint32_t shared, std::uint32_t a, std::uint32_t b) {
+void MeetingFinder::test_sharing(std::uint32_t s, std::uint32_t t, std::uint32_t shared, std::uint32_t a,
+                                 std::uint32_t b) {
   if (a == b) {
     folds.insert(folds.end(), {shared, a});
     return;

@@ -12,14 +12,16 @@ struct Meeting {
   std::uint32_t segment = 0, point = 0;
 };
 
-/// Finds where pairs of segments meet. Cases, by the four sides of each one's ends to the other's line (theory.md, section 3):
-/// crossing inside both, end on inside, end on end, overlapping along a common line; nothing else is a meeting.
+/// Finds where pairs of segments meet. Cases, by the four sides of each one's ends to the other's line (theory.md,
+/// section 3): crossing inside both, end on inside, end on end, overlapping along a common line; nothing else is a
+/// meeting.
 class MeetingFinder {
  public:
   MeetingFinder(Segments& segments, const Strips& strips)
       : places_(segments.places), ends_(segments.ends), strips_(strips) {}
 
-  /// A pair of segments that may meet in a strip. Crossings elsewhere are left to the strips they are in.
+  /// A pair of segments that may meet in a strip (none: a pair that comes once). Crossings elsewhere are left to the
+  /// strips they are in.
   void test(std::uint32_t s, std::uint32_t t, std::uint32_t strip);
 
   std::vector<Meeting> meetings;

@@ -28,9 +28,9 @@ struct Meet {
   friend bool operator==(const Meet&, const Meet&) = default;
 };
 
-/// Points and lines by number. A point is *given* (two doubles, or two rationals) or the *meet* of two lines; a line goes
-/// through two given points. So every point is at most two steps away from numbers somebody wrote down, however many
-/// operations it took to find it: its coordinates are quotients of polynomials of degree 3 and 2.
+/// Points and lines by number. A point is *given* (two doubles, or two rationals) or the *meet* of two lines; a line
+/// goes through two given points. So every point is at most two steps away from numbers somebody wrote down, however
+/// many operations it took to find it: its coordinates are quotients of polynomials of degree 3 and 2.
 ///
 /// Numbers: points given as doubles come first, then those given as rationals, then meets.
 /// `place` and `error` hold the exact point: |exact - place[i]| <= error (as in `Bounded`) for each coordinate.

@@ -66,7 +66,8 @@ std::optional<Sign> cross_by_differences(const Places& places, const Line& l, co
   if (std::max({l.from, l.to, m.from, m.to}) >= places.doubles()) return std::nullopt;
   PlanePoint u, v;
   for (std::size_t i = 0; i < 2; ++i) {
-    const double a = places.place[l.to][i], b = places.place[l.from][i], c = places.place[m.to][i], d = places.place[m.from][i];
+    const double a = places.place[l.to][i], b = places.place[l.from][i], c = places.place[m.to][i],
+                 d = places.place[m.from][i];
     u[i] = a - b;
     v[i] = c - d;
     if (!is_exact_difference(a, b, u[i]) || !is_exact_difference(c, d, v[i])) return std::nullopt;
@@ -125,7 +126,8 @@ Sign closer::side(const Places& places, std::uint32_t point, std::uint32_t line)
     if (const std::optional<Sign> sign = turn_by_differences(p, q, r)) return *sign;
     return exact::side(places, point, line);
   }
-  if (places.is_meet(point) && (places.meet(point).first == line || places.meet(point).second == line)) return Sign::zero;
+  if (places.is_meet(point) && (places.meet(point).first == line || places.meet(point).second == line))
+    return Sign::zero;
   const auto sign = turn(bounded_pair(places, a), bounded_pair(places, b), bounded_pair(places, point)).sign();
   return sign ? *sign : exact::side(places, point, line);
 }

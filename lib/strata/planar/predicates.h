@@ -6,8 +6,8 @@
 
 namespace strata::plane {
 
-/// The decisions on points and lines of the plane. Each is the sign of an exact expression for all finite input: doubles with
-/// bounds first, then integers of fixed width, then unbounded ones; theory.md, section 2.
+/// The decisions on points and lines of the plane. Each is the sign of an exact expression for all finite input:
+/// doubles with bounds first, then integers of fixed width, then unbounded ones; theory.md, section 2.
 
 namespace closer {  // what the first filter leaves over
 [[nodiscard]] Sign side(const Places& places, std::uint32_t point, std::uint32_t line);
@@ -28,7 +28,8 @@ namespace exact {
   return closer::side(places, point, line);
 }
 
-/// Turn from the direction of one line to that of another: positive when `other` points to the left, zero when parallel.
+/// Turn from the direction of one line to that of another: positive when `other` points to the left, zero when
+/// parallel.
 [[nodiscard]] Sign cross(const Places& places, std::uint32_t line, std::uint32_t other);
 
 /// Order of two points by one coordinate.

@@ -24,7 +24,8 @@ void Strips::choose_crowds() {
   std::vector<double> lows;
   for (const Box& box : boxes_) lows.push_back(box.low);
   std::sort(lows.begin(), lows.end());
-  std::size_t step = std::max<std::size_t>(8, static_cast<std::size_t>(std::sqrt(static_cast<double>(lows.size()))) / 4);
+  std::size_t step =
+      std::max<std::size_t>(8, static_cast<std::size_t>(std::sqrt(static_cast<double>(lows.size()))) / 4);
   for (std::size_t entries = lows.size() * 17; entries > lows.size() * 16; step *= 4) {
     bounds_.clear();
     for (std::size_t i = step; i < lows.size(); i += step)
@@ -48,7 +49,8 @@ void Strips::choose_heights() {
   const auto n = static_cast<double>(boxes_.size());
   const double strips = std::min({(entries_per_segment - 1) * n / total, n, static_cast<double>(most_strips)});
   const double scale = strips / height;
-  if (!(strips > 1 && height > 0x1p-900 && std::isfinite(scale) && std::isfinite(half_low_))) return;  // all in one strip
+  if (!(strips > 1 && height > 0x1p-900 && std::isfinite(scale) && std::isfinite(half_low_)))
+    return;  // all in one strip
   count_ = static_cast<std::uint32_t>(strips);
   scale_ = scale;
 }
@@ -93,11 +95,13 @@ Box Strips::part_in(std::uint32_t segment, double low, double high) const {
   const double unknown_x = (box.right - box.left) - width, unknown_y = (box.high - box.low) - height;
   box.low = std::max(low, box.low);
   box.high = std::min(high, box.high);
-  if (height <= 2 * (high - low) || !(unknown_y <= height * 0x1p-20)) return box;  // or too short to be worth a division
+  if (height <= 2 * (high - low) || !(unknown_y <= height * 0x1p-20))
+    return box;  // or too short to be worth a division
   const double slope = (q[0] - p[0]) / (q[1] - p[1]);
-  const double margin = 2 * (unknown_x + std::abs(slope) * unknown_y) +
-                        (std::abs(p[0]) + std::abs(q[0]) + std::abs(slope) * (std::abs(p[1]) + std::abs(q[1]))) * 0x1p-48 +
-                        (1 + height) * 0x1p-1060;  // slopes that underflow
+  const double margin =
+      2 * (unknown_x + std::abs(slope) * unknown_y) +
+      (std::abs(p[0]) + std::abs(q[0]) + std::abs(slope) * (std::abs(p[1]) + std::abs(q[1]))) * 0x1p-48 +
+      (1 + height) * 0x1p-1060;  // slopes that underflow
   double left = HUGE_VAL, right = -HUGE_VAL;
   for (const double y : {box.low, box.high}) {
     const double x = p[0] + (y - p[1]) * slope;

@@ -13,9 +13,9 @@ struct Box {
   double left = 0, right = 0, low = 0, high = 0;
 };
 
-/// Horizontal strips of the plane, each with the segments that come into it. Two segments that meet share a strip in which their
-/// boxes meet: heights are mapped to strips by a monotone function, and a segment's part in a strip is only ever
-/// overestimated. Strips are of equal height, or, where segments crowd, of equal crowds.
+/// Horizontal strips of the plane, each with the segments that come into it. Two segments that meet share a strip in
+/// which their boxes meet: heights are mapped to strips by a monotone function, and a segment's part in a strip is only
+/// ever overestimated. Strips are of equal height, or, where segments crowd, of equal crowds.
 class Strips {
  public:
   /// Boxes of the segments; `ends` are both ends of each, as doubles with the boxes around what is not known better.
@@ -37,8 +37,8 @@ class Strips {
   [[nodiscard]] double widest(std::uint32_t strip) const { return widest_[strip]; }
   [[nodiscard]] const Box& box(std::uint32_t segment) const { return boxes_[segment]; }
 
-  /// Sorts the segments of every strip, and calls visit(segment, segment, strip) for every pair of them whose boxes meet
-  /// in the strip. A pair may come in several strips.
+  /// Sorts the segments of every strip, and calls visit(segment, segment, strip) for every pair of them whose boxes
+  /// meet in the strip. A pair may come in several strips.
   template <class Visit>
   void sort(const Visit& visit) {
     std::vector<Entry> entries;
@@ -49,7 +49,8 @@ class Strips {
       for (std::size_t i = 0; i < entries.size(); ++i) {
         const Box& a = entries[i].box;
         for (std::size_t j = i + 1; j < entries.size() && entries[j].box.left <= a.right; ++j)
-          if (entries[j].box.low <= a.high && entries[j].box.high >= a.low) visit(entries[i].segment, entries[j].segment, k);
+          if (entries[j].box.low <= a.high && entries[j].box.high >= a.low)
+            visit(entries[i].segment, entries[j].segment, k);
       }
     }
   }

@@ -19,7 +19,8 @@ struct Crossed {
   bool upward = false;
 };
 
-/// True when q lies to the right of p at the ray's height. Pieces do not cross; from a common lower end they part or coincide.
+/// True when q lies to the right of p at the ray's height. Pieces do not cross; from a common lower end they part or
+/// coincide.
 bool is_right_of(const Arrangement& a, const Crossed& p, const Crossed& q) {
   const auto side_of = [&](std::uint32_t v, const Crossed& c) {
     const Sign s = side(a.places, v, c.segment);
@@ -36,8 +37,8 @@ bool is_right_of(const Arrangement& a, const Crossed& p, const Crossed& q) {
   return (p.upward == q.upward ? turn : -turn) == Sign::negative;
 }
 
-/// Looks from a component's least vertex to the left, along a ray from (x - e^2, y + e). Segments of the vertex's own component have no
-/// point to the left of it and are not met; others do not hold the vertex.
+/// Looks from a component's least vertex to the left, along a ray from (x - e^2, y + e). Segments of the vertex's own
+/// component have no point to the left of it and are not met; others do not hold the vertex.
 class LeftwardRay {
  public:
   LeftwardRay(const Arrangement& a, std::uint32_t vertex) : a_(a), vertex_(vertex) {}
@@ -53,14 +54,18 @@ class LeftwardRay {
  private:
   /// From the right to the left, as long as something may be nearer.
   void look_through(std::uint32_t strip) {
-    const auto segments = a_.strips->segments(strip);
+    const auto runs = a_.strips->segments(strip);
     const auto lefts = a_.strips->lefts(strip);
     const double widest = a_.strips->widest(strip) * (1 + 0x1p-50);
     const double x = a_.places.bounded(vertex_, 0).upper();
     double bound = -HUGE_VAL;  // what ends to the left of it is not nearest
-    for (std::size_t i = static_cast<std::size_t>(std::upper_bound(lefts.begin(), lefts.end(), x) - lefts.begin()); i-- > 0;) {
+    for (std::size_t i = static_cast<std::size_t>(std::upper_bound(lefts.begin(), lefts.end(), x) - lefts.begin());
+         i-- > 0;) {
       if (lefts[i] + widest < bound) return;
-      if (a_.strips->box(segments[i]).right >= bound && meet(segments[i])) bound = lefts[i];
+      const std::uint32_t run = runs[i];
+      if (a_.strips->box(run).right < bound) continue;
+      for (std::uint32_t s = a_.first_of_run[run]; s < a_.first_of_run[run + 1]; ++s)
+        if (meet(s)) bound = lefts[i];
     }
   }
   /// Whether a segment is the nearest one now.
@@ -131,7 +136,8 @@ void find_components(const Arrangement& a, std::vector<std::uint32_t> least, Sub
   std::vector<std::uint32_t> open;
   ChainOfPiece chain_of;
   for (const std::uint32_t vertex : least) {
-    const std::uint32_t start = s.around_vertex(vertex).back();  // left of the last direction before straight up: outside
+    const std::uint32_t start =
+        s.around_vertex(vertex).back();  // left of the last direction before straight up: outside
     if (is_reached[start >> 1]) continue;
     is_reached[start >> 1] = 1;
     open.push_back(start);

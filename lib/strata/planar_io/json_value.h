@@ -16,7 +16,7 @@ struct JsonValue {
   std::size_t offset = 0;  ///< in the file
   double number = 0;
   std::string text;
-  std::vector<JsonValue> items;                           ///< of an array
+  std::vector<JsonValue> items;                            ///< of an array
   std::vector<std::pair<std::string, JsonValue>> members;  ///< of an object
 
   /// The member of a name, or null.

@@ -8,9 +8,12 @@ namespace {
 
 std::string_view name_of(PlanarFormat format) {
   switch (format) {
-    case PlanarFormat::wkt: return "WKT";
-    case PlanarFormat::geojson: return "GeoJSON";
-    case PlanarFormat::svg: return "SVG";
+    case PlanarFormat::wkt:
+      return "WKT";
+    case PlanarFormat::geojson:
+      return "GeoJSON";
+    case PlanarFormat::svg:
+      return "SVG";
   }
   return "";
 }
@@ -122,9 +125,15 @@ PlanarFile read_planar(std::string_view data, PlanarFormat format, std::string n
   PlanarFile file;
   try {
     switch (format) {
-      case PlanarFormat::wkt: file.loops = read_wkt(data, file.notes); break;
-      case PlanarFormat::geojson: file.loops = read_geojson(data, file.notes); break;
-      case PlanarFormat::svg: file.loops = read_svg(data, file.notes); break;
+      case PlanarFormat::wkt:
+        file.loops = read_wkt(data, file.notes);
+        break;
+      case PlanarFormat::geojson:
+        file.loops = read_geojson(data, file.notes);
+        break;
+      case PlanarFormat::svg:
+        file.loops = read_svg(data, file.notes);
+        break;
     }
   } catch (const io::Malformed& e) {
     throw input.error(e);
@@ -145,9 +154,12 @@ std::string to_text(const Region& region, PlanarFormat format, Coordinates coord
     throw IoError("output", {}, std::string(name_of(format)) + " has no exact coordinates: write WKT");
   const Points points(region, coordinates);
   switch (format) {
-    case PlanarFormat::wkt: return to_wkt(region, points);
-    case PlanarFormat::geojson: return to_geojson(region, points);
-    case PlanarFormat::svg: return to_svg(region, points);
+    case PlanarFormat::wkt:
+      return to_wkt(region, points);
+    case PlanarFormat::geojson:
+      return to_geojson(region, points);
+    case PlanarFormat::svg:
+      return to_svg(region, points);
   }
   return {};
 }

@@ -21,9 +21,9 @@ enum class PlanarFormat {
 [[nodiscard]] std::optional<PlanarFormat> planar_format_of(const std::filesystem::path& path);
 [[nodiscard]] std::optional<PlanarFormat> planar_format_named(std::string_view name);
 
-/// What a file says: loops whose nonzero winding is the point set meant. Rings of polygons (WKT, GeoJSON) are turned so that shells
-/// go counter-clockwise and holes clockwise, by the signs of their areas; paths (SVG) are as they are. A repeated last vertex
-/// is left out.
+/// What a file says: loops whose nonzero winding is the point set meant. Rings of polygons (WKT, GeoJSON) are turned so
+/// that shells go counter-clockwise and holes clockwise, by the signs of their areas; paths (SVG) are as they are. A
+/// repeated last vertex is left out.
 struct PlanarFile {
   Loops loops;
   std::vector<std::string> notes;  ///< what was left out, one sentence each
@@ -42,6 +42,7 @@ enum class Coordinates {
 };
 
 /// A region as text. Throws IoError for exact coordinates in formats that have none.
-[[nodiscard]] std::string to_text(const Region& region, PlanarFormat format, Coordinates coordinates = Coordinates::nearest);
+[[nodiscard]] std::string to_text(const Region& region, PlanarFormat format,
+                                  Coordinates coordinates = Coordinates::nearest);
 
 }  // namespace strata::plane

@@ -69,6 +69,8 @@ class GeoJsonReader {
 
 }  // namespace
 
-Loops read_geojson(std::string_view text, std::vector<std::string>& notes) { return GeoJsonReader(notes).read(read_json(text)); }
+Loops read_geojson(std::string_view text, std::vector<std::string>& notes) {
+  return GeoJsonReader(notes).read(read_json(text));
+}
 
 }  // namespace strata::plane

@@ -24,20 +24,42 @@ class PathReader {
  private:
   void command(char c) {
     switch (c) {
-      case 'M': case 'm': return move(c == 'm');
-      case 'L': case 'l': return lines(c == 'l');
-      case 'H': case 'h': return along(0, c == 'h');
-      case 'V': case 'v': return along(1, c == 'v');
-      case 'Z': case 'z': return close();
-      default: refuse(c);
+      case 'M':
+      case 'm':
+        return move(c == 'm');
+      case 'L':
+      case 'l':
+        return lines(c == 'l');
+      case 'H':
+      case 'h':
+        return along(0, c == 'h');
+      case 'V':
+      case 'v':
+        return along(1, c == 'v');
+      case 'Z':
+      case 'z':
+        return close();
+      default:
+        refuse(c);
     }
   }
   [[noreturn]] void refuse(char c) const {
     switch (c) {
-      case 'C': case 'c': case 'S': case 's': scanner_.fail("cubic Bezier curves are not straight: flatten the path first");
-      case 'Q': case 'q': case 'T': case 't': scanner_.fail("quadratic Bezier curves are not straight: flatten the path first");
-      case 'A': case 'a': scanner_.fail("elliptical arcs are not straight: flatten the path first");
-      default: scanner_.fail(std::string("expected a path command, found '") + c + "'");
+      case 'C':
+      case 'c':
+      case 'S':
+      case 's':
+        scanner_.fail("cubic Bezier curves are not straight: flatten the path first");
+      case 'Q':
+      case 'q':
+      case 'T':
+      case 't':
+        scanner_.fail("quadratic Bezier curves are not straight: flatten the path first");
+      case 'A':
+      case 'a':
+        scanner_.fail("elliptical arcs are not straight: flatten the path first");
+      default:
+        scanner_.fail(std::string("expected a path command, found '") + c + "'");
     }
   }
   void move(bool is_relative) {
@@ -126,7 +148,8 @@ void read_paths(std::string_view text, RingCollector& rings) {
   for (std::size_t at = text.find("<path"); at != std::string_view::npos; at = text.find("<path", at + 1)) {
     std::size_t end = at;
     for (char quote = 0; end < text.size() && (quote != 0 || text[end] != '>'); ++end)
-      if (quote != 0 ? text[end] == quote : text[end] == '"' || text[end] == '\'') quote = quote != 0 ? '\0' : text[end];
+      if (quote != 0 ? text[end] == quote : text[end] == '"' || text[end] == '\'')
+        quote = quote != 0 ? '\0' : text[end];
     if (end == text.size()) io::fail_at_line(at, "expected '>' behind a path");
     if (const auto data = attribute(text, at + 5, end, "d")) PathReader(text, (*data)[0], (*data)[1], rings).read();
   }

@@ -8,7 +8,8 @@ class WktReader {
   WktReader(std::string_view text, std::vector<std::string>& notes) : scanner_(text), notes_(notes) {}
 
   Loops read() {
-    for (scanner_.skip_space(); !scanner_.at_end(); scanner_.skip_space()) {  // one geometry after the other, as in a table
+    for (scanner_.skip_space(); !scanner_.at_end();
+         scanner_.skip_space()) {  // one geometry after the other, as in a table
       geometry();
       scanner_.accept(';');
     }

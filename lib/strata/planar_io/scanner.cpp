@@ -54,7 +54,8 @@ std::string Scanner::word() {
 
 bool Scanner::is_at_number() {
   skip_space();
-  return !at_end() && (std::isdigit(static_cast<unsigned char>(peek())) != 0 || peek() == '-' || peek() == '+' || peek() == '.');
+  return !at_end() &&
+         (std::isdigit(static_cast<unsigned char>(peek())) != 0 || peek() == '-' || peek() == '+' || peek() == '.');
 }
 
 io::ExactCoordinate Scanner::number(bool quotients) {
