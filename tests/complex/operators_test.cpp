@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "random_complex.h"
+#include "strata/complex/topology.h"
 #include "support/rounds.h"
 
 namespace strata::complex {
@@ -20,7 +21,7 @@ void for_random(std::uint64_t count, const Check& check) {
 }  // namespace
 
 TEST_CASE("laws of Boolean algebra hold without regularization", "[complex][property]") {
-  for_random(1000, [](RandomComplexes& random) {
+  for_random(500, [](RandomComplexes& random) {
     const SelectiveComplex a = random.next(3), b = random.next(3);
     REQUIRE((a ^ b) == ((a | b) - (a & b)));
     REQUIRE((a ^ b) == ((a - b) | (b - a)));
@@ -92,6 +93,44 @@ TEST_CASE("the six parts are exclusive and exhaustive", "[complex][property]") {
       all = all | one;
     }
     REQUIRE(all.is_all());
+  });
+}
+
+TEST_CASE("intersections of open-regularized sets are open-regularized", "[complex][property]") {
+  for_random(300, [](RandomComplexes& random) {
+    const SelectiveComplex a = open_regularized(random.next(3)), b = open_regularized(random.next(3));
+    REQUIRE(open_regularized(a & b) == (a & b));
+    REQUIRE(regularized(a | b) == (regularized(a) | regularized(b)));
+    REQUIRE(is_open(a | b));
+  });
+}
+
+TEST_CASE("contacts between polygons of a set hold no edge", "[complex][property]") {
+  for (std::uint32_t seed = 0; seed < test::rounds(300); ++seed) {
+    CAPTURE(seed);
+    RandomComplexes random(2, seed);
+    const std::vector<SelectiveComplex> polygons = separate(open_regularized(random.next(5)));
+    for (std::size_t i = 0; i < polygons.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const SelectiveComplex contact = boundary(polygons[i]) & boundary(polygons[j]);
+        REQUIRE((polygons[i] & polygons[j]).is_empty());
+        REQUIRE(contact.count(1) == 0);
+      }
+  }
+}
+
+TEST_CASE("tests of single cells agree with the operators", "[complex][property]") {
+  for_random(200, [](RandomComplexes& random) {
+    const SelectiveComplex s = random.next(3);
+    const std::vector<Part> parts = parts_of(s);
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+      const Cell c = s.incidences().cell(i);
+      REQUIRE(lies_in_interior(s, c) == (parts[i] == Part::interior));
+      REQUIRE(lies_in_exterior(s, c) == (parts[i] == Part::exterior));
+      REQUIRE(lies_in_membrane(s, c) == (parts[i] == Part::skin || parts[i] == Part::wound));
+      REQUIRE(lies_in_dangle(s, c) == (parts[i] == Part::hair || parts[i] == Part::cut));
+      REQUIRE(lies_in_boundary(s, c) == (c.dimension < s.dimension()));  // the complex is minimal
+    }
   });
 }
 

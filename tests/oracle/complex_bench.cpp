@@ -50,6 +50,9 @@ void run(const std::string& path, int runs) {
   compare(
       "interior", runs, [&] { (void)interior(s); }, [&] { (void)n.interior(); });
   compare(
+      "simplify, interior", runs,  // with incidences that are not known yet
+      [&] { (void)interior(SelectiveComplex::of(s.cells())); }, [&] { (void)n.interior(); });
+  compare(
       "closure", runs, [&] { (void)closure(s); }, [&] { (void)n.closure(); });
   compare(
       "boundary", runs, [&] { (void)boundary(s); }, [&] { (void)n.boundary(); });
