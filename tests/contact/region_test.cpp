@@ -109,6 +109,38 @@ TEST_CASE("parts that touch themselves have contacts in which nothing is told tw
   CHECK(self.area() == 1.5);
 }
 
+// Catches: points of one component that are told beside an edge or a facet of another one which they lie on.
+TEST_CASE("a tip in the middle of an edge or a side of a contact is not told", "[contact]") {
+  const Solid a = box({0, 0, 0}, {1, 1, 1});
+  const Mesh tip = test::tetrahedron({1, 1, 0.5}, {2, 0.25, 0.375}, {2, 0.25, 0.625}, {2, 0.5, 0.5});
+  const Mesh beside_edge[] = {test::box({1, 1, 0}, {2, 2, 1}), tip};
+  CHECK(counts(region(a, Solid(test::merged(beside_edge)))) == Counts{0, 1, 0});
+  const Mesh beside_side[] = {test::box({0, 1, 0}, {1, 2, 1}), tip};
+  CHECK(counts(region(a, Solid(test::merged(beside_side)))) == Counts{1, 0, 0});
+  CHECK(counts(region(a, Solid(tip))) == Counts{0, 0, 1});
+}
+
+// Catches: sides of facets that are not taken from edges with other ends.
+TEST_CASE("an edge of one component on a side of another's facet is not told", "[contact]") {
+  const Mesh both[] = {test::box({1, 0, 0}, {2, 1, 1}), test::box({1, 1, 0.25}, {2, 2, 1.75})};
+  const ContactRegion r = region(box({0, 0, 0}, {1, 1, 1}), Solid(test::merged(both)));
+  CHECK(counts(r) == Counts{1, 0, 0});
+  const ContactRegion beyond = region(box({0, 0, 0}, {1, 1, 1.5}), Solid(test::merged(both)));
+  REQUIRE(counts(beyond) == Counts{1, 1, 0});
+  CHECK(beyond.edges[0].squared_length == Rational(1) / 4);
+}
+
+// Catches: a hole that is given to a facet around the one that has it.
+TEST_CASE("rings within rings have holes of their own", "[contact]") {
+  const Mesh rings[] = {test::scaled(test::box_with_hole(), 3), test::translated(test::box_with_hole(), {10.5, 10.5, 0})};
+  const ContactRegion r = region(Solid(test::merged(rings)), box({-1, -1, -1}, {30, 30, 0}));
+  REQUIRE(counts(r) == Counts{2, 0, 0});
+  CHECK(r.facets[0].loops.size() == 2);
+  CHECK(r.facets[1].loops.size() == 2);
+  CHECK(std::min(r.facets[0].area, r.facets[1].area) == 8);
+  CHECK(std::max(r.facets[0].area, r.facets[1].area) == 512);
+}
+
 TEST_CASE("rational parts touch where they do exactly", "[contact]") {
   const Rational third = Rational(1) / 3;
   const Solid a(test::exact_box({0, 0, 0}, {third, third, third}));

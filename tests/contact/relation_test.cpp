@@ -78,6 +78,14 @@ TEST_CASE("a tip in a notch of its shape is in contact, one that is blunter inte
   CHECK(relation(block, Solid(test::pyramid(wide, 1, {0, 0, 0}))) == interfering);
 }
 
+// Catches: a plane that keeps surfaces apart, taken for one that keeps solids apart.
+TEST_CASE("a notch whose tip touches a part from inside of both interferes", "[contact][degenerate]") {
+  const std::array<double, 2> square[] = {{-3, -3}, {3, -3}, {3, 3}, {-3, 3}};
+  const Solid block = box({-4, -4, -4}, {4, 4, 4}) - Solid(test::pyramid(square, 5, {0, 0, 0}));
+  CHECK(relation(block, box({-1, -1, -1}, {1, 1, 0})) == interfering);
+  CHECK(relation(box({-1, -1, -1}, {1, 1, 0}), block) == interfering);
+}
+
 TEST_CASE("a peg in its hole is in contact", "[contact]") {
   std::vector<std::array<double, 2>> round;
   for (const auto& [x, y] : {std::pair{2, 0}, {1, 1}, {0, 2}, {-1, 1}, {-2, 0}, {-1, -1}, {0, -2}, {1, -1}})

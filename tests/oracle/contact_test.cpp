@@ -54,7 +54,7 @@ void turn_to_front(ExactFacet& facet) {
 std::string text_of(NefContact contact) {
   if (contact.interiors_meet) return "interfering";
   for (ExactFacet& f : contact.facets) turn_to_front(f);
-  std::string text = std::to_string(contact.facets.size()) + " facets\n" + canonical_form(contact.facets).text();
+  std::string text = canonical_form(contact.facets).text();  // CGAL leaves some facets divided
   const auto add = [&](const RationalPoint& p) {
     for (const Rational& x : p) text.append(" ").append(x.str());
   };
@@ -88,6 +88,7 @@ std::string found_by_strata(const Solid& a, const Solid& b) {
   }
   for (const auto& e : region.edges) found.edges.push_back({region.points[e.ends[0]], region.points[e.ends[1]]});
   for (const std::uint32_t v : region.vertices) found.vertices.push_back(region.points[v]);
+  CHECK(region.facets.size() == canonical_form(found.facets).facet_count());
   CHECK((assembly.relation(0, 1) == contact::Relation::apart) == region.is_empty());
   return text_of(found);
 }

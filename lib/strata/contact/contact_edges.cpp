@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 
 #include "strata/contact/line_intervals.h"
 #include "strata/kernel/box.h"
@@ -56,25 +55,6 @@ class ConvexPiece {
   /// Of nearest doubles: rounding is monotone, so boxes of what meets meet.
   [[nodiscard]] const Box& box() const { return box_; }
 
-  /// The part of a line in the piece, if that is a segment.
-  [[nodiscard]] std::optional<Interval> part_of(const Line& line, Interval within) const {
-    if (!dot<Rational>(normal_, line.direction).is_zero() || !dot<Rational>(normal_, line.base - corners_[0]).is_zero())
-      return std::nullopt;
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const RationalPoint inwards = inward(i);
-      const Rational slope = dot<Rational>(inwards, line.direction);
-      const Rational value = dot<Rational>(inwards, line.base - corners_[i]);  // >= 0 inside: value + t slope
-      if (slope.is_zero()) {
-        if (value.sign() < 0) return std::nullopt;
-        continue;
-      }
-      const Rational t = -value / slope;
-      if (slope.sign() > 0) within.first = std::max(within.first, t);
-      if (slope.sign() < 0) within.second = std::min(within.second, t);
-    }
-    if (within.first >= within.second) return std::nullopt;
-    return within;
-  }
   [[nodiscard]] bool has(const RationalPoint& p) const {
     if (!dot<Rational>(normal_, p - corners_[0]).is_zero()) return false;
     for (std::size_t i = 0; i < corners_.size(); ++i)
@@ -98,13 +78,6 @@ std::vector<ConvexPiece> convex_pieces(const SharedPieces& pieces) {
   return list;
 }
 
-Box box_of(const RationalPoint& p, const RationalPoint& q) {
-  Box box;
-  for (const RationalPoint* x : {&p, &q})
-    box.include(Vertex{to_nearest_double((*x)[0]), to_nearest_double((*x)[1]), to_nearest_double((*x)[2])});
-  return box;
-}
-
 bool is_on(const RationalSegment& segment, const RationalPoint& p) {
   if (!is_zero(cross<Rational>(segment[1] - segment[0], p - segment[0]))) return false;
   return segment[0] <= p && p <= segment[1];
@@ -124,19 +97,9 @@ std::vector<RationalSegment> contact_edges(const SharedPieces& pieces) {
     if (const auto at = lines.find(Line(places[p], places[q])); at != lines.end())
       at->second.taken.push_back(at->first.between(places[p], places[q]));
   std::vector<RationalSegment> edges;
-  std::optional<std::vector<ConvexPiece>> convex;
-  for (const auto& [line, intervals] : lines) {
-    // What sides leave is hardly ever covered: where surfaces touch themselves.
-    for (const Interval& left : without(intervals.all, intervals.taken)) {
-      if (!convex) convex = convex_pieces(pieces);
-      const Box box = box_of(line.at(left.first), line.at(left.second));
-      Intervals taken;
-      for (const ConvexPiece& piece : *convex)
-        if (piece.box().overlaps(box))
-          if (const auto part = piece.part_of(line, left)) taken.push_back(*part);
-      for (const auto& [from, to] : without({left}, taken)) edges.push_back({line.at(from), line.at(to)});
-    }
-  }
+  for (const auto& [line, intervals] : lines)
+    for (const auto& [from, to] : without(intervals.all, intervals.taken))
+      edges.push_back({line.at(from), line.at(to)});
   std::sort(edges.begin(), edges.end());
   return edges;
 }

@@ -86,6 +86,7 @@ class NearestCandidates::Scale {
 void NearestCandidates::look_at(std::uint32_t f, std::uint32_t g) {
   const Carriers::Indices vf = carriers_.face(f), vg = carriers_.face(g);
   const Scale scale(carriers_, vf, vg);
+  if (are_apart_along_best(vf, vg, scale)) return;
   const auto try_pair = [&](const MeshFeature& a, const MeshFeature& b) {
     const Pair pair{a, b};
     if (may_be_best(pair, scale) && decided_.insert(pair).second) decide(pair);
@@ -101,6 +102,24 @@ void NearestCandidates::look_at(std::uint32_t f, std::uint32_t g) {
     try_pair(vertex(vf[i]), face(vg));
     try_pair(face(vf), vertex(vg[i]));
   }
+}
+
+/// True when, seen along the way between the closest points so far, the faces are farther apart than these. Scaled
+/// coordinates and components are at most 1, so that 2^-48 is more than all rounding; theory.md, section 6.
+bool NearestCandidates::are_apart_along_best(const Carriers::Indices& f, const Carriers::Indices& g,
+                                             const Scale& scale) const {
+  if (!has_best_) return false;
+  const auto along = [&](std::uint32_t v) {
+    const auto& p = carriers_.vertex(v);
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) sum += direction_[i] * (p[i] * scale.factor());
+    return sum;
+  };
+  const double end_of_f = std::max({along(f[0]), along(f[1]), along(f[2])});
+  const double start_of_g = std::min({along(g[0]), along(g[1]), along(g[2])});
+  const double length = std::sqrt(direction_[0] * direction_[0] + direction_[1] * direction_[1] +
+                                  direction_[2] * direction_[2]);
+  return start_of_g - end_of_f - 0x1p-48 > half_bound_ * scale.factor() * 2 * length * (1 + 0x1p-40);
 }
 
 /// By running errors: false when the closest points are certainly not inside the features, or certainly too far.
@@ -152,6 +171,9 @@ void NearestCandidates::offer(const Pair& pair, const Rational& squared, const R
   best_.feature_b = pair.b;
   if (!is_nearer) return;
   best_.squared = squared;
+  const RationalPoint way = on_b - on_a;
+  const Rational longest = std::max({Rational(abs(way[0])), Rational(abs(way[1])), Rational(abs(way[2]))});
+  for (std::size_t i = 0; i < 3; ++i) direction_[i] = to_nearest_double(way[i] / longest);
   half_bound_ = root(squared / 4) * (1 + 0x1p-50) + 0x1p-1073;
 }
 

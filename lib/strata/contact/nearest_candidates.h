@@ -32,6 +32,8 @@ class NearestCandidates {
   };
   class Scale;
 
+  [[nodiscard]] bool are_apart_along_best(const Carriers::Indices& f, const Carriers::Indices& g,
+                                          const Scale& scale) const;
   [[nodiscard]] bool may_be_best(const Pair& pair, const Scale& scale) const;
   void decide(const Pair& pair);
   void offer(const Pair& pair, const Rational& squared, const RationalPoint& on_a, const RationalPoint& on_b);
@@ -42,6 +44,7 @@ class NearestCandidates {
   bool has_best_ = false;
   Nearest best_;
   double half_bound_ = HUGE_VAL;
+  Carriers::Coordinates direction_{};  ///< from a to b, with a longest component of 1
 };
 
 }  // namespace strata::contact

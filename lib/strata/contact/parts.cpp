@@ -73,8 +73,9 @@ bool Parts::has_piece_inside(std::uint32_t part, std::uint32_t other) const {
     return true;
   };
   const auto& all = pieces(part);
-  return std::any_of(all.begin(), all.end(),
-                     [&](const Piece& piece) { return fits(piece.box) && is_inside(make_point(carriers_, PointName::input(piece.vertex)), other); });
+  return std::any_of(all.begin(), all.end(), [&](const Piece& piece) {
+    return fits(piece.box) && is_inside(make_point(carriers_, PointName::input(piece.vertex)), other);
+  });
 }
 
 bool Parts::is_inside(const Point& point, std::uint32_t part) const {
