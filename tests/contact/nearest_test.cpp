@@ -116,8 +116,8 @@ TEST_CASE("distances are symmetric, belong to their witnesses and are the least"
             p[i] += weights[c] / sum_f * mesh_a.vertices[f[c]][i];
             q[i] += weights[c + 3] / sum_g * mesh_b.vertices[g[c]][i];
           }
-        const double d = std::sqrt((q[0] - p[0]) * (q[0] - p[0]) + (q[1] - p[1]) * (q[1] - p[1]) +
-                                   (q[2] - p[2]) * (q[2] - p[2]));
+        const double d =
+            std::sqrt((q[0] - p[0]) * (q[0] - p[0]) + (q[1] - p[1]) * (q[1] - p[1]) + (q[2] - p[2]) * (q[2] - p[2]));
         if (d < n.distance * (1 - 1e-12)) FAIL("nearer points were found");
       }
   }

@@ -60,7 +60,7 @@ TEST_CASE("a contact has a hole where a part has one", "[contact]") {
 }
 
 TEST_CASE("edges cross edges in points and lie in faces in segments", "[contact]") {
-  const Solid below(test::tetrahedron({-1, 0, 0}, {1, 0, 0}, {0, 1, -1}, {0, -1, -1}));   // its edge is on top
+  const Solid below(test::tetrahedron({-1, 0, 0}, {1, 0, 0}, {0, 1, -1}, {0, -1, -1}));  // its edge is on top
   const Solid above(test::tetrahedron({0, -1, 0}, {0, 1, 0}, {1, 0, 1}, {-1, 0, 1}));
   const ContactRegion cross = region(below, above);
   REQUIRE(counts(cross) == Counts{0, 0, 1});
@@ -132,7 +132,8 @@ TEST_CASE("an edge of one component on a side of another's facet is not told", "
 
 // Catches: a hole that is given to a facet around the one that has it.
 TEST_CASE("rings within rings have holes of their own", "[contact]") {
-  const Mesh rings[] = {test::scaled(test::box_with_hole(), 3), test::translated(test::box_with_hole(), {10.5, 10.5, 0})};
+  const Mesh rings[] = {test::scaled(test::box_with_hole(), 3),
+                        test::translated(test::box_with_hole(), {10.5, 10.5, 0})};
   const ContactRegion r = region(Solid(test::merged(rings)), box({-1, -1, -1}, {30, 30, 0}));
   REQUIRE(counts(r) == Counts{2, 0, 0});
   CHECK(r.facets[0].loops.size() == 2);

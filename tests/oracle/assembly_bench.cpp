@@ -30,8 +30,8 @@ using strata::Vertex;
 
 struct Request {
   std::string scene = "cubes";
-  int side = 10;         ///< parts along each axis
-  int cuts = 20;         ///< squares along each side of a cube
+  int side = 10;  ///< parts along each axis
+  int cuts = 20;  ///< squares along each side of a cube
   int runs = 3;
   bool regions = false;  ///< of all contacts
   bool distances = false;
@@ -155,13 +155,14 @@ void run_cgal(const std::vector<Mesh>& meshes) {
       s.add_vertex({v[0], v[1], v[2]});
       box.include(v);
     }
-    for (const auto& t : m.triangles) s.add_face(Surface::Vertex_index(t[0]), Surface::Vertex_index(t[1]), Surface::Vertex_index(t[2]));
+    for (const auto& t : m.triangles)
+      s.add_face(Surface::Vertex_index(t[0]), Surface::Vertex_index(t[1]), Surface::Vertex_index(t[2]));
   }
   const auto start = std::chrono::steady_clock::now();
   int meeting = 0;
   for (const auto& [a, b] : strata::contact::overlapping_boxes(boxes))
-    meeting += CGAL::Polygon_mesh_processing::do_intersect(
-        surfaces[a], surfaces[b], CGAL::parameters::do_overlap_test_of_bounded_sides(true));
+    meeting += CGAL::Polygon_mesh_processing::do_intersect(surfaces[a], surfaces[b],
+                                                           CGAL::parameters::do_overlap_test_of_bounded_sides(true));
   std::printf("cgal    %.3f s on one thread: %d pairs meet\n", seconds_since(start), meeting);
 }
 

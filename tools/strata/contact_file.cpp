@@ -42,8 +42,8 @@ struct RegionMesh {
     std::vector<strata::ExactVertex> exact;
     for (std::uint32_t n = 0; n < region.points.size(); ++n) {
       const strata::RationalPoint& p = region.points[n];
-      vertices.push_back({strata::to_nearest_double(p[0]), strata::to_nearest_double(p[1]),
-                          strata::to_nearest_double(p[2])});
+      vertices.push_back(
+          {strata::to_nearest_double(p[0]), strata::to_nearest_double(p[1]), strata::to_nearest_double(p[2])});
       exact.push_back({n, p});
     }
     for (std::uint32_t f = 0; f < region.facets.size(); ++f) {
@@ -137,7 +137,8 @@ constexpr double lift = 0.002;
 
 class PictureCells {
  public:
-  PictureCells(const Assembly& parts, const std::vector<Colour>& of_parts) : cells(parts.size()), colours(parts.size()) {
+  PictureCells(const Assembly& parts, const std::vector<Colour>& of_parts)
+      : cells(parts.size()), colours(parts.size()) {
     strata::Box all;
     for (std::uint32_t p = 0; p < parts.size(); ++p) {
       const strata::Mesh& mesh = parts.part(p).mesh();

@@ -13,10 +13,10 @@ struct PairFacts {
   strata::contact::Nearest nearest = {};       ///< of parts that are apart
 };
 
-/// Writes the parts, grey, or dark where they interfere with some other one, and the facets and edges of their contacts,
-/// in a colour per pair, as a binary PLY file, whole or not at all: faces with the list vertex_indices, a colour (uchar
-/// red, green, blue), the part (int, -1 for contacts) and the pair (int, -1 for parts); edges with vertex1, vertex2, the
-/// colour and the pair. Places are rounded to the nearest doubles. Throws strata::IoError.
+/// Writes the parts, grey, or dark where they interfere with some other one, and the facets and edges of their
+/// contacts, in a colour per pair, as a binary PLY file, whole or not at all: faces with the list vertex_indices, a
+/// colour (uchar red, green, blue), the part (int, -1 for contacts) and the pair (int, -1 for parts); edges with
+/// vertex1, vertex2, the colour and the pair. Places are rounded to the nearest doubles. Throws strata::IoError.
 void write_contacts(const std::string& path, const strata::contact::Assembly& parts,
                     const std::vector<PairFacts>& pairs);
 

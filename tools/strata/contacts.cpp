@@ -33,8 +33,8 @@ bool is_picture(const std::string& path) { return path.ends_with(".glb") || path
 void check_output(const Settings& settings) {
   if (!settings.output.empty() && settings.output != "-" && !is_picture(settings.output) &&
       strata::format_of(settings.output) != strata::Format::ply)
-    throw UsageError(fmt::format("contacts are written as PLY or glTF; give {} the extension .ply or .glb",
-                                 settings.output));
+    throw UsageError(
+        fmt::format("contacts are written as PLY or glTF; give {} the extension .ply or .glb", settings.output));
   if (!settings.output_format.empty() && settings.overlaps.empty())
     throw UsageError("--format is for the files of --overlap");
   if (!settings.output_format.empty()) (void)output_format(settings);  // is there such a one?
@@ -44,8 +44,8 @@ void check_output(const Settings& settings) {
   if (!std::filesystem::is_directory(folder, unknown))
     throw UsageError(fmt::format("{} is a file; overlaps go into a folder", settings.overlaps));
   if (!std::filesystem::is_empty(folder, unknown))
-    throw UsageError(fmt::format("the folder {} is not empty: overlaps of different parts would mix",
-                                 settings.overlaps));
+    throw UsageError(
+        fmt::format("the folder {} is not empty: overlaps of different parts would mix", settings.overlaps));
 }
 
 /// All pairs that are listed: those that are not apart, and the others where distances are asked for.

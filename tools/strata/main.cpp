@@ -196,7 +196,8 @@ void add_planar_options(CLI::App& verb, PlanarSettings& planar, Settings& settin
   verb.add_option("POLYGONS", settings.operands, "Files of polygons: .wkt, .geojson, .svg; - is standard input")
       ->required()
       ->expected(least, most == 0 ? CLI::detail::expected_max_vector_size : most);
-  verb.add_option("--fill", planar.fill, "What loops fill: nonzero (unless told), even-odd, positive or negative winding")
+  verb.add_option("--fill", planar.fill,
+                  "What loops fill: nonzero (unless told), even-odd, positive or negative winding")
       ->type_name("RULE")
       ->check(CLI::IsMember({"nonzero", "even-odd", "positive", "negative"}));
   add_run_options(verb, settings);
@@ -214,7 +215,8 @@ void add_planar(CLI::App& app, PlanarSettings& planar, Settings& settings, Actio
         ->type_name("OUT");
     sub->add_option("--format", settings.output_format, "wkt, geojson or svg, instead of the extension of OUT")
         ->type_name("FORMAT");
-    sub->add_flag("--exact", settings.exact, "Write vertices that are no doubles as quotients (WKT); else the nearest doubles");
+    sub->add_flag("--exact", settings.exact,
+                  "Write vertices that are no doubles as quotients (WKT); else the nearest doubles");
     sub->footer(fmt::format("Example:\n  strata planar {} A.geojson B.wkt -o OUT.svg\n\n{}", name, exit_codes));
     sub->callback([&, operation, name] {
       action = [&, operation, name] { return run_planar(operation, name, planar, settings); };
@@ -272,8 +274,9 @@ void add_contacts(CLI::App& app, Settings& settings, Action& action) {
   CLI::App* verb = app.add_subcommand("contacts", "Which solids interfere, where they touch, how far they are apart");
   add_common_options(*verb, settings, 1, 0);
   add_input_class(*verb, settings);
-  verb->add_option("-o,--output", settings.output,
-                   "A picture: the parts and, coloured by pair, where they touch; in place (.ply) or pulled apart (.glb)")
+  verb->add_option(
+          "-o,--output", settings.output,
+          "A picture: the parts and, coloured by pair, where they touch; in place (.ply) or pulled apart (.glb)")
       ->type_name("OUT");
   verb->add_flag("--distance", settings.distances, "Least distances of all pairs that are apart, and where they are");
   verb->add_option("--overlap", settings.overlaps, "A folder for what pairs that interfere have in common, a file each")

@@ -9,8 +9,8 @@ namespace strata::contact {
 CommonPoints common_points(const Carriers& carriers, const Meetings& meetings) {
   CommonPoints names;
   const auto add = [&](PointId id) {
-    const PointName name = id < carriers.vertex_count() ? PointName::input(id)
-                                                        : meetings.constructed[id - carriers.vertex_count()];
+    const PointName name =
+        id < carriers.vertex_count() ? PointName::input(id) : meetings.constructed[id - carriers.vertex_count()];
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   };
   for (const Constraint& c : meetings.constraints) {

@@ -27,7 +27,7 @@ struct MeshFeature {
 /// Of all pairs of closest points it is the one whose point on a is lexicographically least, and with it the one on b:
 /// it depends on the point sets only. A feature is the lowest-dimensional one of the mesh that has the point inside.
 struct Nearest {
-  Rational squared;  ///< exact, positive
+  Rational squared;     ///< exact, positive
   double distance = 0;  ///< its root, within an ulp; infinite beyond doubles
   RationalPoint on_a, on_b;
   MeshFeature feature_a, feature_b;

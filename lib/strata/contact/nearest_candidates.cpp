@@ -117,8 +117,8 @@ bool NearestCandidates::are_apart_along_best(const Carriers::Indices& f, const C
   };
   const double end_of_f = std::max({along(f[0]), along(f[1]), along(f[2])});
   const double start_of_g = std::min({along(g[0]), along(g[1]), along(g[2])});
-  const double length = std::sqrt(direction_[0] * direction_[0] + direction_[1] * direction_[1] +
-                                  direction_[2] * direction_[2]);
+  const double length =
+      std::sqrt(direction_[0] * direction_[0] + direction_[1] * direction_[1] + direction_[2] * direction_[2]);
   return start_of_g - end_of_f - 0x1p-48 > half_bound_ * scale.factor() * 2 * length * (1 + 0x1p-40);
 }
 

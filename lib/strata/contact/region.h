@@ -27,9 +27,9 @@ struct ContactEdge {
   double length = 0;                    ///< within an ulp
 };
 
-/// A.b n B.b for two closed regular solids A and B whose interiors do not meet: the closed, non-regularized set in which
-/// they touch. Each dimension holds what no higher one has: facets are maximal; edges are maximal segments of what is
-/// left without the closures of facets; vertices are what is left of both.
+/// A.b n B.b for two closed regular solids A and B whose interiors do not meet: the closed, non-regularized set in
+/// which they touch. Each dimension holds what no higher one has: facets are maximal; edges are maximal segments of
+/// what is left without the closures of facets; vertices are what is left of both.
 ///
 /// A canonical form of the point set: it does not depend on how the solids are triangulated; the order of the solids
 /// matters for the sides of facets only.

@@ -29,8 +29,8 @@ class Inquiry {
       : parts_(parts), a_(a), b_(b), are_beside_(parts.are_beside(a, b)) {}
 
   Relation find() {
-    const bool is_open = for_each_meeting(
-        parts_, a_, b_, [this](const FilteredFace& f, const FilteredFace& g, const Meetings& m) {
+    const bool is_open =
+        for_each_meeting(parts_, a_, b_, [this](const FilteredFace& f, const FilteredFace& g, const Meetings& m) {
           look_at(f, g, m);
           return !is_decided_;
         });
@@ -65,9 +65,8 @@ class Inquiry {
   /// True when a face lies in the plane of another one.
   [[nodiscard]] bool has_plane_of(std::uint32_t face, std::uint32_t other) const {
     const auto f = parts_.carriers().face(face), g = parts_.carriers().face(other);
-    return std::all_of(g.begin(), g.end(), [&](std::uint32_t v) {
-      return orient3d(parts_.carriers(), f[0], f[1], f[2], v) == Sign::zero;
-    });
+    return std::all_of(g.begin(), g.end(),
+                       [&](std::uint32_t v) { return orient3d(parts_.carriers(), f[0], f[1], f[2], v) == Sign::zero; });
   }
 
   static constexpr std::size_t most_planes = 8;

@@ -16,8 +16,8 @@ void sort_around(const Carriers& carriers, const Places& places, std::uint32_t f
   const Projection projection = projection_of(carriers, face);
   const std::uint32_t first = corners.front();
   std::sort(corners.begin() + 1, corners.end(), [&](std::uint32_t p, std::uint32_t q) {
-    return p != q && orient2d(carriers, projection, places.point(first), places.point(p), places.point(q)) ==
-                         Sign::positive;
+    return p != q &&
+           orient2d(carriers, projection, places.point(first), places.point(p), places.point(q)) == Sign::positive;
   });
 }
 

@@ -15,10 +15,10 @@ struct SharedPieces {
   using Segment = std::array<std::uint32_t, 2>;  ///< the lower number first
 
   Places places;
-  std::vector<Polygon> polygons;  ///< counter-clockwise as seen from outside of the first part; insides are disjoint
-  std::set<Segment> segments;     ///< but for sides of polygons
-  std::set<std::uint32_t> points; ///< but for ends of segments and corners of polygons
-  std::set<Segment> sides;        ///< of polygons
+  std::vector<Polygon> polygons;   ///< counter-clockwise as seen from outside of the first part; insides are disjoint
+  std::set<Segment> segments;      ///< but for sides of polygons
+  std::set<std::uint32_t> points;  ///< but for ends of segments and corners of polygons
+  std::set<Segment> sides;         ///< of polygons
 };
 
 [[nodiscard]] SharedPieces shared_pieces(const Parts& parts, std::uint32_t a, std::uint32_t b);
