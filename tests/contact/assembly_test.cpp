@@ -7,6 +7,7 @@
 
 #include "contact/parts.h"
 #include "strata/contact/box_pairs.h"
+#include "strata/kernel/disjoint_sets.h"
 #include "support/random.h"
 #include "support/touching.h"
 
@@ -48,6 +49,42 @@ TEST_CASE("cubes of a grid touch in as many faces, edges and vertices as they mu
     CHECK(area == faces);
     CHECK(length == edges);
   }
+}
+
+/// The components of the interior of a random union of cells of a grid: cells that share a face are one.
+std::vector<Solid> components_of_random_cells(test::Random& random) {
+  constexpr std::uint32_t n = 3;
+  std::vector<bool> taken(n * n * n);
+  for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = random.once_in(2);
+  DisjointSets<std::uint32_t> sets(n * n * n);
+  const std::uint32_t steps[] = {1, n, n * n};
+  for (std::uint32_t i = 0; i < taken.size(); ++i)
+    for (const std::uint32_t step : steps)
+      if (i / step % n + 1 < n && taken[i] && taken[i + step]) sets.unite(i, i + step);
+  std::map<std::uint32_t, std::vector<Solid>> cells;
+  for (std::uint32_t i = 0; i < taken.size(); ++i) {
+    const double x = i % n, y = i / n % n, z = i / n / n;
+    if (taken[i]) cells[sets.find(i)].push_back(box({x, y, z}, {x + 1, y + 1, z + 1}));
+  }
+  std::vector<Solid> components;
+  for (const auto& [name, parts] : cells) components.push_back(unite(parts));
+  return components;
+}
+
+// Two components that had a facet in common would be one.
+TEST_CASE("components of one set touch in edges and vertices only", "[contact][property]") {
+  std::size_t touching = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    const Assembly assembly(components_of_random_cells(random));
+    for (const RelatedPair& pair : assembly.pairs()) {
+      REQUIRE(pair.relation == Relation::contact);
+      CHECK(assembly.contact_region(pair.a, pair.b).facets.empty());
+      ++touching;
+    }
+  }
+  CHECK(touching > 60);
 }
 
 TEST_CASE("cubes of a grid that is too narrow interfere, of a wide one are apart", "[contact]") {

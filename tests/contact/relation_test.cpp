@@ -115,7 +115,9 @@ TEST_CASE("parts interfere exactly where what they have in common has a volume",
     for (const int turn : {9, 22, 47})
       CHECK(relation(Solid(test::turned(two.meshes[0], turn)), Solid(test::turned(two.meshes[1], turn))) == found);
     if (two.kind.find("huge") != std::string::npos || two.kind.find("tiny") != std::string::npos) continue;
-    CHECK(relation(Solid(test::scaled(two.meshes[0], 3)), Solid(test::scaled(two.meshes[1], 3))) == found);
+    for (const int exponent : {3, -800, 900})
+      CHECK(relation(Solid(test::scaled(two.meshes[0], exponent)), Solid(test::scaled(two.meshes[1], exponent))) ==
+            found);
   }
   for (const std::size_t n : seen) CHECK(n > 20);
 }

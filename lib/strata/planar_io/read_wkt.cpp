@@ -8,9 +8,9 @@ class WktReader {
   WktReader(std::string_view text, std::vector<std::string>& notes) : scanner_(text), notes_(notes) {}
 
   Loops read() {
-    for (scanner_.skip_space(); !scanner_.at_end();
-         scanner_.skip_space()) {  // one geometry after the other, as in a table
-      geometry();
+    // One geometry after the other, as in a table.
+    for (scanner_.skip_space(); !scanner_.at_end(); scanner_.skip_space()) {
+      geometry(0);
       scanner_.accept(';');
     }
     if (left_out_) notes_.emplace_back("more than two coordinates: the others were left out");
@@ -18,7 +18,7 @@ class WktReader {
   }
 
  private:
-  void geometry() {
+  void geometry(int depth) {
     std::string kind = scanner_.word();
     if (kind == "SRID") {  // as PostGIS writes it
       scanner_.expect('=');
@@ -34,20 +34,21 @@ class WktReader {
       scanner_.fail("expected '(' or EMPTY, found '" + tag + "'");
     } else {
       check(kind);
-      body(kind);
+      body(kind, depth);
     }
   }
   void check(const std::string& kind) const {
     if (kind != "POLYGON" && kind != "MULTIPOLYGON" && kind != "GEOMETRYCOLLECTION")
       scanner_.fail("expected POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION, found '" + kind + "'");
   }
-  void body(const std::string& kind) {
+  void body(const std::string& kind, int depth) {
     if (kind == "POLYGON") return polygon();
     const bool is_collection = kind == "GEOMETRYCOLLECTION";
+    if (is_collection && depth == deepest) scanner_.fail("collections are nested too deeply");
     scanner_.expect('(');
     do {
       if (is_collection) {
-        geometry();
+        geometry(depth + 1);
       } else if (!accept_empty()) {
         polygon();
       }
@@ -81,6 +82,7 @@ class WktReader {
     scanner_.expect(')');
   }
 
+  static constexpr int deepest = 512;  ///< collections within collections: one call each
   Scanner scanner_;
   std::vector<std::string>& notes_;
   RingCollector rings_;

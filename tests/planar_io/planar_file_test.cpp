@@ -1,0 +1,104 @@
+#include "strata/planar_io/planar_file.h"
+
+#include <catch2/catch.hpp>
+
+#include "planar/shapes.h"
+
+using namespace strata;
+using namespace strata::plane;
+
+namespace {
+
+constexpr PlanarFormat formats[] = {PlanarFormat::wkt, PlanarFormat::geojson, PlanarFormat::svg};
+
+Region read_region(const std::string& text, PlanarFormat format) {
+  return fill(read_planar(text, format, "text").loops);
+}
+
+/// The reason that reading gives, or nothing.
+std::string refusal(const std::string& text, PlanarFormat format) {
+  try {
+    (void)read_planar(text, format, "text");
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string r;
+  for (int i = 0; i < count; ++i) r += text;
+  return r;
+}
+
+}  // namespace
+
+// Catches: a digit lost, a hole turned the wrong way or given to another polygon, loops joined.
+TEST_CASE("polygons of doubles survive every format", "[planar_io][property]") {
+  plane::test::Random random(11);
+  for (int i = 0; i < 200; ++i) {
+    CAPTURE(i);
+    std::vector<plane::test::Loop> boxes;
+    for (int k = 0; k < 6; ++k) {
+      const double x = static_cast<double>(random() % 6) * 0.1, y = static_cast<double>(random() % 6) / 3;
+      boxes.push_back(plane::test::box(x, y, x + 0.3, y + 1e-3 * static_cast<double>(1 + random() % 999)));
+    }
+    const Region region = fill({plane::test::loops(boxes), FillRule::even_odd});
+    for (const PlanarFormat format : formats)
+      REQUIRE(canonical_form(read_region(to_text(region, format), format)) == canonical_form(region));
+  }
+}
+
+// Catches: quotients that are rounded on the way out or in.
+TEST_CASE("polygons of rationals survive WKT", "[planar_io][property]") {
+  plane::test::Random random(12);
+  for (int i = 0; i < 100; ++i) {
+    CAPTURE(i);
+    const Region region = fill(plane::test::in_thirds(plane::test::random_grid_loops(random, 7)));
+    const std::string text = to_text(region, PlanarFormat::wkt, Coordinates::exact);
+    REQUIRE(canonical_form(read_region(text, PlanarFormat::wkt)) == canonical_form(region));
+  }
+  const Region square = fill(plane::test::square(0, 0));
+  CHECK_THROWS_AS(to_text(square, PlanarFormat::svg, Coordinates::exact), IoError);
+  CHECK_THROWS_AS(to_text(square, PlanarFormat::geojson, Coordinates::exact), IoError);
+}
+
+TEST_CASE("nothing is written as nothing and read as such", "[planar_io][degenerate]") {
+  for (const PlanarFormat format : formats) CHECK(read_region(to_text(Region(), format), format).empty());
+  CHECK(read_planar("", PlanarFormat::wkt, "text").loops.size() == 0);
+}
+
+// Catches: a reader that calls itself for every level, without end.
+TEST_CASE("files that are nested without end are refused", "[planar_io][degenerate]") {
+  constexpr int levels = 1'000'000;
+  CHECK_THAT(refusal(repeated("GEOMETRYCOLLECTION (", levels), PlanarFormat::wkt),
+             Catch::Contains("nested too deeply"));
+  CHECK_THAT(refusal(repeated("[", levels), PlanarFormat::geojson), Catch::Contains("nested"));
+  const std::string collection =
+      repeated("GEOMETRYCOLLECTION (", 100) + "POLYGON ((0 0, 1 0, 0 1))" + repeated(")", 100);
+  CHECK(area(read_region(collection, PlanarFormat::wkt)) == Rational(1, 2));
+}
+
+// Catches: a reader that runs beyond the end, or takes a part for the whole.
+TEST_CASE("every beginning of a file is read or refused with a reason", "[planar_io][property]") {
+  const Region ring = subtract(plane::test::square(0, 0, 3), plane::test::square(1, 1));
+  for (const PlanarFormat format : formats) {
+    const std::string text = to_text(ring, format);
+    for (std::size_t n = 0; n < text.size(); ++n) {
+      CAPTURE(n);
+      try {
+        (void)read_planar(text.substr(0, n), format, "text");
+      } catch (const IoError& error) {
+        REQUIRE_THAT(error.what(), Catch::Contains("text"));
+      }
+    }
+  }
+}
+
+TEST_CASE("formats are told by extensions and names", "[planar_io]") {
+  CHECK(planar_format_of("a/b.wkt") == PlanarFormat::wkt);
+  CHECK(planar_format_of("b.GEOJSON") == planar_format_of("b.json"));
+  CHECK(planar_format_named("svg") == PlanarFormat::svg);
+  CHECK_FALSE(planar_format_of("b.off").has_value());
+  CHECK_FALSE(planar_format_named("dxf").has_value());
+}
