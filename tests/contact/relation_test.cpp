@@ -1,6 +1,7 @@
 #include "strata/contact/relation.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "contact/parts.h"
 #include "support/random.h"
@@ -96,6 +97,14 @@ TEST_CASE("a peg in its hole is in contact", "[contact]") {
   CHECK(counts(region(plate, peg)) == std::vector<std::size_t>{4, 0, 0});
 }
 
+/// No overflow, and nothing lost to underflow.
+bool is_exact_when_scaled(const Mesh& mesh, int exponent) {
+  for (const Vertex& v : mesh.vertices)
+    for (const double x : v)
+      if (std::ldexp(std::ldexp(x, exponent), -exponent) != x) return false;
+  return true;
+}
+
 // The Boolean engine computes volumes by other means than pairs of faces.
 TEST_CASE("parts interfere exactly where what they have in common has a volume", "[contact][property]") {
   std::size_t seen[3] = {};
@@ -114,10 +123,10 @@ TEST_CASE("parts interfere exactly where what they have in common has a volume",
     if (found == contact) CHECK_FALSE(region(a, b).is_empty());
     for (const int turn : {9, 22, 47})
       CHECK(relation(Solid(test::turned(two.meshes[0], turn)), Solid(test::turned(two.meshes[1], turn))) == found);
-    if (two.kind.find("huge") != std::string::npos || two.kind.find("tiny") != std::string::npos) continue;
     for (const int exponent : {3, -800, 900})
-      CHECK(relation(Solid(test::scaled(two.meshes[0], exponent)), Solid(test::scaled(two.meshes[1], exponent))) ==
-            found);
+      if (is_exact_when_scaled(two.meshes[0], exponent) && is_exact_when_scaled(two.meshes[1], exponent))
+        CHECK(relation(Solid(test::scaled(two.meshes[0], exponent)), Solid(test::scaled(two.meshes[1], exponent))) ==
+              found);
   }
   for (const std::size_t n : seen) CHECK(n > 20);
 }
