@@ -57,6 +57,9 @@ class Triangulation {
   /// Requires names of the lowest features.
   bool add_paths(std::span<const Constraint> constraints);
 
+  /// Inserts the ends of all constraints, then those that are segments: constraint i gets the number i.
+  void add_constraints(std::span<const Constraint> constraints);
+
   /// Local vertex of a point; inserted if there is none at its place. Requires a point of the closed face.
   std::int32_t add_point(PointId id);
 
@@ -155,6 +158,7 @@ class Triangulation {
   std::vector<ConstraintLine> lines_;  ///< per constraint number
   std::vector<OtherName> other_names_;
   std::vector<std::pair<std::int32_t, std::int32_t>> crossed_;
+  std::vector<std::pair<std::int32_t, std::int32_t>> ends_;  ///< of the constraints that are added
   std::vector<std::int32_t> stack_;  ///< triangles at a new vertex whose opposite sides are to be judged
   std::int32_t last_ = 0;
 };

@@ -10,6 +10,17 @@ using namespace triangle_index;
 
 // Segments: walked, crossed, made sides, noted on them.
 
+void Triangulation::add_constraints(std::span<const Constraint> constraints) {
+  ends_.clear();
+  for (const Constraint& c : constraints) {
+    const std::int32_t tail = add_point(c.tail);
+    ends_.emplace_back(tail, add_point(c.head));
+  }
+  for (std::size_t i = 0; i < constraints.size(); ++i)
+    if (ends_[i].first != ends_[i].second)
+      add_segment(ends_[i].first, ends_[i].second, static_cast<std::int32_t>(i), constraints[i].line);
+}
+
 void Triangulation::add_segment(std::int32_t tail, std::int32_t head, std::int32_t constraint,
                                 const ConstraintLine& line) {
   if (at(constraint) >= lines_.size()) lines_.resize(at(constraint) + 1);

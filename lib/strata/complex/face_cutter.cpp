@@ -32,14 +32,7 @@ void FaceCutter::cut(std::span<const Constraint> constraints) {
 
 void FaceCutter::triangulate() {
   triangulation_.start(face_, Triangulation::Names::lowest);
-  ends_.clear();
-  for (const Constraint& c : constraints_) {
-    const std::int32_t tail = triangulation_.add_point(c.tail);
-    ends_.emplace_back(tail, triangulation_.add_point(c.head));
-  }
-  for (std::size_t i = 0; i < constraints_.size(); ++i)
-    if (ends_[i].first != ends_[i].second)
-      triangulation_.add_segment(ends_[i].first, ends_[i].second, static_cast<std::int32_t>(i), constraints_[i].line);
+  triangulation_.add_constraints(constraints_);
 }
 
 void FaceCutter::list_coplanar() {

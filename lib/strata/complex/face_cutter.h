@@ -49,7 +49,6 @@ class FaceCutter {
 
   std::uint32_t face_ = 0;
   std::span<const Constraint> constraints_;
-  std::vector<std::pair<std::int32_t, std::int32_t>> ends_;
   std::vector<std::int32_t> next_;
   std::vector<std::uint32_t> number_, coplanar_here_;
   std::vector<bool> done_;

@@ -107,14 +107,7 @@ void FaceSplitter::collect_whole() {
 bool FaceSplitter::triangulate() {
   triangulation_.start(face_, Triangulation::Names::lowest);
   if (triangulation_.add_paths(constraints_)) return true;
-  ends_.clear();
-  for (const Constraint& c : constraints_) {
-    const std::int32_t tail = triangulation_.add_point(c.tail);
-    ends_.emplace_back(tail, triangulation_.add_point(c.head));
-  }
-  for (std::size_t i = 0; i < constraints_.size(); ++i)
-    if (ends_[i].first != ends_[i].second)
-      triangulation_.add_segment(ends_[i].first, ends_[i].second, static_cast<std::int32_t>(i), constraints_[i].line);
+  triangulation_.add_constraints(constraints_);
   return false;
 }
 

@@ -97,7 +97,6 @@ class FaceSplitter {
   std::uint32_t face_ = 0, operand_ = 0;
   Carriers::Indices corners_{};
   std::span<const Constraint> constraints_;
-  std::vector<std::pair<std::int32_t, std::int32_t>> ends_;
   std::vector<std::uint32_t> met_;  ///< operands
   boost::container::static_vector<std::size_t, 3> free_corners_;
   std::vector<std::int32_t> region_of_;
