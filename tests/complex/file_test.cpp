@@ -1,6 +1,7 @@
 #include "strata/complex/file.h"
 
 #include <catch2/catch.hpp>
+#include <random>
 #include <sstream>
 
 #include "random_complex.h"
@@ -76,6 +77,41 @@ TEST_CASE("files that are no complex are refused with the place", "[complex][fil
   CHECK(complaint(replaced(good, "L0", "L77")) == "test.sgc: face 1: there is no such edge");
   CHECK(complaint(replaced(good, "end", "")) == "test.sgc:24: the file ends too early");
   CHECK(complaint(replaced(good, "volumes 2\n0\n1\n", "volumes 2\n0\n1\n0\n")).starts_with("test.sgc:2"));
+  CHECK(complaint(replaced(good, "volumes 2\n0\n1\n", "volumes 3\n0\n1\n0\n")) ==
+        "test.sgc: volume 2: a bounded volume has no faces");
+  CHECK(complaint(good + "\n# more\nend\n") == "test.sgc:28: expected the end of the file, found 'end'");
+  const std::string point = text_of(simplex(3, std::vector<Vertex>{{0, 0, 0}}));
+  CHECK(complaint(replaced(point, "isolated 1\nV0 0\n", "isolated 2\nV0 0\nV0 0\n")) ==
+        "test.sgc: vertex 0: a cell is isolated twice");
+}
+
+// Catches: an order of vertices by rounded places.
+TEST_CASE("vertices that round to the same first coordinate are in the order of their places", "[complex][file]") {
+  const std::string head = "SGC 1\ndimension 2\nvertices 2\n", tail = "edges 0\nfaces 1\n0 V0 V1\nend\n";
+  const std::string low = "1/3 1 0 1\n", high = "1000000000000000000000000001/3000000000000000000000000000 0 0 1\n";
+  CHECK(complaint(head + low + high + tail) == "none");
+  CHECK(complaint(head + high + low + tail) == "test.sgc: vertex 1: vertices are not in lexicographic order");
+}
+
+// Catches: a reader that trusts its numbers.
+TEST_CASE("a file with a changed number is read or refused with a reason", "[complex][file][property]") {
+  std::size_t refused = 0;
+  for (std::uint32_t seed = 0; seed < test::rounds(600); ++seed) {
+    CAPTURE(seed);
+    RandomComplexes random(seed % 2 == 0 ? 3 : 2, seed % 10);
+    std::mt19937 choose(seed);
+    std::string text = text_of(random.next(3));
+    std::vector<std::size_t> digits;
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] >= '0' && text[i] <= '9') digits.push_back(i);
+    for (std::uint32_t k = 0; k <= seed % 3; ++k)
+      text[digits[choose() % digits.size()]] = static_cast<char>('0' + choose() % 10);
+    CAPTURE(text);
+    const std::string what = complaint(text);
+    REQUIRE((what == "none" || what.starts_with("test.sgc")));
+    refused += what != "none" ? 1 : 0;
+  }
+  CHECK(refused > 100);
 }
 
 TEST_CASE("faces that cross are refused", "[complex][file]") {

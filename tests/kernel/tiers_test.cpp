@@ -1,5 +1,6 @@
 #include "kernel/tiers.h"
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -169,4 +170,26 @@ TEST_CASE("a vertex that is the sum of two doubles needs no more bits than these
   lower.add(points, {}, under_plane);
   check_tier(Tier::bits_256, Sign::zero, [&] { return orient3d(flat, 0U, 1U, 2U, 3U); });
   check_tier(Tier::twofold, Sign::negative, [&] { return orient3d(lower, 0U, 1U, 2U, 3U); });
+}
+
+// Lines in a plane x = 0, so far apart in size that no long integer holds their meet: the axis along which they do not
+// meet must not be taken for the answer. Catches: the sign of a lost value that is read.
+TEST_CASE("a meet of edges that no long integer holds is found by unbounded ones", "[kernel][degenerate]") {
+  for (const double far : {1.0, 0x1p900, 0x1p974, 0x1p1020})
+    for (const double near : {0x1p-1000, 0x1p-1060, 0x1p-1074})
+      for (int turns = 0; turns < 3; ++turns) {
+        CAPTURE(far, near, turns);
+        std::vector<Carriers::Coordinates> points{
+            {0, -far, -far}, {0, far, far}, {0, -far, near}, {0, far, 0}, {0, 0, 0}};
+        for (auto& p : points) std::rotate(p.begin(), p.begin() + turns, p.end());
+        Carriers carriers;
+        carriers.add(points, {});
+        const Point meet = make_point(carriers, PointName::edge_edge(0, 1, 2, 3));
+        const Point origin = make_point(carriers, PointName::input(4));
+        const RationalPoint place = exact_position(carriers, meet);
+        for (int axis = 0; axis < 3; ++axis)
+          CHECK(compare(carriers, axis, meet, origin) ==
+                static_cast<Sign>(place[static_cast<std::size_t>(axis)].sign()));
+        CHECK_FALSE(equal(carriers, meet, origin));
+      }
 }

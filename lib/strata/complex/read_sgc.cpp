@@ -33,6 +33,16 @@ class Lines {
       split();
     }
   }
+  /// Nothing but comments and blank lines may follow.
+  void end_file() {
+    end_line();
+    while (std::getline(in_, line_)) {
+      ++number_;
+      words_.clear();
+      split();
+      if (!words_.empty()) fail("expected the end of the file, found '" + std::string(words_[0]) + "'");
+    }
+  }
   [[nodiscard]] bool is_done() const { return at_ == words_.size(); }
   [[nodiscard]] std::string_view word(const char* what) {
     if (is_done()) fail(std::string("expected ") + what + ", found the end of the line");
@@ -121,7 +131,7 @@ class Reader {
     }
     lines_.next();
     lines_.expect("end");
-    lines_.end_line();
+    lines_.end_file();
     return checked();
   }
 

@@ -30,8 +30,7 @@ void check_sizes(const Cells& c) {
 
 void check_vertices(const Cells& c) {
   for (Index v = 0; v + 1 < c.count(0); ++v)
-    require(c.points[v] <= c.points[v + 1] && c.position(v) < c.position(v + 1), {0, v + 1},
-            "vertices are not in lexicographic order");
+    require(c.position(v) < c.position(v + 1), {0, v + 1}, "vertices are not in lexicographic order");
   for (Index v = 0; v < c.count(0) && c.dimension == 2; ++v)
     require(c.position(v)[2] == 0, {0, v}, "a vertex in the plane has z other than 0");
 }
@@ -57,10 +56,19 @@ void check_incidences(const Cells& c) {
   const auto check = [&](const std::vector<Isolated>& list, int low, int high) {
     for (const Isolated& i : list)
       require(i.cell < c.count(low) && i.in < c.count(high), {low, i.cell}, "there is no such cell to be isolated");
+    for (std::size_t k = 1; k < list.size(); ++k)
+      require(list[k - 1].cell < list[k].cell, {low, list[k].cell}, "a cell is isolated twice");
   };
   check(c.vertices_in_faces, 0, 2);
   check(c.vertices_in_volumes, 0, 3);
   check(c.edges_in_volumes, 1, 3);
+}
+
+void check_volumes(const Cells& c) {
+  std::vector<std::uint8_t> has_face(c.count(3));
+  for (const auto& sides : c.sides)
+    for (const Index v : sides) has_face[v] = 1;
+  for (Index v = 1; v < c.count(3); ++v) require(has_face[v] != 0, {3, v}, "a bounded volume has no faces");
 }
 
 /// Each vertex of a face is reached as often as it is left.
@@ -116,10 +124,13 @@ void number_planes(Cells& cells) {
 
 SelectiveComplex validated(Cells cells) {
   std::sort(cells.wings.begin(), cells.wings.end());
+  for (auto* list : {&cells.vertices_in_faces, &cells.vertices_in_volumes, &cells.edges_in_volumes})
+    std::sort(list->begin(), list->end());
   check_sizes(cells);
   check_vertices(cells);
   check_edges(cells);
   check_incidences(cells);
+  check_volumes(cells);
   check_faces(cells);
   number_planes(cells);
   const char* const mismatch = "cells meet otherwise than they say, or do not bound the cells that they should";

@@ -44,6 +44,13 @@ class Ground {
   bool rational_ = false;
 };
 
+/// True of a LongInt that did not hold its value, and has no sign.
+template <class Int>
+[[nodiscard]] bool is_lost(const Int& x) {
+  if constexpr (std::is_same_v<Int, LongInt>) return x.is_lost();
+  return false;
+}
+
 /// Evaluates points and planes in exact integers, in units of the lattice. Integers of a fixed number of bits hold
 /// vertices that are doubles or sums of two; the others hold all, or say that they are lost.
 template <class Int>
@@ -136,7 +143,7 @@ class ExactEvaluation {
     HPoint<Int> x;
     for (int axis = 0; axis < 3; ++axis) {
       x = meet(p, q, plane_along_axis(r, s, axis));
-      if (sign_of_integer(x.w) != Sign::zero) break;
+      if (is_lost(x.w) || sign_of_integer(x.w) != Sign::zero) break;
     }
     return x;
   }
