@@ -79,7 +79,7 @@ TEST_CASE("files that are no complex are refused with the place", "[complex][fil
   CHECK(complaint(replaced(good, "volumes 2\n0\n1\n", "volumes 2\n0\n1\n0\n")).starts_with("test.sgc:2"));
   CHECK(complaint(replaced(good, "volumes 2\n0\n1\n", "volumes 3\n0\n1\n0\n")) ==
         "test.sgc: volume 2: a bounded volume has no faces");
-  CHECK(complaint(good + "\n# more\nend\n") == "test.sgc:28: expected the end of the file, found 'end'");
+  CHECK(complaint(good + "\n# more\nend\n") == "test.sgc:27: expected the end of the file, found 'end'");
   const std::string point = text_of(simplex(3, std::vector<Vertex>{{0, 0, 0}}));
   CHECK(complaint(replaced(point, "isolated 1\nV0 0\n", "isolated 2\nV0 0\nV0 0\n")) ==
         "test.sgc: vertex 0: a cell is isolated twice");

@@ -64,6 +64,33 @@ void check_incidences(const Cells& c) {
   check(c.edges_in_volumes, 1, 3);
 }
 
+/// Vertices without edges, and edges without faces, lie in one cell; others in none where they bound something.
+void check_isolated(const Cells& c) {
+  std::vector<int> uses(c.count(0)), places(c.count(0)), wings(c.count(1)), left(c.count(1)), volumes(c.count(1));
+  for (const auto& edge : c.edges)
+    for (const Index v : edge) ++uses[v];
+  for (const Wing& w : c.wings) {
+    ++wings[w.edge];
+    left[w.edge] += w.left ? 1 : 0;
+  }
+  for (const Isolated& i : c.edges_in_volumes) ++volumes[i.cell];
+  for (const auto* list : {&c.vertices_in_faces, &c.vertices_in_volumes})
+    for (const Isolated& i : *list) ++places[i.cell];
+  for (Index e = 0; e < c.count(1); ++e) {
+    if (c.dimension == 2)
+      require(wings[e] == 2 && left[e] == 1, {1, e}, "an edge of the plane has one face on either side");
+    else
+      require((wings[e] > 0) == (volumes[e] == 0), {1, e}, "an edge bounds faces, or lies in one volume");
+  }
+  for (Index v = 0; v < c.count(0); ++v)
+    require(uses[v] > 0 || places[v] == 1, {0, v}, "a vertex without edges lies in one face or volume");
+  for (const Isolated& i : c.vertices_in_volumes)
+    require(uses[i.cell] == 0, {0, i.cell}, "a vertex with edges does not lie in a volume");
+  for (const Isolated& i : c.vertices_in_faces)
+    require(c.dimension == 3 || uses[i.cell] == 0, {0, i.cell},
+            "a vertex with edges does not lie in a face of the plane");
+}
+
 void check_volumes(const Cells& c) {
   std::vector<std::uint8_t> has_face(c.count(3));
   for (const auto& sides : c.sides)
@@ -130,6 +157,7 @@ SelectiveComplex validated(Cells cells) {
   check_vertices(cells);
   check_edges(cells);
   check_incidences(cells);
+  check_isolated(cells);
   check_volumes(cells);
   check_faces(cells);
   number_planes(cells);
