@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "chain.h"
+#include "command_line.h"
+#include "settings.h"
+#include "verbs.h"
+
+namespace {
+
+void add_boolean(CommandLine& line, strata::Operation operation, const char* name, const std::string& what) {
+  Settings& settings = line.settings;
+  CLI::App* verb = line.app.add_subcommand(name, what);
+  add_common_options(*verb, settings, 2, 0);
+  add_input_class(*verb, settings);
+  add_engine(*verb, settings);
+  add_output_options(*verb, settings);
+  verb->footer(fmt::format("Example:\n  strata {} A.stl B.stl -o OUT.stl\n\n{}", name, exit_codes));
+  line.on(*verb, [&settings, operation, name] { return run_boolean(operation, name, settings); });
+}
+
+void add_eval(CommandLine& line) {
+  Settings& settings = line.settings;
+  CLI::App* verb = line.app.add_subcommand("eval", "An expression over meshes, or a .csg model, evaluated at once");
+  verb->add_option("EXPR", settings.expression, "The expression, or the path of a model that OpenSCAD wrote (.csg)")
+      ->required();
+  verb->add_option("NAME=FILE", settings.bindings, "The mesh that a name stands for; - is standard input")
+      ->expected(0, CLI::detail::expected_max_vector_size);
+  verb->add_flag_callback(
+      "--round-transforms", [&settings] { settings.placement = strata::Placement::rounded; },
+      "Round what a model transforms to doubles, once; else it is exact");
+  add_run_options(*verb, settings);
+  add_input_class(*verb, settings);
+  add_output_options(*verb, settings);
+  verb->footer(fmt::format(
+      R"text(Operators, the strongest first: ~a (all but a; ! is the same), a - b and a + b (union), a & b, a ^ b (in one of them),
+a | b; parentheses. Names are letters, digits, _ and dots.
+
+Examples:
+  strata eval "(block | boss) - holes" block=block.stl boss=boss.stl holes=holes.obj -o part.stl
+  strata eval bracket.csg -o bracket.stl --round-transforms
+  strata eval "a & ~(b ^ c)" a=a.off b=b.off c=c.off -o d.off --report -
+
+{})text",
+      exit_codes));
+  line.on(*verb, [&settings] { return run_eval(settings); });
+}
+
+void add_chain(CommandLine& line) {
+  Settings& settings = line.settings;
+  const auto chain = std::make_shared<ChainSettings>();
+  CLI::App* verb =
+      line.app.add_subcommand("chain", "Many steps, one after the other, exactly; may be stopped and resumed");
+  add_chain_options(*verb, *chain, settings);
+  add_run_options(*verb, settings);
+  add_input_class(*verb, settings);
+  add_output_options(*verb, settings);
+  verb->footer(fmt::format(
+      R"text(STEPS.json, with paths relative to it; "start" may be null, "label", "input" and "transform" left out:
+  {{"start": {{"file": "block.stl"}},
+   "steps": [{{"operation": "difference", "file": "drill.stl", "label": "hole", "input": "solid",
+              "transform": [[1, 0, 0, "1/3"], [0, 1, 0, 2], [0, 0, 1, 0.5], [0, 0, 0, 1]]}}]}}
+
+Examples:
+  strata chain part.json -o part.xoff --report part-report.json --exact-volumes
+  strata chain part.json -o part.stl --checkpoint part.save --checkpoint-every 100 --timeout 3600
+  strata chain part.json -o part.stl --checkpoint part.save --resume part.save
+
+{})text",
+      exit_codes));
+  line.on(*verb, [&settings, chain] { return run_chain(*chain, settings); });
+}
+
+void add_check(CommandLine& line) {
+  Settings& settings = line.settings;
+  CLI::App* verb =
+      line.app.add_subcommand("check", "Is the mesh the boundary of a solid? Lists every defect, writes nothing");
+  add_common_options(*verb, settings, 1, 1);
+  verb->footer(fmt::format("Example:\n  strata check scan.stl\n\n{}", exit_codes));
+  line.on(*verb, [&settings] { return run_check(settings); });
+}
+
+void add_info(CommandLine& line) {
+  Settings& settings = line.settings;
+  CLI::App* verb = line.app.add_subcommand("info", "Counts, measures and defects of a mesh, whatever its state");
+  add_common_options(*verb, settings, 1, 1);
+  verb->footer(fmt::format("Example:\n  strata info scan.stl --report -\n\n{}", exit_codes));
+  line.on(*verb, [&settings] { return run_info(settings); });
+}
+
+void add_compare(CommandLine& line) {
+  Settings& settings = line.settings;
+  CLI::App* verb = line.app.add_subcommand("compare", "Are two meshes equal as point sets, exactly?");
+  add_common_options(*verb, settings, 2, 2);
+  add_input_class(*verb, settings);
+  verb->footer(fmt::format("Example:\n  strata compare before.stl after.obj\n\n{}", exit_codes));
+  line.on(*verb, [&settings] { return run_compare(settings); });
+}
+
+}  // namespace
+
+void add_boolean_verbs(CommandLine& line) {
+  using strata::Operation;
+  add_boolean(line, Operation::unite, "union", "What is in any of the meshes");
+  add_boolean(line, Operation::intersect, "intersection", "What is in all of the meshes");
+  add_boolean(line, Operation::subtract, "difference", "What is in the first mesh and in no other");
+  add_boolean(line, Operation::exclude, "xor", "What is in an odd number of the meshes");
+  add_eval(line);
+  add_chain(line);
+  add_check(line);
+  add_info(line);
+  add_compare(line);
+}
