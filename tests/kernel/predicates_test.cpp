@@ -143,6 +143,10 @@ void check_tiers(TierTable& table) {
       CHECK(table.count(predicate, tier) > 0);
     }
   }
+  for (const char* predicate : {"orient3d of vertices", "orient3d", "side_of_face"}) {
+    CAPTURE(predicate);
+    CHECK(table.count(predicate, Tier::steps) > 0);
+  }
   for (const char* predicate : {"orient3d of vertices", "side_of_face", "compare"})
     CHECK(table.count(predicate, Tier::names) > 0);
 }

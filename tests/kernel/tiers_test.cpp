@@ -36,10 +36,10 @@ struct Given {
   Carriers carriers;
 };
 
-/// Four vertices in the plane x + y + z = 0, on a lattice of b + 1 bits.
+/// Four vertices in the plane x + y + z = 0, on a lattice of b + 1 bits; so small that products of doubles vanish.
 Given coplanar(int b) {
-  const double m = std::ldexp(1.0, b);
-  return Given({{0, m, -m}, {m, -m, 0}, {-m, 0, m}, {2, -1, -1}});
+  const double unit = std::numeric_limits<double>::denorm_min(), m = std::ldexp(unit, b);
+  return Given({{0, m, -m}, {m, -m, 0}, {-m, 0, m}, {2 * unit, -unit, -unit}});
 }
 
 }  // namespace
@@ -68,6 +68,15 @@ TEST_CASE("two edges along one axis need no integers, whatever their order", "[k
                [&, i = i, j = j, k = k] { return orient3d(walls.carriers, 0U, rest[i], rest[j], rest[k]); });
   CHECK(orient3d(walls.carriers, 0U, 1U, 2U, 4U) == Sign::positive);
   CHECK(orient3d(walls.carriers, 0U, 2U, 4U, 1U) == Sign::positive);
+}
+
+// Catches: exact steps asked too late, or never.
+TEST_CASE("coplanar vertices of few bits take exact steps", "[kernel]") {
+  const Given g({{0, 1e6, -1e6}, {1e6, -1e6, 0}, {-1e6, 0, 1e6}, {2, -1, -1}});
+  const auto p = [&](std::uint32_t v) { return g.point(PointName::input(v)); };
+  check_tier(Tier::steps, Sign::zero, [&] { return orient3d(g.carriers, 0U, 1U, 2U, 3U); });
+  check_tier(Tier::steps, Sign::zero, [&] { return orient3d(g.carriers, p(0), p(1), p(2), p(3)); });
+  check_tier(Tier::steps, Sign::zero, [&] { return orient3d(g.points[0], g.points[1], g.points[2], g.points[3]); });
 }
 
 // Both differences from the first vertex round to the same double. Catches: equal differences taken for equal points.
@@ -110,17 +119,17 @@ TEST_CASE("a construction on a plane it is not named for needs integers", "[kern
   check_tier(Tier::bits_128, Sign::zero, [&] { return side_of_face(g.carriers, 1, p); });
 }
 
-// Four planes through (1, 1, 1): 9 b + 20 bits with b = 3.
+// Four planes through (1, 1, 1), none along an axis: 9 b + 20 bits with b = 3.
 TEST_CASE("four planes through one point meet in it under every name", "[kernel][degenerate]") {
-  const Given g({{1, 0, 0},
-                 {1, 4, 0},
-                 {1, 0, 4},
-                 {0, 1, 0},
-                 {4, 1, 0},
-                 {0, 1, 4},
-                 {0, 0, 1},
-                 {4, 0, 1},
-                 {0, 4, 1},
+  const Given g({{2, 0, 0},
+                 {0, 2, 0},
+                 {2, 0, 4},
+                 {0, 2, 0},
+                 {0, 0, 2},
+                 {4, 2, 0},
+                 {2, 0, 0},
+                 {0, 0, 2},
+                 {2, 4, 0},
                  {3, 0, 0},
                  {0, 3, 0},
                  {0, 0, 3}},
@@ -140,11 +149,12 @@ TEST_CASE("1e-300 beside 1e300 needs unbounded integers", "[kernel]") {
   CHECK(orient3d(g.carriers, 0U, 1U, 2U, 3U) != Sign::zero);
 }
 
-TEST_CASE("subnormals and huge numbers alone need few bits", "[kernel]") {
+TEST_CASE("subnormals and huge numbers alone need few bits, others none", "[kernel]") {
   for (const double unit : {std::numeric_limits<double>::denorm_min(), 1.0, 0x1p1021}) {
     CAPTURE(unit);
     const Given g({{unit, 0, unit}, {0, unit, 0}, {-unit, 0, -unit}, {2 * unit, -unit, 2 * unit}, {0, 0, -2 * unit}});
-    check_tier(Tier::bits_128, Sign::zero, [&] { return orient3d(g.carriers, 0U, 1U, 2U, 3U); });
+    const Tier tier = unit == 1.0 ? Tier::steps : Tier::bits_128;
+    check_tier(tier, Sign::zero, [&] { return orient3d(g.carriers, 0U, 1U, 2U, 3U); });
     CHECK(orient3d(g.carriers, 0U, 1U, 2U, 4U) == Sign::negative);
   }
 }

@@ -7,8 +7,8 @@
 namespace strata {
 
 /// The tier that made a decision.
-enum class Tier { filter, names, twofold, bits_128, bits_256, bits_512, bits_1024, bits_4096, unbounded };
-inline constexpr int tier_count = 9;
+enum class Tier { filter, names, steps, twofold, bits_128, bits_256, bits_512, bits_1024, bits_4096, unbounded };
+inline constexpr int tier_count = 10;
 
 #ifdef STRATA_COUNTERS
 /// Decisions per tier, over the whole process: for benchmarks and tests only (build option STRATA_COUNTERS).
@@ -19,9 +19,9 @@ inline void count(Tier) {}
 #endif
 
 using TierCounts = std::array<std::uint64_t, tier_count>;
-inline constexpr std::array<const char*, tier_count> tier_names{"by_filter",    "by_names",     "by_twofold",
-                                                                "by_128_bits",  "by_256_bits",  "by_512_bits",
-                                                                "by_1024_bits", "by_4096_bits", "by_integers"};
+inline constexpr std::array<const char*, tier_count> tier_names{
+    "by_filter",   "by_names",    "by_steps",     "by_twofold",   "by_128_bits",
+    "by_256_bits", "by_512_bits", "by_1024_bits", "by_4096_bits", "by_integers"};
 
 /// Decisions of the process so far; zeros in a build that does not count.
 [[nodiscard]] inline TierCounts tier_counts_now() {

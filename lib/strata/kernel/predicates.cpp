@@ -10,6 +10,7 @@
 #include "strata/kernel/approximation.h"
 #include "strata/kernel/counters.h"
 #include "strata/kernel/exact_evaluation.h"
+#include "strata/kernel/exact_steps.h"
 #include "strata/kernel/filtered_plane.h"
 #include "strata/kernel/filters.h"
 
@@ -93,6 +94,14 @@ std::optional<Sign> filtered_orient3d(const Carriers::Coordinates& a, const Carr
   return std::nullopt;
 }
 
+/// orient3d_in_exact_steps, counted.
+std::optional<Sign> stepwise_orient3d(const Carriers::Coordinates& a, const Carriers::Coordinates& b,
+                                      const Carriers::Coordinates& c, const Carriers::Coordinates& d) {
+  const auto sign = orient3d_in_exact_steps(a, b, c, d);
+  if (sign) count(Tier::steps);
+  return sign;
+}
+
 /// filtered_turn, and the zeros that doubles show.
 std::optional<Sign> turn_in_doubles(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r) {
   if (const int turn = filtered_turn(p, q, r); turn != 0) return static_cast<Sign>(turn);
@@ -138,22 +147,8 @@ PlanePoint seen(Projection axes, const Point& p) {
 
 bool is_exact(const Point& p) { return p.at[0].error == 0 && p.at[1].error == 0 && p.at[2].error == 0; }
 
-}  // namespace
-
-Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Point& r, const Point& s) {
-  if (is_exact(p) && is_exact(q) && is_exact(r) && is_exact(s)) {
-    if (const auto sign = filtered_orient3d(values(p), values(q), values(r), values(s))) {
-      count(Tier::filter);
-      return *sign;
-    }
-  } else if (is_exact(p) && is_exact(q) && is_exact(r)) {
-    if (const int side = FilteredPlane(values(p), values(q), values(r)).side_within(s.at); side != 0) {
-      count(Tier::filter);
-      return static_cast<Sign>(side);
-    }
-  } else if (const auto sign = filtered(orient3d_of(p.at, q.at, r.at, s.at))) {
-    return *sign;
-  }
+/// What is left when doubles do not decide: sums of two of them, then integers.
+Sign refined_orient3d(const Carriers& carriers, const Point& p, const Point& q, const Point& r, const Point& s) {
   if (const auto sign = filtered(orient3d_of(p.fine, q.fine, r.fine, s.fine))) return *sign;
   const auto width = [&](int b) {
     return width_of_value(width_of_plane(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b)),
@@ -164,17 +159,40 @@ Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Po
   });
 }
 
+}  // namespace
+
+Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Point& r, const Point& s) {
+  if (is_exact(p) && is_exact(q) && is_exact(r) && is_exact(s)) {
+    const auto a = values(p), b = values(q), c = values(r), d = values(s);
+    if (const auto sign = filtered_orient3d(a, b, c, d)) {
+      count(Tier::filter);
+      return *sign;
+    }
+    if (const auto sign = stepwise_orient3d(a, b, c, d)) return *sign;
+  } else if (is_exact(p) && is_exact(q) && is_exact(r)) {
+    if (const int side = FilteredPlane(values(p), values(q), values(r)).side_within(s.at); side != 0) {
+      count(Tier::filter);
+      return static_cast<Sign>(side);
+    }
+  } else if (const auto sign = filtered(orient3d_of(p.at, q.at, r.at, s.at))) {
+    return *sign;
+  }
+  return refined_orient3d(carriers, p, q, r, s);
+}
+
 Sign orient3d(const Carriers::Coordinates& a, const Carriers::Coordinates& b, const Carriers::Coordinates& c,
               const Carriers::Coordinates& d) {
   if (const auto sign = filtered_orient3d(a, b, c, d)) {
     count(Tier::filter);
     return *sign;
   }
-  return orient3d(Carriers(), Point::free(a), Point::free(b), Point::free(c), Point::free(d));
+  if (const auto sign = stepwise_orient3d(a, b, c, d)) return *sign;
+  return refined_orient3d(Carriers(), Point::free(a), Point::free(b), Point::free(c), Point::free(d));
 }
 
 Sign orient3d(const Carriers& carriers, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  if (carriers.has_doubles({a, b, c}) && carriers.has_doubles(d)) {
+  const bool are_doubles = carriers.has_doubles({a, b, c}) && carriers.has_doubles(d);
+  if (are_doubles) {
     if (const auto sign =
             filtered_orient3d(carriers.vertex(a), carriers.vertex(b), carriers.vertex(c), carriers.vertex(d))) {
       count(Tier::filter);
@@ -185,8 +203,13 @@ Sign orient3d(const Carriers& carriers, std::uint32_t a, std::uint32_t b, std::u
     count(Tier::names);
     return Sign::zero;
   }
-  return orient3d(carriers, input_point(carriers, a), input_point(carriers, b), input_point(carriers, c),
-                  input_point(carriers, d));
+  if (are_doubles)
+    if (const auto sign =
+            stepwise_orient3d(carriers.vertex(a), carriers.vertex(b), carriers.vertex(c), carriers.vertex(d)))
+      return *sign;
+  const Point p = input_point(carriers, a), q = input_point(carriers, b), r = input_point(carriers, c),
+              s = input_point(carriers, d);
+  return are_doubles ? refined_orient3d(carriers, p, q, r, s) : orient3d(carriers, p, q, r, s);
 }
 
 Sign normal_along(const Carriers& carriers, const Point& p, const Point& q, const Point& r,
