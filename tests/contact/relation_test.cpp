@@ -5,6 +5,7 @@
 
 #include "contact/parts.h"
 #include "support/random.h"
+#include "support/subdivision.h"
 #include "support/touching.h"
 
 namespace strata::contact {
@@ -95,6 +96,78 @@ TEST_CASE("a peg in its hole is in contact", "[contact]") {
   const Solid plate = box({-5, -5, 0}, {5, 5, 1}) - peg;
   CHECK(relation(plate, peg) == contact);
   CHECK(counts(region(plate, peg)) == std::vector<std::size_t>{4, 0, 0});
+}
+
+/// A block of 3 x 3 x 1 cells of `width` units with a hole of one cell in the middle.
+Solid plate_with_hole(double width) {
+  return box({0, 0, 0}, {3 * width, 3 * width, width}) - box({width, width, -1}, {2 * width, 2 * width, 2 * width});
+}
+
+// No plane separates these. Catches: linings that are asked where they are not defined; vertices on the other surface
+// that join faces; a face on which nothing lies taken for one that is covered.
+TEST_CASE("parts that interlock are told apart without a plane between", "[contact][degenerate]") {
+  const Solid plate = plate_with_hole(4);  // the hole is [4, 8]^2
+  const double up = 0x1p-40;
+  CHECK(relation(plate, box({4, 4, -3}, {8, 8, 9})) == contact);                  // all round, through
+  CHECK(relation(plate, box({4, 4, 1}, {8, 8, 3})) == contact);                   // all round, within
+  CHECK(relation(plate, box({4 + up, 4 + up, -3}, {8 - up, 8 - up, 9})) == apart);
+  CHECK(relation(plate, box({4, 4 + up, -3}, {8 - up, 8 - up, 9})) == contact);   // on one side
+  CHECK(relation(plate, box({4, 4, -3}, {8, 8 + up, 9})) == interfering);
+  CHECK(relation(plate, box({4 - up, 4, 1}, {8, 8, 3})) == interfering);
+  const Solid headed = box({4, 4, 0}, {8, 8, 8}) | box({2, 2, 4}, {10, 10, 8});   // a peg with a head on the plate
+  CHECK(relation(plate, headed) == contact);
+  CHECK(counts(region(plate, headed)) == std::vector<std::size_t>{5, 0, 0});
+  const Solid sunk = box({4, 4, 0}, {8, 8, 8}) | box({2, 2, 4 - up}, {10, 10, 8});
+  CHECK(relation(plate, sunk) == interfering);
+  const Solid diamond(test::octahedron({6, 6, 2}, 2));  // touches the walls in vertices, and nothing else
+  CHECK(relation(plate, diamond) == contact);
+  CHECK(relation(plate, Solid(test::octahedron({6, 6, 2}, 2 + up))) == interfering);
+}
+
+TEST_CASE("two links of a chain are apart, in contact or interfering", "[contact]") {
+  const Solid link = box({0, 0, 0}, {12, 8, 2}) - box({2, 2, -1}, {10, 6, 3});
+  const auto other = [](double x) {  // goes through the first one's hole
+    return box({x, 3, -5}, {x + 12, 5, 7}) - box({x + 2, 2, -3}, {x + 10, 6, 5});
+  };
+  CHECK(relation(link, other(7)) == apart);
+  CHECK(relation(link, other(8)) == contact);
+  CHECK(relation(link, other(8 + 0x1p-40)) == interfering);
+}
+
+/// True when what two solids have in common is what their relation says.
+void check_relation(const Solid& a, const Solid& b, std::size_t (&seen)[3]) {
+  const Relation found = relation(a, b);
+  ++seen[static_cast<std::size_t>(found)];
+  CHECK((found == interfering) == !(a & b).is_empty());
+  CHECK(relation(b, a) == found);
+}
+
+// Solids without what others take of them, blocks around them, and the same in other triangles. Catches: as above.
+TEST_CASE("relations of solids made to fit are those of their overlaps", "[contact][property][degenerate]") {
+  std::size_t seen[3] = {};
+  for (std::uint64_t seed = 10'000; seed < 11'000; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    const test::Operands two = test::touching_pair(seed);
+    const Solid a{two.meshes[0]}, b{two.meshes[1]};
+    const Solid fine(test::subdivided(two.meshes[0], random, 6));
+    check_relation(fine, b, seen);
+    const Solid rest = b - a, common = a & b;
+    CHECK((rest.is_empty() || relation(fine, rest) != interfering));
+    CHECK((common.is_empty() || (relation(fine, common) == interfering && relation(common, b) == interfering)));
+    if (!rest.is_empty()) check_relation(rest, a ^ b, seen);
+    const BoundingBox bounds = a.bounding_box();
+    const double x = bounds.upper[0] - bounds.lower[0];
+    if (!std::isfinite(4 * x) || x < 0x1p-1000) continue;
+    Vertex lower = bounds.lower, upper = bounds.upper;
+    lower[0] -= random.between(0, 1) * x;
+    upper[2] += random.between(0, 1) * x;
+    const Solid block = box(lower, upper) - a;
+    if (block.is_empty()) continue;
+    CHECK(relation(block, fine) == contact);
+    check_relation(block, b, seen);
+  }
+  for (const std::size_t n : seen) CHECK(n > 100);
 }
 
 /// No overflow, and nothing lost to underflow.

@@ -4,7 +4,7 @@
 namespace strata::contact {
 
 /// A lower bound of half the distance of two boxes: halves do not overflow. Never negative. Within a relative 2^-47 of
-/// it, at any scale. theory.md, section 6.
+/// it, at any scale. theory.md, section 7.
 [[nodiscard]] double half_distance(const Box& a, const Box& b);
 
 }  // namespace strata::contact

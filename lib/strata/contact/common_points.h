@@ -7,10 +7,11 @@
 namespace strata::contact {
 
 /// Names of the corners of what two faces share: a point, the ends of a segment, or the corners of a convex polygon in
-/// no order. Corners where two vertices meet may occur under both names.
+/// no order. Different names are different places.
 using CommonPoints = boost::container::static_vector<PointName, 32>;
 
-/// What two faces, and no others, have in common, from what `meet_faces` says about them. Each name once.
+/// What two faces, and no others, have in common, from what `meet_faces` says about them. Where two vertices meet, the
+/// name is that of the first face.
 [[nodiscard]] CommonPoints common_points(const Carriers& carriers, const Meetings& meetings);
 
 /// True when these faces lie in one plane.
@@ -18,8 +19,9 @@ using CommonPoints = boost::container::static_vector<PointName, 32>;
   return !meetings.constraints.empty() && meetings.constraints.front().kind == ConstraintKind::coplanar;
 }
 
-/// True when two faces, and what they share, prove by themselves that the interiors of their solids meet: they cross in
-/// the insides of both, or lie on one another looking the same way. theory.md, section 2.
-[[nodiscard]] bool proves_interference(const Carriers& carriers, const Meetings& meetings);
+/// True when what two faces share has an area.
+[[nodiscard]] inline bool share_area(const Carriers& carriers, const Meetings& meetings) {
+  return are_coplanar(meetings) && common_points(carriers, meetings).size() >= 3;
+}
 
 }  // namespace strata::contact

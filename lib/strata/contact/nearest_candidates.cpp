@@ -105,7 +105,7 @@ void NearestCandidates::look_at(std::uint32_t f, std::uint32_t g) {
 }
 
 /// True when, seen along the way between the closest points so far, the faces are farther apart than these. Scaled
-/// coordinates and components are at most 1, so that 2^-48 is more than all rounding; theory.md, section 6.
+/// coordinates and components are at most 1, so that 2^-48 is more than all rounding; theory.md, section 7.
 bool NearestCandidates::are_apart_along_best(const Carriers::Indices& f, const Carriers::Indices& g,
                                              const Scale& scale) const {
   if (!has_best_) return false;

@@ -2,25 +2,16 @@
 
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
+#include <optional>
 
-#include "strata/contact/common_points.h"
+#include "strata/contact/face_proof.h"
+#include "strata/contact/lining.h"
 #include "strata/contact/near_pairs.h"
 #include "strata/contact/separation.h"
-#include "strata/csg/combine.h"
 #include "strata/kernel/predicates.h"
 
 namespace strata::contact {
 namespace {
-
-bool is_empty(const BooleanResult& r) { return r.mesh.triangles.empty(); }
-
-/// By the overlap itself.
-bool interiors_meet(const Solid& a, const Solid& b) {
-  const Operand operands[] = {{a.mesh(), a.exact_mesh().exact, true}, {b.mesh(), b.exact_mesh().exact, true}};
-  Options options;
-  options.threads = 1;
-  return !is_empty(combine(Operation::intersect, operands, options));
-}
 
 /// What is learned of two parts, one pair of faces that meet after the other.
 class Inquiry {
@@ -35,10 +26,9 @@ class Inquiry {
           return !is_decided_;
         });
     if (!is_open) return relation_;
-    if (relation_ == Relation::contact)
-      return interiors_meet(parts_.solid(a_), parts_.solid(b_)) ? Relation::interfering : Relation::contact;
-    const bool is_nested = parts_.has_piece_inside(a_, b_) || parts_.has_piece_inside(b_, a_);
-    return is_nested ? Relation::interfering : Relation::apart;
+    const bool do_interfere = linings_ ? linings_->show_interference()
+                                       : parts_.has_piece_inside(a_, b_) || parts_.has_piece_inside(b_, a_);
+    return do_interfere ? Relation::interfering : relation_;
   }
 
  private:
@@ -46,12 +36,15 @@ class Inquiry {
     relation_ = Relation::contact;
     is_decided_ = are_beside_;
     if (is_decided_) return;
-    if (proves_interference(parts_.carriers(), meetings)) {
+    if (prove_interference(parts_.carriers(), f, g, meetings)) {
       relation_ = Relation::interfering;
       is_decided_ = true;
       return;
     }
     is_decided_ = try_plane(f.face, a_, b_) || try_plane(g.face, b_, a_);
+    if (is_decided_) return;
+    if (!linings_) linings_.emplace(parts_, a_, b_);
+    linings_->note(meetings);
   }
 
   /// Tries few planes, each once: where these do not separate, hardly any does.
@@ -75,6 +68,7 @@ class Inquiry {
   bool are_beside_;
   Relation relation_ = Relation::apart;
   bool is_decided_ = false;
+  std::optional<Linings> linings_;  ///< once faces share something that decides nothing
   boost::container::static_vector<std::uint32_t, most_planes> tried_;
 };
 

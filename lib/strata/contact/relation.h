@@ -19,9 +19,9 @@ enum class Relation {
   return names[static_cast<std::size_t>(relation)];
 }
 
-/// The relation of two parts, exactly. Law: symmetric. An empty part is apart from everything. What overlaps is not
-/// constructed, unless neither a pair of faces nor a separating plane decides. O((n + k) log n) for k pairs of faces
-/// whose boxes meet; mostly much less. theory.md, sections 2 to 4.
+/// The relation of two parts, exactly. Law: symmetric. An empty part is apart from everything. Nothing is constructed:
+/// a pair of faces decides, or a separating plane, or what is just below the faces. O((n + k) log n) for k pairs of
+/// faces whose boxes meet; mostly much less. theory.md, sections 2 to 5.
 [[nodiscard]] Relation relation_of(const Parts& parts, std::uint32_t a, std::uint32_t b);
 
 }  // namespace strata::contact

@@ -1,0 +1,33 @@
+#include "strata/contact/face_proof.h"
+
+#include "strata/contact/common_points.h"
+#include "strata/kernel/predicates.h"
+
+namespace strata::contact {
+namespace {
+
+bool has_vertex_below(const Carriers& carriers, const FilteredFace& plane, const FilteredFace& face) {
+  const Signs quick = plane.sides_of(face);
+  for (const Sign s : quick)
+    if (s == Sign::negative) return true;
+  const auto& [a, b, c] = plane.vertices;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (quick[i] == Sign::zero && orient3d(carriers, a, b, c, face.vertices[i]) == Sign::negative) return true;
+  return false;
+}
+
+}  // namespace
+
+bool prove_interference(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g,
+                        const Meetings& meetings) {
+  if (are_coplanar(meetings))
+    return same_orientation(carriers, f.face, g.face) == Sign::positive && share_area(carriers, meetings);
+  const Constraint &on_f = meetings.constraints.front(), &on_g = meetings.constraints.back();
+  if (on_f.kind == ConstraintKind::point) return false;
+  if (!on_f.line.edge) return true;
+  if (on_f.kind == on_g.kind) return false;
+  // One face hangs below the other by an edge: inside of it, unless that one stands upon the edge by one of its own.
+  return on_f.kind == ConstraintKind::touch ? has_vertex_below(carriers, g, f) : has_vertex_below(carriers, f, g);
+}
+
+}  // namespace strata::contact
