@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "strata/planar/meetings.h"
+#include "strata/planar/sweep.h"
 
 namespace strata::plane {
 namespace {
@@ -92,21 +93,99 @@ bool overlap(const Box& a, const Box& b) {
   return a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
 }
 
-/// Tests all pairs of segments with boxes that meet: within runs, and between runs that meet in a strip.
-void find_meetings(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& first_of_run, Strips& strips,
-                   MeetingFinder& finder) {
-  for (std::size_t r = 0; r + 1 < first_of_run.size(); ++r)
-    for (std::uint32_t s = first_of_run[r]; s < first_of_run[r + 1]; ++s)
-      for (std::uint32_t t = s + 1; t < first_of_run[r + 1]; ++t)
-        if (overlap(boxes[s], boxes[t])) finder.test(s, t, none);
-  strips.sort([&](std::uint32_t q, std::uint32_t r, std::uint32_t strip) {
-    for (std::uint32_t s = first_of_run[q]; s < first_of_run[q + 1]; ++s) {
-      if (!overlap(boxes[s], strips.box(r))) continue;
-      for (std::uint32_t t = first_of_run[r]; t < first_of_run[r + 1]; ++t)
-        if (overlap(boxes[s], boxes[t])) finder.test(s, t, strip);
+/// Finds where segments meet, pair by pair where boxes meet: within runs, and between runs that share a strip. What
+/// comes into strips with too many pairs for what they find is swept over instead, and what they found is dropped.
+class MeetingSearch {
+ public:
+  MeetingSearch(Segments& segments, const std::vector<Box>& boxes, const std::vector<std::uint32_t>& first_of_run,
+                Strips& strips, std::size_t patience)
+      : segments_(segments),
+        boxes_(boxes),
+        first_of_run_(first_of_run),
+        strips_(strips),
+        patience_(patience),
+        finder_(segments, strips, found_) {}
+
+  Meetings find(const Monitor& monitor) {
+    for (std::size_t r = 0; r + 1 < first_of_run_.size(); ++r)
+      for (std::uint32_t s = first_of_run_[r]; s < first_of_run_[r + 1]; ++s)
+        for (std::uint32_t t = s + 1; t < first_of_run_[r + 1]; ++t)
+          if (overlap(boxes_[s], boxes_[t])) finder_.test(s, t, none);
+    strips_.sort(*this);
+    monitor.check();
+    sweep_over_crowds(monitor);
+    return std::move(found_);
+  }
+
+  void enter(std::uint32_t strip) {
+    strip_ = strip;
+    tests_ = 0;
+    places_before_ = finder_.new_places();
+    repeats_before_ = finder_.repeated_crossings();
+    sizes_before_ = {found_.inside.size(), found_.equal.size(), found_.folds.size()};
+    points_before_ = segments_.places.size();
+  }
+  void visit(std::uint32_t q, std::uint32_t r) {
+    for (std::uint32_t s = first_of_run_[q]; s < first_of_run_[q + 1]; ++s) {
+      if (!overlap(boxes_[s], strips_.box(r))) continue;
+      for (std::uint32_t t = first_of_run_[r]; t < first_of_run_[r + 1]; ++t) {
+        if (!overlap(boxes_[s], boxes_[t])) continue;
+        finder_.test(s, t, strip_);
+        ++tests_;
+      }
     }
-  });
-}
+  }
+  bool is_enough(std::size_t pairs) {
+    const std::size_t cost = pairs + pairs_per_test * tests_ +
+                             pairs_per_repeat * (finder_.repeated_crossings() - repeats_before_);
+    const std::size_t worth = 8 * strips_.segments(strip_).size() + (finder_.new_places() - places_before_);
+    if (cost <= patience_ * worth) return false;
+    crowds_.push_back(strip_);
+    found_.inside.resize(sizes_before_[0]);
+    found_.equal.resize(sizes_before_[1]);
+    found_.folds.resize(sizes_before_[2]);
+    segments_.places.drop_meets(points_before_);
+    return true;
+  }
+
+ private:
+  void sweep_over_crowds(const Monitor& monitor) {
+    if (crowds_.empty()) return;
+    std::vector<std::uint32_t> runs;
+    for (const std::uint32_t k : crowds_) {
+      const auto crowd = strips_.segments(k);
+      runs.insert(runs.end(), crowd.begin(), crowd.end());
+    }
+    std::sort(runs.begin(), runs.end());
+    runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
+    std::vector<SweptSegment> swept;
+    for (const std::uint32_t r : runs)
+      for (std::uint32_t s = first_of_run_[r]; s < first_of_run_[r + 1]; ++s)
+        swept.push_back({s, segments_.ends[s][0], segments_.ends[s][1]});
+    const std::size_t before = found_.inside.size();
+    sweep(segments_.places, swept, found_, monitor);
+    for (std::size_t i = before; i < found_.inside.size(); ++i)
+      found_.inside[i].segment = swept[found_.inside[i].segment].line;
+  }
+
+  /// In pairs of boxes looked at: what a test of a pair takes, and a crossing where there may be one already, which has
+  /// to be compared exactly later.
+  static constexpr std::size_t pairs_per_test = 8, pairs_per_repeat = 256;
+
+  Segments& segments_;
+  const std::vector<Box>& boxes_;
+  const std::vector<std::uint32_t>& first_of_run_;
+  Strips& strips_;
+  std::size_t patience_;
+  Meetings found_;
+  MeetingFinder finder_;
+  std::uint32_t strip_ = 0;  ///< where the search is
+  std::size_t tests_ = 0;    ///< in this strip
+  std::size_t places_before_ = 0, repeats_before_ = 0;
+  std::array<std::size_t, 3> sizes_before_{};  ///< of what was found before this strip
+  std::uint32_t points_before_ = 0;
+  std::vector<std::uint32_t> crowds_;  ///< strips
+};
 
 /// The points inside every segment, as lists in order along it. Equal ones are united.
 class PointsInside {
@@ -160,7 +239,7 @@ std::uint32_t Arrangement::segment_of(std::uint32_t piece) const {
                                     first_piece.begin() - 1);
 }
 
-Arrangement arrange(Segments segments, const Monitor& monitor) {
+Arrangement arrange(Segments segments, const Monitor& monitor, std::size_t patience) {
   Arrangement a;
   std::vector<Box> boxes;
   boxes.reserve(segments.ends.size());
@@ -168,20 +247,19 @@ Arrangement arrange(Segments segments, const Monitor& monitor) {
   a.first_of_run = runs_of(segments, boxes);
   std::unique_ptr<Strips> strips = strips_of(segments, boxes, a.first_of_run);
   monitor.check();
-  MeetingFinder finder(segments, *strips);
-  find_meetings(boxes, a.first_of_run, *strips, finder);
+  const Meetings found = MeetingSearch(segments, boxes, a.first_of_run, *strips, patience).find(monitor);
   a.strips = std::move(strips);
   monitor.check();
 
   Names names(segments.places.size());
-  for (const auto& [p, q] : finder.equal) names.unite(p, q);
-  const PointsInside inside(finder.meetings, segments, names);
+  for (const auto& [p, q] : found.equal) names.unite(p, q);
+  const PointsInside inside(found.inside, segments, names);
   a.vertex_of = names.take();
   a.places = std::move(segments.places);
   a.ends = std::move(segments.ends);
   for (auto& e : a.ends) e = {a.vertex_of[e[0]], a.vertex_of[e[1]]};
   a.is_fold.assign(a.places.size(), 0);
-  for (const std::uint32_t p : finder.folds) a.is_fold[a.vertex_of[p]] = 1;
+  for (const std::uint32_t p : found.folds) a.is_fold[a.vertex_of[p]] = 1;
   monitor.check();
   split(inside, a);
   return a;

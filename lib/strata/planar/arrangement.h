@@ -42,9 +42,14 @@ struct Arrangement {
   [[nodiscard]] bool is_point(std::uint32_t segment) const { return ends[segment][0] == ends[segment][1]; }
 };
 
-/// Splits segments where they meet, exactly. O(n log n + pairs of segments whose boxes meet in a strip); memory O(n +
-/// k). Throws Cancelled when the monitor asks for it.
-[[nodiscard]] Arrangement arrange(Segments segments, const Monitor& monitor = {});
+/// How many pairs of boxes may be looked at, per eighth of a segment and per point found, before a sweep takes over:
+/// about what a sweep takes for them. Results do not depend on it, but for the numbers of vertices.
+inline constexpr std::size_t usual_patience = 64;
+
+/// Splits segments where they meet, exactly. O((n + k) log n) for n segments with k points inside them, counted once
+/// for every segment that they are in; memory O(n + k). Throws Cancelled when the monitor asks for it.
+[[nodiscard]] Arrangement arrange(Segments segments, const Monitor& monitor = {},
+                                  std::size_t patience = usual_patience);
 
 /// The names of equal doubles made equal: of each place the first point's. O(n). -0 equals 0.
 [[nodiscard]] std::vector<std::uint32_t> first_equal(std::span<const PlanePoint> points);

@@ -12,7 +12,7 @@ std::vector<std::uint32_t> cut_into_chains(const Arrangement& a, std::span<const
 /// Half-edges sorted around nodes, coinciding chains made one edge, `next`.
 void sort_around_nodes(const Arrangement& a, const std::vector<std::uint32_t>& segment_of_piece, Subdivision& s);
 
-/// Components by their least vertices, and what lies to the left of these.
-void find_components(const Arrangement& a, std::vector<std::uint32_t> least, Subdivision& s);
+/// Components by their least vertices, and the faces that these lie in.
+void find_components(const Arrangement& a, std::vector<std::uint32_t> least, std::size_t patience, Subdivision& s);
 
 }  // namespace strata::plane

@@ -8,7 +8,8 @@ void MeetingFinder::test(std::uint32_t s, std::uint32_t t, std::uint32_t strip) 
   const auto [p, q] = ends_[s];
   const auto [r, u] = ends_[t];
   if (p == q)
-    return r == u ? (compare_xy(places_, p, r) == Sign::zero ? equal.push_back({p, r}) : void()) : test_point(p, t);
+    return r == u ? (compare_xy(places_, p, r) == Sign::zero ? found_.equal.push_back({p, r}) : void())
+                  : test_point(p, t);
   if (r == u) return test_point(r, s);
   if (p == r) return test_sharing(s, t, p, q, u);
   if (p == u) return test_sharing(s, t, p, q, r);
@@ -25,12 +26,28 @@ void MeetingFinder::test(std::uint32_t s, std::uint32_t t, std::uint32_t strip) 
   if (inside_s && inside_t) {
     add_crossing(s, t, strip);
   } else if (inside_s) {
-    meetings.push_back({s, end_of_t});
+    add(s, end_of_t);
   } else if (inside_t) {
-    meetings.push_back({t, end_of_s});
+    add(t, end_of_s);
   } else {
-    equal.push_back({end_of_s, end_of_t});
+    found_.equal.push_back({end_of_s, end_of_t});
   }
+}
+
+void MeetingFinder::add(std::uint32_t s, std::uint32_t point) {
+  count(point);
+  found_.inside.push_back({s, point});
+}
+
+void MeetingFinder::count(std::uint32_t point) {
+  const std::array<Bounded, 2> place{places_.bounded(point, 0), places_.bounded(point, 1)};
+  const auto differ = [](const Bounded& x, const Bounded& y) { return x.upper() < y.lower() || y.upper() < x.lower(); };
+  if (differ(place[0], last_[0]) || differ(place[1], last_[1])) {
+    ++new_places_;
+  } else if (places_.is_meet(point)) {
+    ++repeated_crossings_;
+  }
+  last_ = place;
 }
 
 /// A pair is tested in every strip that holds its crossing, so one strip can do it if it certainly is the only one.
@@ -39,10 +56,10 @@ void MeetingFinder::add_crossing(std::uint32_t s, std::uint32_t t, std::uint32_t
   if (strip != none) {
     const Bounded y = places_.bounded(point, 1);
     const std::uint32_t first = strips_.strip_of(y.lower());
-    if (first != strip && first == strips_.strip_of(y.upper())) return places_.drop_last_meet();
+    if (first != strip && first == strips_.strip_of(y.upper())) return places_.drop_meets(point);
   }
-  meetings.push_back({s, point});
-  meetings.push_back({t, point});
+  count(point);
+  found_.inside.insert(found_.inside.end(), {{s, point}, {t, point}});
 }
 
 void MeetingFinder::test_point(std::uint32_t point, std::uint32_t s) {
@@ -54,9 +71,9 @@ void MeetingFinder::test_point(std::uint32_t point, std::uint32_t s) {
 void MeetingFinder::test_end_inside(std::uint32_t s, std::uint32_t end) {
   const auto [p, q] = ends_[s];
   const Sign from = compare_along(places_, s, p, end), to = compare_along(places_, s, end, q);
-  if (from == Sign::zero) return equal.push_back({p, end});
-  if (to == Sign::zero) return equal.push_back({q, end});
-  if (from == Sign::negative && to == Sign::negative) meetings.push_back({s, end});
+  if (from == Sign::zero) return found_.equal.push_back({p, end});
+  if (to == Sign::zero) return found_.equal.push_back({q, end});
+  if (from == Sign::negative && to == Sign::negative) add(s, end);
 }
 
 /// Two segments with one line.
@@ -69,20 +86,20 @@ void MeetingFinder::test_overlap(std::uint32_t s, std::uint32_t t) {
 void MeetingFinder::test_sharing(std::uint32_t s, std::uint32_t t, std::uint32_t shared, std::uint32_t a,
                                  std::uint32_t b) {
   if (a == b) {
-    folds.insert(folds.end(), {shared, a});
+    found_.folds.insert(found_.folds.end(), {shared, a});
     return;
   }
   if (side_of(b, s) != Sign::zero) return;
   if (compare_along(places_, s, shared, a) != compare_along(places_, s, shared, b)) return;
-  folds.push_back(shared);
+  found_.folds.push_back(shared);
   const Sign order = compare_along(places_, s, shared, a) * compare_along(places_, s, a, b);
   if (order == Sign::zero) {
-    equal.push_back({a, b});
-    folds.push_back(a);
+    found_.equal.push_back({a, b});
+    found_.folds.push_back(a);
   } else if (order == Sign::positive) {  // shared, a, b
-    meetings.push_back({t, a});
+    add(t, a);
   } else {
-    meetings.push_back({s, b});
+    add(s, b);
   }
 }
 

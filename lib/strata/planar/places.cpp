@@ -105,10 +105,11 @@ std::uint32_t Places::add(const Meet& m) {
   return size() - 1;
 }
 
-void Places::drop_last_meet() {
-  place.pop_back();
-  error.pop_back();
-  meets.pop_back();
+void Places::drop_meets(std::uint32_t count) {
+  const std::uint32_t dropped = size() - count;
+  place.resize(count);
+  error.resize(error.size() - dropped);
+  meets.resize(meets.size() - dropped);
 }
 
 RationalPlacement exact_place(const Places& places, std::uint32_t point) {

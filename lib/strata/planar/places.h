@@ -59,7 +59,8 @@ struct Places {
   std::uint32_t add(const PlanePoint& p);
   std::uint32_t add(RationalPlacement p);
   std::uint32_t add(const Meet& m);
-  void drop_last_meet();
+  /// Takes the last meets away, so that `count` points are left.
+  void drop_meets(std::uint32_t count);
 };
 
 /// The exact coordinates of a point. O(1) operations on rationals.

@@ -37,25 +37,28 @@ class Strips {
   [[nodiscard]] double widest(std::uint32_t strip) const { return widest_[strip]; }
   [[nodiscard]] const Box& box(std::uint32_t segment) const { return boxes_[segment]; }
 
-  /// Sorts the segments of every strip, and calls visit(segment, segment, strip) for every pair of them whose boxes
-  /// meet in the strip. A pair may come in several strips.
-  template <class Visit>
-  void sort(const Visit& visit) {
+  /// Sorts the segments of every strip. Calls visitor.enter(strip), then visitor.visit(segment, segment) for every pair
+  /// of them whose boxes meet in the strip, and after every segment visitor.is_enough(pairs looked at in the strip):
+  /// true leaves out the strip's other pairs. A pair may come in several strips.
+  template <class Visitor>
+  void sort(Visitor& visitor) {
     std::vector<Entry> entries;
     left_.resize(segment_.size());
     widest_.assign(count(), 0);
     for (std::uint32_t k = 0; k < count(); ++k) {
       load(k, entries);
+      visitor.enter(k);
+      std::size_t pairs = 0;
       for (std::size_t i = 0; i < entries.size(); ++i) {
         const Box& a = entries[i].box;
-        for (std::size_t j = i + 1; j < entries.size() && entries[j].box.left <= a.right; ++j)
+        std::size_t j = i + 1;
+        for (; j < entries.size() && entries[j].box.left <= a.right; ++j)
           if (entries[j].box.low <= a.high && entries[j].box.high >= a.low)
-            visit(entries[i].segment, entries[j].segment, k);
+            visitor.visit(entries[i].segment, entries[j].segment);
+        pairs += j - i;
+        if (visitor.is_enough(pairs)) break;
       }
     }
-  }
-  void sort() {
-    sort([](auto...) {});
   }
 
  private:

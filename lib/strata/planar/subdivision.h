@@ -67,8 +67,8 @@ struct Subdivision {
 }
 
 /// Cuts the plane along rings: ring r has the segments first_segment[r] .. first_segment[r + 1] - 1, each starting
-/// where the one before ends, the first where the last does. O(n + k log k), and a strip's segments per component.
+/// where the one before ends, the first where the last does. O((n + k) log n). `patience` is that of `Nesting`.
 [[nodiscard]] Subdivision subdivide(const Arrangement& a, std::span<const std::uint32_t> first_segment,
-                                    ChainEnds ends = ChainEnds::nodes);
+                                    ChainEnds ends = ChainEnds::nodes, std::size_t patience = usual_patience);
 
 }  // namespace strata::plane
