@@ -95,6 +95,57 @@ TEST_CASE("every beginning of a file is read or refused with a reason", "[planar
   }
 }
 
+// Catches: sums that overflow become infinite coordinates, or are taken for the largest double.
+TEST_CASE("relative coordinates whose sum is beyond all doubles are refused", "[planar_io][degenerate]") {
+  const std::string start = "M0 0h1e308", reason = "text:2: a sum of relative coordinates is beyond all doubles";
+  CHECK_THAT(refusal(start + "\nh1e308v1z", PlanarFormat::svg), Catch::Contains(reason));
+  CHECK_THAT(refusal("m-1e308 0\nl-1e308,0 0 1z", PlanarFormat::svg), Catch::Contains(reason));
+  CHECK_THAT(refusal("M0-1e308\nv-1e308h1z", PlanarFormat::svg), Catch::Contains(reason));
+  CHECK(area(read_region("M-1e308 0h1e308h1e308v1H-1e308z", PlanarFormat::svg)) == 2 * to_rational(1e308));
+  // Half an ulp beyond the largest double is beyond; a little less rounds to it.
+  CHECK_THAT(refusal("M0 0\nh1.7976931348623157e308h9.9792015476736e291v1z", PlanarFormat::svg),
+             Catch::Contains(reason));
+  CHECK(refusal("M0 0h1.7976931348623157e308h9.979201547673598e291v1z", PlanarFormat::svg).empty());
+}
+
+// Catches: a view box of infinite width.
+TEST_CASE("polygons across all doubles are written with finite numbers", "[planar_io][degenerate]") {
+  const Region wide = fill(plane::test::loops({plane::test::box(-1.5e308, -1.5e308, 1.5e308, 1.5e308)}));
+  for (const PlanarFormat format : formats) {
+    const std::string text = to_text(wide, format);
+    CHECK(text.find("inf") == std::string::npos);
+    CHECK(canonical_form(read_region(text, format)) == canonical_form(wide));
+  }
+}
+
+// Catches: negative zeros in some formats and not in others.
+TEST_CASE("negative zero is written as the number zero", "[planar_io][degenerate]") {
+  const Region negative = fill(plane::test::loops({{{-0.0, 0}, {1, -0.0}, {1, 1}}}));
+  const Region third = read_region("POLYGON ((-0 1/3, 1/3 -0, 1 1))", PlanarFormat::wkt);
+  for (const PlanarFormat format : formats) {
+    CHECK(to_text(negative, format).find("-0") == std::string::npos);
+    CHECK(to_text(third, format).find("-0") == std::string::npos);
+  }
+  CHECK(to_text(third, PlanarFormat::wkt, Coordinates::exact) == "POLYGON ((0 1/3,1/3 0,1 1,0 1/3))\n");
+}
+
+// Catches: paths found in comments, data and values of attributes; transformations behind a tab or a line end.
+TEST_CASE("paths of SVG are elements, and transformations attributes", "[planar_io]") {
+  const std::string square = "<path\td = 'M0 0h1v1h-1z' />";
+  const std::string hidden = "<!-- " + square + " ' -->\n<![CDATA[" + square + "]]><?xml version=\"1.0\"?><!DOCTYPE svg>" +
+                             "<g id=\"<path d='M0 0h5v5z'/> d=M\"><pathology d=\"M0 0h5v5z\"/>it's</g>";
+  CHECK(read_region("<svg>" + hidden + "</svg>", PlanarFormat::svg).empty());
+  CHECK(area(read_region("<svg>" + hidden + square + "</svg>", PlanarFormat::svg)) == 1);
+  CHECK(area(read_region("<s:svg><s:path id='d' hidden d=\"M0 0h1v1h-1z\"></s:path></s:svg>", PlanarFormat::svg)) == 1);
+  for (const char* space : {" ", "\n", "\t"})
+    CHECK_THAT(refusal("<svg><g" + (space + ("transform = 'scale(2)'>" + square)) + "</g></svg>", PlanarFormat::svg),
+               Catch::Contains("transformations are not applied"));
+  CHECK_THAT(refusal("<svg>\n<path d=M0/></svg>", PlanarFormat::svg), Catch::Contains("text:2: expected a quoted value"));
+  CHECK_THAT(refusal("<svg>\n<!-- ", PlanarFormat::svg), Catch::Contains("text:2: expected '-->'"));
+  const auto notes = read_planar("<svg><rect/><!-- <circle/> --><rect/></svg>", PlanarFormat::svg, "text").notes;
+  CHECK(notes == std::vector<std::string>{"only paths are read: rect was left out"});
+}
+
 TEST_CASE("formats are told by extensions and names", "[planar_io]") {
   CHECK(planar_format_of("a/b.wkt") == PlanarFormat::wkt);
   CHECK(planar_format_of("b.GEOJSON") == planar_format_of("b.json"));

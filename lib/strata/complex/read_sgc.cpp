@@ -10,7 +10,7 @@
 
 #include "strata/complex/file.h"
 #include "strata/complex/validate.h"
-#include "strata/io/io_error.h"
+#include "strata/io/input.h"
 
 namespace strata::complex {
 namespace {
@@ -40,7 +40,7 @@ class Lines {
       ++number_;
       words_.clear();
       split();
-      if (!words_.empty()) fail("expected the end of the file, found '" + std::string(words_[0]) + "'");
+      if (!words_.empty()) fail("expected the end of the file, found " + io::quoted(words_[0]));
     }
   }
   [[nodiscard]] bool is_done() const { return at_ == words_.size(); }
@@ -49,23 +49,23 @@ class Lines {
     return words_[at_++];
   }
   void end_line() const {
-    if (!is_done()) fail("expected the end of the line, found '" + std::string(words_[at_]) + "'");
+    if (!is_done()) fail("expected the end of the line, found " + io::quoted(words_[at_]));
   }
   void expect(std::string_view keyword) {
     if (const auto found = word(keyword.data()); found != keyword)
-      fail("expected '" + std::string(keyword) + "', found '" + std::string(found) + "'");
+      fail("expected '" + std::string(keyword) + "', found " + io::quoted(found));
   }
   [[nodiscard]] Index number(const char* what) { return number(word(what), what); }
   [[nodiscard]] Index number(std::string_view text, const char* what) const {
     Index value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || value == none)
-      fail(std::string("expected ") + what + ", found '" + std::string(text) + "'");
+      fail(std::string("expected ") + what + ", found " + io::quoted(text));
     return value;
   }
   [[nodiscard]] std::uint8_t mark() {
     const auto text = word("a mark");
-    if (text != "0" && text != "1") fail("expected a mark, 0 or 1, found '" + std::string(text) + "'");
+    if (text != "0" && text != "1") fail("expected a mark, 0 or 1, found " + io::quoted(text));
     return text == "1" ? 1 : 0;
   }
   [[nodiscard]] Rational rational() {
@@ -78,7 +78,7 @@ class Lines {
     const std::string_view below = slash == digits.size() ? "1" : digits.substr(slash + 1);
     const bool is_zero = std::all_of(below.begin(), below.end(), [](char c) { return c == '0'; });
     if (!is_integer(digits.substr(0, slash)) || !is_integer(below) || is_zero)
-      fail("expected an integer or a fraction, found '" + std::string(text) + "'");
+      fail("expected an integer or a fraction, found " + io::quoted(text));
     const auto integer = [](std::string_view t) {  // leading zeros do not mean octal
       t.remove_prefix(std::min(t.find_first_not_of('0'), t.size() - 1));
       return Integer(std::string(t));
@@ -183,7 +183,7 @@ class Reader {
       } else if (text[0] == 'V') {
         cells_.vertices_in_faces.push_back({number, face});
       } else {
-        lines_.fail("expected L, R or V and a number, found '" + std::string(text) + "'");
+        lines_.fail("expected L, R or V and a number, found " + io::quoted(text));
       }
     }
   }
@@ -192,7 +192,7 @@ class Reader {
     const std::string_view text = lines_.word("V or E and a number");
     const Index number = lines_.number(text.substr(1), "V or E and a number"), volume = lines_.number("a volume");
     if (text[0] != 'V' && text[0] != 'E')
-      lines_.fail("expected V or E and a number, found '" + std::string(text) + "'");
+      lines_.fail("expected V or E and a number, found " + io::quoted(text));
     (text[0] == 'V' ? cells_.vertices_in_volumes : cells_.edges_in_volumes).push_back({number, volume});
   }
 

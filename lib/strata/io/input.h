@@ -33,6 +33,9 @@ struct Input {
   [[nodiscard]] IoError error(const Malformed& malformed) const;
 };
 
+/// A word for a message: in quotes, 32 bytes at most, control characters as '?'.
+[[nodiscard]] std::string quoted(std::string_view word);
+
 [[noreturn]] inline void fail(std::string reason) { throw Malformed{std::move(reason)}; }
 [[noreturn]] inline void fail_at_line(std::size_t offset, std::string reason) {
   throw Malformed{std::move(reason), Malformed::Unit::line, offset};

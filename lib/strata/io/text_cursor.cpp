@@ -99,12 +99,9 @@ std::uint64_t TextCursor::count(const char* what, std::uint64_t bytes) {
 }
 
 void TextCursor::fail_expected(const std::string& what) const {
-  constexpr std::size_t longest = 32;
-  std::string found;
-  for (const char* c = at_; c != end_ && !is_white(*c) && found.size() < longest; ++c)
-    found += static_cast<unsigned char>(*c) < 0x20 || *c == 0x7f ? '?' : *c;
+  const std::string_view found(at_, static_cast<std::size_t>(std::find_if(at_, end_, is_white) - at_));
   const char* place = at_ == end_ ? "the end of the file" : "the end of the line";
-  fail_here("expected " + what + ", found " + (found.empty() ? place : "'" + found + "'"));
+  fail_here("expected " + what + ", found " + (found.empty() ? place : quoted(found)));
 }
 
 }  // namespace strata::io

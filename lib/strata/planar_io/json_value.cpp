@@ -41,9 +41,9 @@ class JsonReader {
     if (scanner_.accept('}')) return;
     do {
       scanner_.skip_space();
-      std::string name = string();
+      v.names.push_back(string());
       scanner_.expect(':');
-      v.members.emplace_back(std::move(name), value(depth + 1));
+      v.items.push_back(value(depth + 1));
     } while (scanner_.accept(','));
     scanner_.expect('}');
   }
@@ -79,8 +79,8 @@ class JsonReader {
 }  // namespace
 
 const JsonValue* JsonValue::find(std::string_view name) const {
-  for (const auto& [key, value] : members)
-    if (key == name) return &value;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return &items[i];
   return nullptr;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-#include <memory>
+#include <cstddef>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include "strata/planar_io/scanner.h"
@@ -16,10 +16,10 @@ struct JsonValue {
   std::size_t offset = 0;  ///< in the file
   double number = 0;
   std::string text;
-  std::vector<JsonValue> items;                            ///< of an array
-  std::vector<std::pair<std::string, JsonValue>> members;  ///< of an object
+  std::vector<JsonValue> items;    ///< of an array or an object
+  std::vector<std::string> names;  ///< of an object's items
 
-  /// The member of a name, or null.
+  /// The first member of a name, or null.
   [[nodiscard]] const JsonValue* find(std::string_view name) const;
 };
 

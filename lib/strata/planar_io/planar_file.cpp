@@ -1,5 +1,9 @@
 #include "strata/planar_io/planar_file.h"
 
+#include <algorithm>
+#include <limits>
+#include <utility>
+
 #include "strata/io/file.h"
 #include "strata/planar_io/scanner.h"
 
@@ -18,6 +22,9 @@ std::string_view name_of(PlanarFormat format) {
   return "";
 }
 
+/// Negative zero is the number zero.
+void append_number(std::string& text, double x) { io::append_coordinate(text, x + 0.0); }
+
 /// Writes points of a region.
 class Points {
  public:
@@ -26,14 +33,14 @@ class Points {
   void append(std::string& text, std::uint32_t v, char separator) const {
     const PlanePoint nearest = places_.place[v];
     if (coordinates_ == Coordinates::nearest || places_.is_double(v)) {
-      io::append_coordinate(text, nearest[0]);
+      append_number(text, nearest[0]);
       text.push_back(separator);
-      io::append_coordinate(text, nearest[1]);
+      append_number(text, nearest[1]);
     } else {
       const RationalPlacement exact = exact_place(places_, v);
-      io::append_coordinate(text, exact[0], nearest[0]);
+      io::append_coordinate(text, exact[0], nearest[0] + 0.0);
       text.push_back(separator);
-      io::append_coordinate(text, exact[1], nearest[1]);
+      io::append_coordinate(text, exact[1], nearest[1] + 0.0);
     }
   }
 
@@ -88,8 +95,9 @@ std::string to_svg(const Region& region, const Points& points) {
     box[3] = i == 0 ? p[1] : std::max(box[3], p[1]);
   }
   std::string text = R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox=")";
-  for (const double x : {box[0], box[1], box[2] - box[0], box[3] - box[1]}) {
-    io::append_coordinate(text, x);
+  constexpr double largest = std::numeric_limits<double>::max();
+  for (const double x : {box[0], box[1], std::min(box[2] - box[0], largest), std::min(box[3] - box[1], largest)}) {
+    append_number(text, x);
     text.push_back(' ');
   }
   text.back() = '"';

@@ -41,7 +41,7 @@ enum class Coordinates {
   exact,    ///< as quotients in lowest terms; WKT only
 };
 
-/// A region as text. Throws IoError for exact coordinates in formats that have none.
+/// A region as text; negative zeros are zeros. Throws IoError for exact coordinates in formats that have none.
 [[nodiscard]] std::string to_text(const Region& region, PlanarFormat format,
                                   Coordinates coordinates = Coordinates::nearest);
 

@@ -1,3 +1,11 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "strata/planar_io/scanner.h"
 
 namespace strata::plane {
@@ -59,7 +67,7 @@ class PathReader {
       case 'a':
         scanner_.fail("elliptical arcs are not straight: flatten the path first");
       default:
-        scanner_.fail(std::string("expected a path command, found '") + c + "'");
+        scanner_.fail("expected a path command, found " + io::quoted({&c, 1}));
     }
   }
   void move(bool is_relative) {
@@ -105,6 +113,7 @@ class PathReader {
   void coordinate(std::size_t axis, bool is_relative) {
     const Rational x = exact(scanner_.number(false));
     at_[axis] = is_relative ? Rational(at_[axis] + x) : x;
+    if (!std::isfinite(to_nearest_double(at_[axis]))) scanner_.fail("a sum of relative coordinates is beyond all doubles");
   }
   bool next_argument() { return scanner_.accept(',') || scanner_.is_at_number(); }
   void emit() {
@@ -125,34 +134,104 @@ class PathReader {
   bool started_ = false, is_closed_ = false;
 };
 
-/// The value of an attribute in [begin, end), as a range of the text.
-std::optional<std::array<std::size_t, 2>> attribute(std::string_view text, std::size_t begin, std::size_t end,
-                                                    std::string_view name) {
-  for (std::size_t at = text.find(name, begin); at < end; at = text.find(name, at + 1)) {
-    std::size_t i = at + name.size();
-    const bool is_name = std::string_view(" \t\r\n").find(text[at - 1]) != std::string_view::npos;
-    while (i < end && std::string_view(" \t\r\n").find(text[i]) != std::string_view::npos) ++i;
-    if (!is_name || i >= end || text[i] != '=') continue;
-    const std::size_t quote = text.find_first_of("\"'", i);
-    if (quote >= end) io::fail_at_line(at, "expected a quoted value of " + std::string(name));
-    const std::size_t close = text.find(text[quote], quote + 1);
-    if (close == std::string_view::npos) io::fail_at_line(at, "expected a quoted value of " + std::string(name));
-    return std::array{quote + 1, close};
+constexpr std::string_view white = " \t\r\n";
+
+/// A tag: from '<' to its '>', which is not quoted.
+struct Tag {
+  std::size_t begin = 0;
+  std::string_view text;  ///< of the file, up to the end of the tag
+
+  [[nodiscard]] std::size_t end_of_name() const { return find_of(" \t\r\n/", begin + 1); }
+  /// Without the prefix of a name space.
+  [[nodiscard]] std::string_view name() const {
+    const std::string_view whole = text.substr(begin + 1, end_of_name() - begin - 1);
+    return whole.substr(whole.find(':') + 1);  // all of it, if there is none
   }
-  return std::nullopt;
+  /// The value of an attribute, as a range of the text.
+  [[nodiscard]] std::optional<std::array<std::size_t, 2>> value(std::string_view attribute) const {
+    for (std::size_t at = behind_white(end_of_name()); at < text.size();) {
+      const std::size_t end_of_key = find_of(" \t\r\n=", at), sign = behind_white(end_of_key);
+      const bool has_value = sign < text.size() && text[sign] == '=';
+      const std::size_t close = has_value ? end_of_value(sign) : sign;
+      if (has_value && text.substr(at, end_of_key - at) == attribute) return std::array{behind_white(sign + 1) + 1, close};
+      at = behind_white(close + (has_value ? 1 : 0));
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// The quote that closes the value behind a sign.
+  [[nodiscard]] std::size_t end_of_value(std::size_t sign) const {
+    const std::size_t quote = behind_white(sign + 1);
+    const bool is_quoted = quote < text.size() && (text[quote] == '"' || text[quote] == '\'');
+    const std::size_t close = is_quoted ? find_of(text.substr(quote, 1), quote + 1) : text.size();
+    if (close == text.size()) io::fail_at_line(sign, "expected a quoted value of an attribute");
+    return close;
+  }
+  [[nodiscard]] std::size_t find_of(std::string_view any, std::size_t from) const {
+    return std::min(text.find_first_of(any, from), text.size());
+  }
+  [[nodiscard]] std::size_t behind_white(std::size_t from) const {
+    return std::min(text.find_first_not_of(white, from), text.size());
+  }
+};
+
+/// Behind the next occurrence of a text.
+std::size_t behind(std::string_view text, std::string_view what, std::size_t from) {
+  const std::size_t at = text.find(what, from);
+  if (at == std::string_view::npos) io::fail_at_line(from, "expected '" + std::string(what) + "'");
+  return at + what.size();
 }
 
-void read_paths(std::string_view text, RingCollector& rings) {
-  if (const std::size_t at = text.find(" transform="); at != std::string_view::npos)
-    io::fail_at_line(at, "transformations are not applied: write the path with its own coordinates");
-  for (std::size_t at = text.find("<path"); at != std::string_view::npos; at = text.find("<path", at + 1)) {
-    std::size_t end = at;
-    for (char quote = 0; end < text.size() && (quote != 0 || text[end] != '>'); ++end)
-      if (quote != 0 ? text[end] == quote : text[end] == '"' || text[end] == '\'')
-        quote = quote != 0 ? '\0' : text[end];
-    if (end == text.size()) io::fail_at_line(at, "expected '>' behind a path");
-    if (const auto data = attribute(text, at + 5, end, "d")) PathReader(text, (*data)[0], (*data)[1], rings).read();
+/// The tags of elements in a text, in order. Comments, character data and declarations are passed over.
+class Tags {
+ public:
+  explicit Tags(std::string_view text) : text_(text) {}
+
+  std::optional<Tag> next() {
+    while (true) {
+      const std::size_t begin = text_.find('<', at_);
+      if (begin == std::string_view::npos) return std::nullopt;
+      const std::string_view rest = text_.substr(begin);
+      if (rest.starts_with("<!--")) {
+        at_ = behind(text_, "-->", begin + 4);
+      } else if (rest.starts_with("<![CDATA[")) {
+        at_ = behind(text_, "]]>", begin);
+      } else {
+        at_ = end_of_tag(begin);
+        if (!rest.starts_with("<!") && !rest.starts_with("<?")) return Tag{begin, text_.substr(0, at_)};
+      }
+    }
   }
+
+ private:
+  [[nodiscard]] std::size_t end_of_tag(std::size_t begin) const {
+    for (std::size_t at = begin;;) {
+      at = text_.find_first_of("\"'>", at);
+      if (at == std::string_view::npos) io::fail_at_line(begin, "expected '>' behind a tag");
+      if (text_[at] == '>') return at;
+      at = behind(text_, text_.substr(at, 1), at + 1);
+    }
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+void read_paths(std::string_view text, RingCollector& rings, std::vector<std::string>& notes) {
+  constexpr std::array<std::string_view, 5> shapes{"polygon", "rect", "circle", "ellipse", "polyline"};
+  std::array<bool, shapes.size()> is_there{};
+  Tags tags(text);
+  while (const std::optional<Tag> tag = tags.next()) {
+    if (const auto transform = tag->value("transform"))
+      io::fail_at_line((*transform)[0], "transformations are not applied: write the path with its own coordinates");
+    const std::string_view name = tag->name();
+    for (std::size_t i = 0; i < shapes.size(); ++i) is_there[i] = is_there[i] || name == shapes[i];
+    if (name != "path") continue;
+    if (const auto data = tag->value("d")) PathReader(text, (*data)[0], (*data)[1], rings).read();
+  }
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    if (is_there[i]) notes.push_back("only paths are read: " + std::string(shapes[i]) + " was left out");
 }
 
 }  // namespace
@@ -163,10 +242,7 @@ Loops read_svg(std::string_view text, std::vector<std::string>& notes) {
   if (first != std::string_view::npos && text[first] != '<') {
     PathReader(text, 0, text.size(), rings).read();  // bare path data
   } else {
-    read_paths(text, rings);
-    for (const char* shape : {"<polygon", "<rect", "<circle", "<ellipse", "<polyline"})
-      if (text.find(shape) != std::string_view::npos)
-        notes.push_back(std::string("only paths are read: ") + (shape + 1) + " was left out");
+    read_paths(text, rings, notes);
   }
   return rings.finish();
 }

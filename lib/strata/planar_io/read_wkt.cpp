@@ -31,7 +31,7 @@ class WktReader {
     if (tag == "EMPTY") {
       check(kind);
     } else if (!tag.empty()) {
-      scanner_.fail("expected '(' or EMPTY, found '" + tag + "'");
+      scanner_.fail("expected '(' or EMPTY, found " + io::quoted(tag));
     } else {
       check(kind);
       body(kind, depth);
@@ -39,7 +39,7 @@ class WktReader {
   }
   void check(const std::string& kind) const {
     if (kind != "POLYGON" && kind != "MULTIPOLYGON" && kind != "GEOMETRYCOLLECTION")
-      scanner_.fail("expected POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION, found '" + kind + "'");
+      scanner_.fail("expected POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION, found " + io::quoted(kind));
   }
   void body(const std::string& kind, int depth) {
     if (kind == "POLYGON") return polygon();

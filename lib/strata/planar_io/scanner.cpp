@@ -90,7 +90,7 @@ io::ExactCoordinate Scanner::number(bool quotients) {
 void Scanner::fail_expected(const std::string& what) const {
   if (at_end()) fail("expected " + what + ", found the end of the file");
   const auto end = text_.find_first_of(" \t\r\n,()[]{}<>\"", at_ + 1);
-  fail("expected " + what + ", found '" + std::string(text_.substr(at_, std::min<std::size_t>(end - at_, 20))) + "'");
+  fail("expected " + what + ", found " + io::quoted(text_.substr(at_, end - at_)));
 }
 
 void RingCollector::drop_repeated_end() {
