@@ -1,7 +1,9 @@
 #include "strata/contact/part_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace strata::contact {
 namespace {
@@ -31,68 +33,84 @@ Box box_of_vertex(const Carriers& carriers, std::uint32_t vertex) {
   return box;
 }
 
-/// Where a face is, roughly: halved coordinates do not overflow when added.
-struct PartTree::Middle {
-  std::array<float, 3> at{};
+namespace {
+
+/// A face, and where it is on a Z-curve through 1024 cells each way (Morton 1966).
+struct Placed {
+  std::uint32_t cell = 0;
   std::uint32_t face = 0;
 };
 
-PartTree::PartTree(const Carriers& carriers, std::uint32_t part) {
-  const std::uint32_t count = carriers.face_count(part), first = carriers.first_face(part);
-  if (count == 0) return;
-  Box bounds;
-  for (const auto& p : carriers.points(part)) bounds.include(p);
-  std::array<double, 3> scale{};  // to [0, 1], so that floats tell
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double extent = bounds.upper[i] * 0.25 - bounds.lower[i] * 0.25;
-    scale[i] = extent > 0 ? extent : 1;
-  }
-  const auto points = carriers.points(part);
-  std::vector<Middle> middles(count);
-  for (std::uint32_t f = 0; f < count; ++f) {
-    const auto& [a, b, c] = carriers.faces(part)[f];
-    middles[f].face = first + f;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double sum = points[a][i] * 0.25 + points[b][i] * 0.25 + points[c][i] * 0.25 - 0.75 * bounds.lower[i];
-      middles[f].at[i] = static_cast<float>(sum / scale[i]);
-    }
-  }
-  nodes_.reserve(2 * count / (leaf_size / 2) + 1);
-  faces_.resize(count);
-  build(carriers, part, middles, 0);
+/// Every third bit of a number of ten bits.
+std::uint32_t spread(std::uint32_t x) {
+  x = (x | x << 16) & 0x30000ff;
+  x = (x | x << 8) & 0x300f00f;
+  x = (x | x << 4) & 0x30c30c3;
+  return (x | x << 2) & 0x9249249;
 }
 
-void PartTree::build(const Carriers& carriers, std::uint32_t part, std::span<Middle> middles, std::uint32_t first) {
-  const std::size_t node = nodes_.size();
-  nodes_.push_back({{}, first, static_cast<std::uint32_t>(middles.size()), 0});
-  Box box;
-  if (middles.size() <= leaf_size) {
-    for (std::size_t i = 0; i < middles.size(); ++i) {
-      faces_[first + i] = middles[i].face;
-      box.include(box_of_face(carriers, part, middles[i].face));
-    }
-    nodes_[node].box = box;
-    return;
+/// By the sums of their corners. Eighths of coordinates do not overflow when added.
+std::vector<Placed> placed_faces(const Carriers& carriers, std::uint32_t part) {
+  const auto points = carriers.points(part);
+  const auto faces = carriers.faces(part);
+  Box bounds;
+  for (const auto& p : points) bounds.include(p);
+  double extent = 0;
+  for (std::size_t i = 0; i < 3; ++i) extent = std::max(extent, bounds.upper[i] / 8 - bounds.lower[i] / 8);
+  const double scale = extent > 0x1p-1000 ? 1023 / (3 * extent) : 0;  // of three eighths
+  std::vector<Placed> placed(faces.size());
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    const auto& [a, b, c] = faces[f];
+    const auto &p = points[a], &q = points[b], &r = points[c];
+    const auto cell = [&](std::size_t i) {
+      const double above = p[i] / 8 + q[i] / 8 + r[i] / 8 - 3 * (bounds.lower[i] / 8);
+      return spread(static_cast<std::uint32_t>(std::clamp(above * scale, 0.0, 1023.0)));
+    };
+    placed[f] = {cell(0) << 2 | cell(1) << 1 | cell(2), carriers.first_face(part) + f};
   }
-  std::array<float, 3> low = middles[0].at, high = low;
-  for (const Middle& m : middles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], m.at[i]);
-      high[i] = std::max(high[i], m.at[i]);
-    }
-  std::size_t axis = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (high[i] - low[i] > high[axis] - low[axis]) axis = i;
-  const std::size_t half = middles.size() / 2;
-  std::nth_element(middles.begin(), middles.begin() + static_cast<std::ptrdiff_t>(half), middles.end(),
-                   [axis](const Middle& a, const Middle& b) {
-                     return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.face < b.face;
-                   });
-  build(carriers, part, middles.first(half), first);
-  nodes_[node].right = static_cast<std::uint32_t>(nodes_.size());
-  build(carriers, part, middles.subspan(half), first + static_cast<std::uint32_t>(half));
-  box = nodes_[node + 1].box;
-  box.include(nodes_[nodes_[node].right].box);
+  return placed;
+}
+
+/// By cells, and within a cell by number, digit by digit.
+void sort_by_cells(std::vector<Placed>& faces) {
+  constexpr std::uint32_t digits = 1024;
+  std::vector<Placed> sorted(faces.size());
+  for (const int shift : {0, 10, 20}) {
+    const auto digit = [shift](const Placed& p) { return p.cell >> shift & (digits - 1); };
+    std::array<std::uint32_t, digits + 1> place{};
+    for (const Placed& p : faces) ++place[digit(p) + 1];
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    for (const Placed& p : faces) sorted[place[digit(p)]++] = p;
+    faces.swap(sorted);
+  }
+}
+
+}  // namespace
+
+PartTree::PartTree(const Carriers& carriers, std::uint32_t part) {
+  std::vector<Placed> placed = placed_faces(carriers, part);
+  if (placed.empty()) return;
+  sort_by_cells(placed);
+  faces_.reserve(placed.size());
+  for (const Placed& p : placed) faces_.push_back(p.face);
+  nodes_.reserve(2 * placed.size() / (leaf_size / 2) + 1);
+  build(carriers, part, 0, static_cast<std::uint32_t>(placed.size()));
+}
+
+void PartTree::build(const Carriers& carriers, std::uint32_t part, std::uint32_t first, std::uint32_t count) {
+  const std::size_t node = nodes_.size();
+  nodes_.push_back({{}, first, count, 0});
+  Box box;
+  if (count <= leaf_size) {
+    for (const std::uint32_t f : faces(nodes_[node])) box.include(box_of_face(carriers, part, f));
+  } else {
+    const std::uint32_t half = count / 2;
+    build(carriers, part, first, half);
+    nodes_[node].right = static_cast<std::uint32_t>(nodes_.size());
+    build(carriers, part, first + half, count - half);
+    box = nodes_[node + 1].box;
+    box.include(nodes_[nodes_[node].right].box);
+  }
   nodes_[node].box = box;
 }
 
