@@ -52,6 +52,17 @@ class Contacts(ToolTest):
         self.assertEqual(apart["witnesses"][0], {"at": [1, 1, 1], "on": "vertex", "vertices": [6]})
         self.assertEqual(apart["witnesses"][1], {"at": [5, 5, 5], "on": "vertex", "vertices": [0]})
 
+    def test_distances_within_a_bound(self):
+        parts = [self.file("a.off", cube()), self.file("b.off", cube(4, 5, 0)), self.file("c.off", cube(1, 0, 0))]
+        listed = lambda *options: {(p["a"], p["b"]): p.get("distance") for p in
+                                   self.report("contacts", *parts, *options)["result"]["pairs"]}
+        self.assertEqual(listed("--within", "5"), {(0, 1): 5, (0, 2): None, (1, 2): 20 ** 0.5})
+        self.assertEqual(listed("--within", "4.999999999999999"), {(0, 2): None, (1, 2): 20 ** 0.5})
+        self.assertEqual(listed("--within", "0"), {(0, 2): None})
+        self.assertEqual(listed("--within", "inf"), listed("--distance"))
+        for wrong in ("-1", "nan", "near"):
+            self.run_tool("contacts", *parts, "--within", wrong, expect=USAGE)
+
     def test_a_gap_of_an_ulp_is_a_gap(self):
         after = 1 + 2.0 ** -52
         far = [(after if x == "1" else 2, float(y), float(z)) for x, y, z in

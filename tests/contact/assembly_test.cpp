@@ -2,7 +2,10 @@
 
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "contact/parts.h"
@@ -111,6 +114,34 @@ TEST_CASE("pairs of an assembly are what two parts alone are, for any number of 
   CHECK(pairs == expected);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   CHECK(Assembly(parts).pairs() == pairs);
+}
+
+// Catches: boxes grown too little, by rounding or by half.
+TEST_CASE("near pairs hold all pairs within reach", "[contact][property]") {
+  for (const double scale : {1.0, 0.1, 1e-300, 1e300, std::numeric_limits<double>::denorm_min()}) {
+    CAPTURE(scale);
+    std::vector<Solid> parts = grid(3, 2, 2, 3);
+    for (Solid& part : parts) {
+      ExactMesh scaled = part.exact_mesh();
+      for (Vertex& v : scaled.mesh.vertices)
+        for (double& x : v) x *= scale;
+      part = Solid(scaled.mesh);
+    }
+    parts.emplace_back();
+    const Assembly assembly(parts);
+    const auto all = assembly.near_pairs(std::numeric_limits<double>::infinity());
+    CHECK(all.size() == 12 * 11 / 2);
+    for (const auto& [a, b] : all) {
+      const double distance = assembly.nearest(a, b).distance;
+      const auto within = assembly.near_pairs(std::nextafter(distance, Box::infinity));
+      CHECK(std::find(within.begin(), within.end(), std::pair(a, b)) != within.end());
+    }
+    if (scale < 1e-300) continue;
+    CHECK(assembly.near_pairs(1.99 * scale).empty());
+    CHECK(assembly.near_pairs(2.01 * scale).size() == 50);  // beside one another, diagonally, too
+  }
+  const std::vector<Solid> ulp{box({0, 0, 0}, {1, 1, 1}), box({1 + 0x1p-52, 0, 0}, {2, 1, 1})};
+  CHECK(Assembly(ulp).near_pairs(0x1p-52).size() == 1);
 }
 
 TEST_CASE("what two parts have in common is a solid", "[contact]") {

@@ -103,6 +103,7 @@ void add_contacts(CommandLine& line) {
           "A picture: the parts and, coloured by pair, where they touch; in place (.ply) or pulled apart (.glb)")
       ->type_name("OUT");
   verb->add_flag("--distance", settings.distances, "Least distances of all pairs that are apart, and where they are");
+  verb->add_option("--within", settings.within, "The same of pairs only that are apart by D at most")->type_name("D");
   verb->add_option("--overlap", settings.overlaps, "A folder for what pairs that interfere have in common, a file each")
       ->type_name("DIR");
   verb->add_option("--format", settings.output_format,

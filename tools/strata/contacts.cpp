@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -38,6 +39,7 @@ void check_output(const Settings& settings) {
   if (!settings.output_format.empty() && settings.overlaps.empty())
     throw UsageError("--format is for the files of --overlap");
   if (!settings.output_format.empty()) (void)output_format(settings);  // is there such a one?
+  if (settings.within && !(*settings.within >= 0)) throw UsageError("--within wants a distance, 0 or more");
   std::error_code unknown;
   const std::filesystem::path folder = settings.overlaps;
   if (settings.overlaps.empty() || !std::filesystem::exists(folder, unknown)) return;
@@ -48,21 +50,36 @@ void check_output(const Settings& settings) {
         fmt::format("the folder {} is not empty: overlaps of different parts would mix", settings.overlaps));
 }
 
-/// All pairs that are listed: those that are not apart, and the others where distances are asked for.
-std::vector<PairFacts> listed_pairs(const Assembly& parts, const std::vector<RelatedPair>& related, bool all) {
+/// How far parts may be apart to be listed; nothing where only those are that are not apart.
+std::optional<double> reach_of(const Settings& settings) {
+  if (settings.within) return settings.within;
+  if (settings.distances) return std::numeric_limits<double>::infinity();
+  return std::nullopt;
+}
+
+/// All pairs that are not apart, and the others that may be within reach.
+std::vector<PairFacts> listed_pairs(const Assembly& parts, const std::vector<RelatedPair>& related,
+                                    std::optional<double> reach) {
   std::vector<PairFacts> pairs;
-  if (!all) {
+  if (!reach) {
     for (const RelatedPair& pair : related) pairs.push_back({pair});
     return pairs;
   }
   auto next = related.begin();
-  for (std::uint32_t a = 0; a < parts.size(); ++a)
-    for (std::uint32_t b = a + 1; b < parts.size(); ++b) {
-      const bool is_related = next != related.end() && next->a == a && next->b == b;
-      if (!is_related && (parts.part(a).is_empty() || parts.part(b).is_empty())) continue;
-      pairs.push_back({is_related ? *next++ : RelatedPair{a, b, Relation::apart}});
-    }
+  for (const auto& [a, b] : parts.near_pairs(*reach)) {
+    const bool is_related = next != related.end() && next->a == a && next->b == b;
+    pairs.push_back({is_related ? *next++ : RelatedPair{a, b, Relation::apart}});
+  }
   return pairs;
+}
+
+/// Pairs within reach by their boxes that are not.
+void erase_farther(std::vector<PairFacts>& pairs, double reach) {
+  if (std::isinf(reach)) return;
+  const Rational exact = strata::to_rational(reach), squared = exact * exact;
+  std::erase_if(pairs, [&](const PairFacts& facts) {
+    return facts.pair.relation == Relation::apart && facts.nearest.squared > squared;
+  });
 }
 
 void find_facts(const Assembly& parts, std::vector<PairFacts>& pairs, const strata::Monitor& monitor) {
@@ -207,6 +224,7 @@ ExitCode run_contacts(const Settings& settings) {
   Watch watch(settings.timeout);
   Stopwatch stopwatch;
   check_output(settings);
+  const std::optional<double> reach = reach_of(settings);
   Json report = {{"operation", "contacts"}, {"operands", nullptr}, {"result", nullptr}, {"seconds", Json::object()}};
   const std::vector<LoadedMesh> operands = read_operands(settings);
   report["seconds"]["read"] = stopwatch.lap();
@@ -223,9 +241,10 @@ ExitCode run_contacts(const Settings& settings) {
     const std::function<void(double)> whole = [&bar](double fraction) { bar.show(fraction); };
     on_threads(settings, [&] {
       parts.emplace(solids);
-      pairs = listed_pairs(*parts, parts->pairs(strata::Monitor(&watch.token(), &half)), settings.distances);
+      pairs = listed_pairs(*parts, parts->pairs(strata::Monitor(&watch.token(), &half)), reach);
       report["seconds"]["pairs"] = stopwatch.lap();
       find_facts(*parts, pairs, strata::Monitor(&watch.token(), &whole));
+      if (reach) erase_farther(pairs, *reach);
     });
     report["seconds"]["facts"] = stopwatch.lap();
   } catch (const strata::Cancelled&) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <mutex>
 #include <numeric>
 
@@ -31,6 +32,17 @@ class Progress {
   std::mutex mutex_;
 };
 
+/// A box that contains what is as far as half of `reach` from it: boxes that are `reach` apart overlap when both are
+/// grown.
+Box grown(Box box, double reach) {
+  if (box.empty()) return box;
+  constexpr double infinity = Box::infinity;
+  const double half = std::nextafter(reach / 2, infinity);
+  for (double& x : box.lower) x = std::nextafter(x - half, -infinity);
+  for (double& x : box.upper) x = std::nextafter(x + half, infinity);
+  return box;
+}
+
 }  // namespace
 
 Assembly::Assembly(std::span<const Solid> parts) : parts_(std::make_shared<const Parts>(parts)) {}
@@ -53,6 +65,12 @@ std::vector<RelatedPair> Assembly::pairs(const Monitor& monitor) const {
   });
   std::erase_if(all, [](const RelatedPair& pair) { return pair.relation == Relation::apart; });
   return all;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> Assembly::near_pairs(double reach) const {
+  std::vector<Box> boxes;
+  for (std::uint32_t part = 0; part < size(); ++part) boxes.push_back(grown(parts_->box(part), reach));
+  return overlapping_boxes(boxes);
 }
 
 Relation Assembly::relation(std::uint32_t a, std::uint32_t b) const { return relation_of(*parts_, a, b); }

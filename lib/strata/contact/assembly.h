@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "strata/contact/nearest.h"
@@ -38,6 +39,11 @@ class Assembly {
   /// All pairs that are not apart, by increasing numbers; all others are. The same for any number of threads. Pairs
   /// whose boxes are apart cost nothing but a comparison. Throws Cancelled.
   [[nodiscard]] std::vector<RelatedPair> pairs(const Monitor& monitor = {}) const;
+
+  /// Pairs of parts that may be apart by `reach` at most, as their boxes tell, by increasing numbers, the lower one
+  /// first; those that are not apart are among them. Infinite reach: all pairs of parts that are not empty. Requires
+  /// that `reach` is not negative.
+  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(double reach) const;
 
   /// How two different parts lie to each other. Law: symmetric.
   [[nodiscard]] Relation relation(std::uint32_t a, std::uint32_t b) const;
