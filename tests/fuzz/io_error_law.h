@@ -10,6 +10,8 @@ namespace strata::fuzz {
 inline void check_error(const IoError& error, std::string_view file) {
   require(error.path() == file, "errors name the file");
   require(!error.reason().empty(), "errors have a reason");
+  for (const char c : error.reason())
+    require(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f, "errors are one line without control characters");
 }
 
 }  // namespace strata::fuzz
