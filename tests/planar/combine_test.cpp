@@ -1,6 +1,7 @@
 #include "strata/planar/combine.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "planar/shapes.h"
 #include "strata/planar/clean.h"
@@ -53,6 +54,13 @@ TEST_CASE("two squares in checkerboard contact stay two polygons that share a ve
   REQUIRE(r.polygons() == 2);
   CHECK(validate(r).empty());
   CHECK(r.loops.vertices[2] == r.loops.vertices[4]);
+}
+
+TEST_CASE("zeros of results have no sign", "[planar][combine][degenerate]") {
+  const Region r = unite(loops({{{-0.0, -0.0}, {2, -0.0}, {-0.0, 2}}}), loops({box(-1, -1, -0.0, 1)}));
+  for (const PlanePoint& p : r.loops.places.place)
+    for (const double x : p) CHECK_FALSE((x == 0 && std::signbit(x)));
+  CHECK(area(r) == 4);
 }
 
 TEST_CASE("a hole and an island in it", "[planar][combine]") {

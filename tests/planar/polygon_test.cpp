@@ -29,6 +29,9 @@ TEST_CASE("polyloops that are not clean are told how and where", "[planar][polyl
   CHECK(kinds(box(0, 0, 1, 1)).empty());
   CHECK(is_clean(square(0, 0)));
   CHECK_FALSE(is_clean(loops({{{0, 0}, {1, 1}}})));
+  CHECK(kinds({{0, 0}, {1, 1}}) == std::vector{K::edges_overlapping});
+  CHECK(kinds({{5, 7}}) == std::vector{K::lone_vertex});
+  CHECK_FALSE(is_clean(loops({{{5, 7}}})));
 
   const Loop bow{{0, 0}, {3, 3}, {3, 0}, {0, 3}};
   CHECK(kinds(bow) == std::vector{K::edges_crossing});

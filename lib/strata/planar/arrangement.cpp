@@ -107,10 +107,8 @@ class MeetingSearch {
         finder_(segments, strips, found_) {}
 
   Meetings find(const Monitor& monitor) {
-    for (std::size_t r = 0; r + 1 < first_of_run_.size(); ++r)
-      for (std::uint32_t s = first_of_run_[r]; s < first_of_run_[r + 1]; ++s)
-        for (std::uint32_t t = s + 1; t < first_of_run_[r + 1]; ++t)
-          if (overlap(boxes_[s], boxes_[t])) finder_.test(s, t, none);
+    for (std::uint32_t r = 0; r + 1 < first_of_run_.size(); ++r)
+      if (!is_monotone(r, 0) && !is_monotone(r, 1)) find_within(r);
     strips_.sort(*this);
     monitor.check();
     sweep_over_crowds(monitor);
@@ -149,6 +147,24 @@ class MeetingSearch {
   }
 
  private:
+  /// True when a run of given doubles goes strictly up, or down, in a coordinate: then its segments meet in the ends that
+  /// they share only.
+  [[nodiscard]] bool is_monotone(std::uint32_t run, std::size_t axis) const {
+    const Places& places = segments_.places;
+    const auto goes_up = [&](const std::array<std::uint32_t, 2>& e) {
+      return places.place[e[0]][axis] < places.place[e[1]][axis];
+    };
+    const std::uint32_t first = first_of_run_[run], end = first_of_run_[run + 1];
+    const bool is_up = goes_up(segments_.ends[first]);
+    return std::all_of(segments_.ends.begin() + first, segments_.ends.begin() + end, [&](const auto& e) {
+      return places.is_double(e[0]) && places.is_double(e[1]) && goes_up(is_up ? e : std::array{e[1], e[0]});
+    });
+  }
+  void find_within(std::uint32_t run) {
+    for (std::uint32_t s = first_of_run_[run]; s < first_of_run_[run + 1]; ++s)
+      for (std::uint32_t t = s + 1; t < first_of_run_[run + 1]; ++t)
+        if (overlap(boxes_[s], boxes_[t])) finder_.test(s, t, none);
+  }
   void sweep_over_crowds(const Monitor& monitor) {
     if (crowds_.empty()) return;
     std::vector<std::uint32_t> runs;

@@ -28,6 +28,7 @@ class MeetingCollector {
   std::vector<SelfMeeting> collect() {
     add_points();
     add_overlaps();
+    add_lone_vertices();
     return std::move(found_);
   }
 
@@ -58,6 +59,11 @@ class MeetingCollector {
       found_.back().to = exact_place(arrangement_.places, ends.second);
     }
   }
+  void add_lone_vertices() {
+    for (std::uint32_t l = 0; l < loops_.size(); ++l)
+      if (loops_.loop(l).size() == 1)
+        add(SelfMeetingKind::lone_vertex, vertex(loops_.loop(l).front()), {loops_.first_vertex[l]}, {});
+  }
   void add(SelfMeetingKind kind, std::uint32_t v, std::vector<std::uint32_t> vertices,
            std::vector<std::uint32_t> edges) {
     found_.push_back({kind, exact_place(arrangement_.places, v), {}, std::move(vertices), std::move(edges)});
@@ -82,6 +88,8 @@ std::string_view name(SelfMeetingKind kind) {
       return "edges crossing";
     case SelfMeetingKind::edges_overlapping:
       return "edges overlapping";
+    case SelfMeetingKind::lone_vertex:
+      return "loop of one vertex";
   }
   return "";
 }

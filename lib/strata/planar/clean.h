@@ -14,6 +14,7 @@ enum class SelfMeetingKind {
   vertex_on_edge,     ///< vertices lie inside edges
   edges_crossing,     ///< edges share a point inside each of them
   edges_overlapping,  ///< edges share a stretch, from `where` to `to`
+  lone_vertex,        ///< a loop of one vertex has no edges
 };
 [[nodiscard]] std::string_view name(SelfMeetingKind kind);  ///< "vertex on edge"
 
@@ -24,8 +25,8 @@ struct SelfMeeting {
   std::vector<std::uint32_t> edges;     ///< through `where`, by the indices of the vertices they start from
 };
 
-/// Every place where the loops, all together, meet themselves. A loop is clean when there is none; loops of one or two
-/// vertices have meetings or no edges. O((n + k) log n).
+/// Every place where the loops, all together, meet themselves, and loops of one vertex. Loops are clean when there is
+/// none: the edges of a loop of two vertices overlap. O((n + k) log n).
 [[nodiscard]] std::vector<SelfMeeting> self_meetings(const Loops& loops);
 
 /// Whether loops are clean polyloops, apart from each other, of three vertices or more.

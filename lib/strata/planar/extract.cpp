@@ -34,6 +34,10 @@ class CornerFinder {
       : a_(a), s_(s), is_visited_(a.places.size()), is_shared_(a.places.size()) {}
 
   CornerLoops find(const BoundaryLoops& loops) {
+    std::size_t pieces = 0;
+    for (const std::uint32_t h : loops.half_edges) pieces += s_.pieces_of(h >> 1);
+    result_.corners.reserve(pieces);
+    loop_.reserve(pieces);
     for (const std::uint32_t h : loops.half_edges) {
       const std::uint32_t node = origin(a_, s_, h);
       is_shared_[node] |= is_visited_[node];
@@ -128,6 +132,8 @@ class PlacesCopy {
     need_point(from_.lines[l].to);
   }
   void copy() {
+    const auto is_needed = [](std::uint32_t number) { return number != none; };
+    to_.place.reserve(static_cast<std::size_t>(std::count_if(point_.begin(), point_.end(), is_needed)));
     for (std::uint32_t p = 0; p < from_.given(); ++p)
       if (point_[p] != none) point_[p] = add_given(p);
     for (std::uint32_t l = 0; l < from_.lines.size(); ++l) {
@@ -189,6 +195,8 @@ Region extract(const Arrangement& a, const Subdivision& s, const std::vector<std
       if (needs_line(c, next_corner(l, i))) copy.need_line(c.line);
     }
   copy.copy();
+  region.loops.vertices.reserve(corners.corners.size());
+  region.loops.edge_line.reserve(corners.corners.size());
   for (const std::uint32_t l : order) {
     for (std::uint32_t i = corners.first[l]; i < corners.first[l + 1]; ++i) {
       const Corner& c = corners.corners[i];

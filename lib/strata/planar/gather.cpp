@@ -41,7 +41,8 @@ class Gatherer {
     for (std::size_t i = 0; i < operands_.size(); ++i) {
       const Places& own = operands_[i].loops->places;
       offsets_[i].doubles = places().size();
-      places().place.insert(places().place.end(), own.place.begin(), own.place.begin() + own.doubles());
+      for (std::uint32_t p = 0; p < own.doubles(); ++p)  // -0 becomes 0
+        places().place.push_back({own.place[p][0] + 0.0, own.place[p][1] + 0.0});
     }
     name_ = first_equal(places().place);
     std::map<RationalPlacement, std::uint32_t> known;

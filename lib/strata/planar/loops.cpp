@@ -1,12 +1,17 @@
 #include "strata/planar/loops.h"
 
+#include <numeric>
+
 #include "strata/exact/pairwise_sum.h"
 #include "strata/mesh/product_sum.h"
 
 namespace strata::plane {
 
 void Loops::add(std::span<const PlanePoint> loop) {
-  for (const PlanePoint& p : loop) vertices.push_back(places.add(p));
+  const std::uint32_t first = places.size();
+  places.place.insert(places.place.end(), loop.begin(), loop.end());
+  vertices.resize(vertices.size() + loop.size());
+  std::iota(vertices.end() - static_cast<std::ptrdiff_t>(loop.size()), vertices.end(), first);
   edge_line.resize(vertices.size(), none);
   first_vertex.push_back(static_cast<std::uint32_t>(vertices.size()));
 }

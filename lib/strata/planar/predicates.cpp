@@ -61,6 +61,15 @@ Bounded turn(const BoundedPair& p, const BoundedPair& q, const BoundedPair& r) {
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
+/// By doubles, with the bound of `filtered_turn`: a difference of products of differences, too.
+int filtered_cross(const Places& places, const Line& l, const Line& m) {
+  const PlanePoint &a = places.place[l.from], &b = places.place[l.to], &c = places.place[m.from], &d = places.place[m.to];
+  const double left = (b[0] - a[0]) * (d[1] - c[1]), right = (b[1] - a[1]) * (d[0] - c[0]), value = left - right;
+  constexpr double factor = (3 + 16 * 0x1p-53) * 0x1p-53;
+  const double bound = factor * (std::abs(left) + std::abs(right)) + 0x1p-1000;
+  return static_cast<int>(value > bound) - static_cast<int>(-value > bound);
+}
+
 /// Where differences of coordinates are doubles.
 std::optional<Sign> cross_by_differences(const Places& places, const Line& l, const Line& m) {
   if (std::max({l.from, l.to, m.from, m.to}) >= places.doubles()) return std::nullopt;
@@ -135,6 +144,8 @@ Sign closer::side(const Places& places, std::uint32_t point, std::uint32_t line)
 Sign cross(const Places& places, std::uint32_t line, std::uint32_t other) {
   const Line l = places.lines[line], m = places.lines[other];
   if (l == m) return Sign::zero;
+  if (std::max({l.from, l.to, m.from, m.to}) < places.doubles())
+    if (const int turn = filtered_cross(places, l, m); turn != 0) return static_cast<Sign>(turn);
   BoundedPair u, v;
   for (std::size_t i = 0; i < 2; ++i) {
     u[i] = places.bounded(l.to, i) - places.bounded(l.from, i);

@@ -48,6 +48,11 @@ struct Subdivision {
   [[nodiscard]] std::span<const std::uint32_t> around_vertex(std::uint32_t v) const {
     return {around.data() + first_around[v], around.data() + end_around[v]};
   }
+  [[nodiscard]] std::uint32_t pieces_of(std::uint32_t chain) const {
+    const auto [first, last, ring] = chains[chain];
+    const std::uint32_t around_ring = first_piece_of_ring[ring + 1] - first_piece_of_ring[ring];
+    return last + 1 - first + (last < first ? around_ring : 0);
+  }
   /// Calls visit(piece) for every piece of a chain, in the ring's order.
   template <class Visit>
   void for_each_piece(std::uint32_t chain, const Visit& visit) const {
