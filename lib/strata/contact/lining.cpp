@@ -30,10 +30,19 @@ void Linings::note(const Meetings& meetings) {
     for (const PointId end : {c.tail, c.head})
       if (end < carriers.vertex_count()) note_vertex(end);
   }
-  if (!share_area(carriers, meetings)) return;
   const Constraint& pair = meetings.constraints.front();
-  surfaces_[0].has_face_on[pair.face - carriers.first_face(surfaces_[0].part)] = true;
-  surfaces_[1].has_face_on[pair.other - carriers.first_face(surfaces_[1].part)] = true;
+  if (share_area(carriers, meetings)) note_faces(pair.face, pair.other);
+}
+
+void Linings::note_twins(std::uint32_t f, std::uint32_t g) {
+  for (const std::uint32_t face : {f, g})
+    for (const std::uint32_t v : parts_.carriers().face(face)) note_vertex(v);
+  note_faces(f, g);
+}
+
+void Linings::note_faces(std::uint32_t f, std::uint32_t g) {
+  surfaces_[0].has_face_on[f - parts_.carriers().first_face(surfaces_[0].part)] = true;
+  surfaces_[1].has_face_on[g - parts_.carriers().first_face(surfaces_[1].part)] = true;
 }
 
 bool Linings::show_interference() const {

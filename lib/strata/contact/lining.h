@@ -20,6 +20,8 @@ class Linings {
 
   /// What two faces share, the first of a and the second of b. Requires that they do not prove interference.
   void note(const Meetings& meetings);
+  /// Faces with the same corners, which look opposite ways.
+  void note_twins(std::uint32_t f, std::uint32_t g);
 
   /// True when the interiors of the parts meet. Requires that everything which their faces share has been noted.
   /// O(n log n), one question of membership for each piece into which what is noted divides the surfaces.
@@ -34,6 +36,7 @@ class Linings {
   };
 
   void note_vertex(std::uint32_t vertex);
+  void note_faces(std::uint32_t f, std::uint32_t g);
   [[nodiscard]] bool has_lining_inside(const Surface& surface, const Surface& other) const;
   [[nodiscard]] bool is_lining_inside(std::uint32_t face, std::uint32_t other) const;
 

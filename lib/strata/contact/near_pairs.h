@@ -23,6 +23,7 @@ class LeafFaces {
   }
   [[nodiscard]] std::size_t size() const { return list_.size(); }
   [[nodiscard]] const Box& box(std::size_t i) const { return list_[i].box; }
+  [[nodiscard]] std::uint32_t number(std::size_t i) const { return list_[i].number; }
   [[nodiscard]] const FilteredFace& face(std::size_t i) {
     if (!list_[i].is_known) list_[i].face = FilteredFace(*carriers_, part_, list_[i].number);
     list_[i].is_known = true;
@@ -64,10 +65,11 @@ bool for_each_near_leaves(const PartTree& a, const PartTree& b, const Visit& vis
   return true;
 }
 
-/// Calls `visit(f, g, meetings)` for all faces f of part a and g of part b that share a point, with what `meet_faces`
-/// says about them alone; ends, and returns false, when `visit` does. Always in the same order.
-template <class Visit>
-bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Visit& visit) {
+/// Calls `visit(f, g, meetings)` for all faces f of part a and g of part b that share a point, but for those of which
+/// `skip(f, g)` holds, with what `meet_faces` says about them alone; ends, and returns false, when `visit` does. Always
+/// in the same order.
+template <class Skip, class Visit>
+bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Skip& skip, const Visit& visit) {
   const Carriers& carriers = parts.carriers();
   const PartTree &tree_a = parts.tree(a), &tree_b = parts.tree(b);
   Meetings meetings;
@@ -77,7 +79,7 @@ bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, cons
     LeafFaces of_b(carriers, b, tree_b, n, m.box);
     for (std::size_t i = 0; i < of_a.size(); ++i)
       for (std::size_t k = 0; k < of_b.size(); ++k) {
-        if (!of_a.box(i).overlaps(of_b.box(k))) continue;
+        if (!of_a.box(i).overlaps(of_b.box(k)) || skip(of_a.number(i), of_b.number(k))) continue;
         meetings.constraints.clear();
         meetings.constructed.clear();
         meetings.equal.clear();
@@ -87,6 +89,12 @@ bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, cons
       }
     return true;
   });
+}
+
+/// The same for all faces that share a point.
+template <class Visit>
+bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Visit& visit) {
+  return for_each_meeting(parts, a, b, [](std::uint32_t, std::uint32_t) { return false; }, visit);
 }
 
 }  // namespace strata::contact

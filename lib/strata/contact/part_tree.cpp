@@ -6,31 +6,18 @@
 #include <numeric>
 
 namespace strata::contact {
-namespace {
-
-/// One step of doubles outwards.
-void widen(Box& box) {
+Box widened(Box box) {
   for (std::size_t i = 0; i < 3; ++i) {
     box.lower[i] = std::nextafter(box.lower[i], -Box::infinity);
     box.upper[i] = std::nextafter(box.upper[i], Box::infinity);
   }
-}
-
-}  // namespace
-
-Box box_of_face(const Carriers& carriers, std::uint32_t part, std::uint32_t face) {
-  const auto points = carriers.points(part);
-  Box box;
-  for (const std::uint32_t v : carriers.faces(part)[face - carriers.first_face(part)]) box.include(points[v]);
-  if (carriers.has_rationals() && !carriers.has_doubles(carriers.face(face))) widen(box);
   return box;
 }
 
 Box box_of_vertex(const Carriers& carriers, std::uint32_t vertex) {
   Box box;
   box.include(carriers.vertex(vertex));
-  if (!carriers.has_doubles(vertex)) widen(box);
-  return box;
+  return carriers.has_doubles(vertex) ? box : widened(box);
 }
 
 namespace {

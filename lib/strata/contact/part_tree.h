@@ -8,8 +8,16 @@
 
 namespace strata::contact {
 
+/// The box one step of doubles further out.
+[[nodiscard]] Box widened(Box box);
+
 /// A box that holds a face wherever its vertices are: one step of doubles outwards where they are rational.
-[[nodiscard]] Box box_of_face(const Carriers& carriers, std::uint32_t part, std::uint32_t face);
+[[nodiscard]] inline Box box_of_face(const Carriers& carriers, std::uint32_t part, std::uint32_t face) {
+  const auto points = carriers.points(part);
+  Box box;
+  for (const std::uint32_t v : carriers.faces(part)[face - carriers.first_face(part)]) box.include(points[v]);
+  return carriers.has_rationals() && !carriers.has_doubles(carriers.face(face)) ? widened(box) : box;
+}
 /// The same for a vertex.
 [[nodiscard]] Box box_of_vertex(const Carriers& carriers, std::uint32_t vertex);
 

@@ -8,6 +8,7 @@
 #include "strata/contact/lining.h"
 #include "strata/contact/near_pairs.h"
 #include "strata/contact/separation.h"
+#include "strata/contact/twins.h"
 #include "strata/kernel/predicates.h"
 
 namespace strata::contact {
@@ -20,11 +21,12 @@ class Inquiry {
       : parts_(parts), a_(a), b_(b), are_beside_(parts.are_beside(a, b)) {}
 
   Relation find() {
-    const bool is_open =
-        for_each_meeting(parts_, a_, b_, [this](const FilteredFace& f, const FilteredFace& g, const Meetings& m) {
-          look_at(f, g, m);
-          return !is_decided_;
-        });
+    const auto skip = [this](std::uint32_t f, std::uint32_t g) { return twins_ && twins_->tell(f, g); };
+    const auto visit = [this](const FilteredFace& f, const FilteredFace& g, const Meetings& m) {
+      look_at(f, g, m);
+      return !is_decided_;
+    };
+    const bool is_open = for_each_meeting(parts_, a_, b_, skip, visit);
     if (!is_open) return relation_;
     const bool do_interfere = linings_ ? linings_->show_interference()
                                        : parts_.has_piece_inside(a_, b_) || parts_.has_piece_inside(b_, a_);
@@ -45,6 +47,20 @@ class Inquiry {
     if (is_decided_) return;
     if (!linings_) linings_.emplace(parts_, a_, b_);
     linings_->note(meetings);
+    if (++undecided_ == many) find_twins();
+  }
+
+  /// From now on, what twins tell is not asked.
+  void find_twins() {
+    twins_.emplace(parts_, a_, b_);
+    for (const Twins::Pair& pair : twins_->pairs()) {
+      if (pair.look_the_same_way) {
+        relation_ = Relation::interfering;
+        is_decided_ = true;
+        return;
+      }
+      linings_->note_twins(pair.f, pair.g);
+    }
   }
 
   /// Tries few planes, each once: where these do not separate, hardly any does.
@@ -63,12 +79,15 @@ class Inquiry {
   }
 
   static constexpr std::size_t most_planes = 8;
+  static constexpr int many = 32;
   const Parts& parts_;
   std::uint32_t a_, b_;
   bool are_beside_;
   Relation relation_ = Relation::apart;
   bool is_decided_ = false;
   std::optional<Linings> linings_;  ///< once faces share something that decides nothing
+  int undecided_ = 0;               ///< such pairs of faces
+  std::optional<Twins> twins_;      ///< once these are many
   boost::container::static_vector<std::uint32_t, most_planes> tried_;
 };
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 
+#include "strata/kernel/approximation.h"
 #include "strata/kernel/predicates.h"
 #include "strata/overlap/filtered_face.h"
 
@@ -17,60 +19,78 @@ struct HalfBox {
   Box box;
 };
 
-/// Sides of a plane on which vertices are. Remembers vertices in the plane, which are the ones that take long; those of
-/// neighbouring faces come soon after one another.
-class Sides {
- public:
-  Sides(const Carriers& carriers, const FilteredFace& plane) : carriers_(carriers), plane_(plane) {
-    in_plane_.fill(~0u);
-  }
+/// The side of a plane on which a point within bounds certainly is; zero when that does not show.
+Sign side_of(const FilteredFace& plane, const BoundedPoint& p) {
+  if (plane.is_exact) return static_cast<Sign>(plane.plane.side_within(p));
+  return dot<Bounded>(plane.rational_plane.normal, p - plane.rational_plane.at).sign().value_or(Sign::zero);
+}
 
-  /// True when some vertex of a face is strictly on a side.
-  [[nodiscard]] bool has_vertex(const FilteredFace& face, Sign side) {
-    const Signs quick = plane_.sides_of(face);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (quick[i] == side) return true;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (quick[i] == Sign::zero && exact_side(face.vertices[i]) == side) return true;
-    return false;
-  }
-
- private:
-  [[nodiscard]] Sign exact_side(std::uint32_t v) {
-    std::uint32_t& known = in_plane_[v % in_plane_.size()];
-    if (known == v) return Sign::zero;
-    const auto& p = plane_.vertices;
-    const Sign s = orient3d(carriers_, p[0], p[1], p[2], v);
-    if (s == Sign::zero) known = v;
-    return s;
-  }
-
-  const Carriers& carriers_;
-  const FilteredFace& plane_;
-  std::array<std::uint32_t, 512> in_plane_;
-};
-
-/// The side of a plane on which all of a box certainly is; zero when that does not show.
+/// The same for all of a box.
 Sign side_of_box(const FilteredFace& plane, const Box& box) {
   BoundedPoint all;
   for (std::size_t i = 0; i < 3; ++i) {
     const double middle = box.lower[i] / 2 + box.upper[i] / 2;
     all[i] = {middle, std::max(box.upper[i] - middle, middle - box.lower[i]) * Bounded::slack + Bounded::underflow};
   }
-  if (plane.is_exact) return static_cast<Sign>(plane.plane.side_within(all));
-  return dot<Bounded>(plane.rational_plane.normal, all - plane.rational_plane.at).sign().value_or(Sign::zero);
+  return side_of(plane, all);
 }
+
+/// Sides of a plane on which a part's vertices are. Remembers some: those of neighbouring faces come soon after one
+/// another, and vertices in the plane take long.
+class Sides {
+ public:
+  Sides(const Parts& parts, std::uint32_t part, const FilteredFace& plane)
+      : carriers_(parts.carriers()),
+        plane_(plane),
+        points_(carriers_.points(part)),
+        faces_(carriers_.faces(part)),
+        first_vertex_(carriers_.first_vertex(part)),
+        first_face_(carriers_.first_face(part)) {}
+
+  /// True when some vertex of a face is strictly on a side.
+  [[nodiscard]] bool has_vertex(std::uint32_t face, Sign side) {
+    const auto& f = faces_[face - first_face_];
+    return of(f[0]) == side || of(f[1]) == side || of(f[2]) == side;
+  }
+
+ private:
+  struct Known {
+    std::uint32_t vertex = ~0u;
+    Sign side = Sign::zero;
+  };
+
+  Sign of(std::uint32_t vertex) {
+    Known& known = known_[vertex % known_.size()];
+    if (known.vertex != vertex) known = {vertex, find(vertex)};
+    return known.side;
+  }
+  [[nodiscard]] Sign find(std::uint32_t vertex) const {
+    const std::uint32_t v = first_vertex_ + vertex;
+    const auto& at = points_[vertex];
+    const Sign quick = carriers_.has_doubles(v) ? side_of(plane_, {at[0], at[1], at[2]})
+                                                : side_of(plane_, approximate_vertex<Bounded>(carriers_, v));
+    if (quick != Sign::zero) return quick;
+    const auto& p = plane_.vertices;
+    return orient3d(carriers_, p[0], p[1], p[2], v);
+  }
+
+  const Carriers& carriers_;
+  const FilteredFace& plane_;
+  std::span<const Carriers::Coordinates> points_;
+  std::span<const Carriers::Indices> faces_;
+  std::uint32_t first_vertex_, first_face_;
+  std::array<Known, 512> known_;
+};
 
 /// True when no face of a part that comes near the box reaches into the half.
 bool is_clear_of(const Parts& parts, std::uint32_t part, const HalfBox& half) {
   const Carriers& carriers = parts.carriers();
-  Sides sides(carriers, half.face);
+  Sides sides(parts, part, half.face);
   const auto may_reach = [&](const Box& box) {
     return box.overlaps(half.box) && side_of_box(half.face, box) != -half.side;
   };
   return parts.tree(part).for_each_in(may_reach, [&](std::uint32_t f) {
-    if (!box_of_face(carriers, part, f).overlaps(half.box)) return true;
-    return !sides.has_vertex(FilteredFace(carriers, part, f), half.side);
+    return !sides.has_vertex(f, half.side) || !box_of_face(carriers, part, f).overlaps(half.box);
   });
 }
 
