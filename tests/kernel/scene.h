@@ -8,6 +8,7 @@
 #include "kernel/reference.h"
 #include "strata/kernel/carriers.h"
 #include "strata/kernel/point.h"
+#include "support/rounds.h"
 
 namespace strata::test {
 
@@ -149,8 +150,9 @@ class Scene {
   std::array<Operand, 2> operands_;
 };
 
-/// How many scenes of a family a test takes: numbers of thousands of bits are dear.
+/// How many scenes of a family a test takes: numbers of thousands of bits are dear. A tenth under a sanitizer.
 inline int affordable(Family family, int scenes) {
+  if (is_sanitized) scenes /= 10;
   switch (family) {
     case Family::wild:
     case Family::far_apart:
