@@ -76,8 +76,10 @@ void find_duplicates(const SoundMesh& mesh, std::vector<Defect>& defects) {
 
 void find_inside_out(const SoundMesh& mesh, std::vector<Defect>& defects) {
   const Screening facts = screen(mesh.view());
-  if (mesh.exact.empty() ? facts.orientation >= 0 : !facts.chain_closed || orientation(mesh.exact_view()) != Sign::negative)
-    return;
+  const bool is_inside_out = mesh.exact.empty()
+                                 ? facts.orientation < 0
+                                 : facts.chain_closed && orientation(mesh.exact_view()) == Sign::negative;
+  if (!is_inside_out) return;
   DefectList list(DefectKind::inside_out, Severity::error, "reverse all faces (input class repair does)");
   list.add({}, {}, [] { return std::string("the volume is negative: faces are clockwise seen from outside"); });
   list.append_to(defects);

@@ -37,7 +37,8 @@ class GeoJsonReader {
     if (type == "GeometryCollection") return each(v, "geometries", [&](const JsonValue& g) { object(g); });
     if (type == "FeatureCollection") return each(v, "features", [&](const JsonValue& f) { object(f); });
     if (type != "Feature")
-      fail(v, "expected Polygon, MultiPolygon, GeometryCollection, Feature or FeatureCollection, found " + io::quoted(type));
+      fail(v, "expected Polygon, MultiPolygon, GeometryCollection, Feature or FeatureCollection, found " +
+                  io::quoted(type));
     const JsonValue* geometry = v.find("geometry");
     if (geometry != nullptr && geometry->kind != Kind::null) object(*geometry);
   }

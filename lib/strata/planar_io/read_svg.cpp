@@ -113,7 +113,8 @@ class PathReader {
   void coordinate(std::size_t axis, bool is_relative) {
     const Rational x = exact(scanner_.number(false));
     at_[axis] = is_relative ? Rational(at_[axis] + x) : x;
-    if (!std::isfinite(to_nearest_double(at_[axis]))) scanner_.fail("a sum of relative coordinates is beyond all doubles");
+    if (!std::isfinite(to_nearest_double(at_[axis])))
+      scanner_.fail("a sum of relative coordinates is beyond all doubles");
   }
   bool next_argument() { return scanner_.accept(',') || scanner_.is_at_number(); }
   void emit() {
@@ -153,7 +154,8 @@ struct Tag {
       const std::size_t end_of_key = find_of(" \t\r\n=", at), sign = behind_white(end_of_key);
       const bool has_value = sign < text.size() && text[sign] == '=';
       const std::size_t close = has_value ? end_of_value(sign) : sign;
-      if (has_value && text.substr(at, end_of_key - at) == attribute) return std::array{behind_white(sign + 1) + 1, close};
+      if (has_value && text.substr(at, end_of_key - at) == attribute)
+        return std::array{behind_white(sign + 1) + 1, close};
       at = behind_white(close + (has_value ? 1 : 0));
     }
     return std::nullopt;
