@@ -147,8 +147,8 @@ class MeetingSearch {
   }
 
  private:
-  /// True when a run of given doubles goes strictly up, or down, in a coordinate: then its segments meet in the ends that
-  /// they share only.
+  /// True when a run of given doubles goes strictly up, or down, in a coordinate: then its segments meet only in the
+  /// ends that they share.
   [[nodiscard]] bool is_monotone(std::uint32_t run, std::size_t axis) const {
     const Places& places = segments_.places;
     const auto goes_up = [&](const std::array<std::uint32_t, 2>& e) {

@@ -63,7 +63,8 @@ Bounded turn(const BoundedPair& p, const BoundedPair& q, const BoundedPair& r) {
 
 /// By doubles, with the bound of `filtered_turn`: a difference of products of differences, too.
 int filtered_cross(const Places& places, const Line& l, const Line& m) {
-  const PlanePoint &a = places.place[l.from], &b = places.place[l.to], &c = places.place[m.from], &d = places.place[m.to];
+  const PlanePoint &a = places.place[l.from], &b = places.place[l.to];
+  const PlanePoint &c = places.place[m.from], &d = places.place[m.to];
   const double left = (b[0] - a[0]) * (d[1] - c[1]), right = (b[1] - a[1]) * (d[0] - c[0]), value = left - right;
   constexpr double factor = (3 + 16 * 0x1p-53) * 0x1p-53;
   const double bound = factor * (std::abs(left) + std::abs(right)) + 0x1p-1000;
