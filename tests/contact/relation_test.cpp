@@ -126,6 +126,19 @@ TEST_CASE("parts that interlock are told apart without a plane between", "[conta
   CHECK(relation(plate, Solid(test::octahedron({6, 6, 2}, 2 + up))) == interfering);
 }
 
+// Catches: faces that are joined by a vertex on the other surface.
+TEST_CASE("parts interfere where one goes through the other's surface in a vertex only", "[contact][degenerate]") {
+  const Solid two_tips(Mesh{
+      {{0, 0, 0}, {1, 0, -1}, {-1, 1, -1}, {-1, -1, -1}, {1, 0, 1}, {-1, 1, 1}, {-1, -1, 1}},
+      {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}, {0, 5, 4}, {0, 6, 5}, {0, 4, 6}, {4, 5, 6}}});
+  CHECK(two_tips.volume() > 0);
+  const Solid below = box({-4, -5, -8}, {5, 7, 0});  // no edge of it goes through the tips
+  CHECK(relation(two_tips, below) == interfering);
+  CHECK(relation(below, two_tips) == interfering);
+  const Solid under = box({-4, -5, -8}, {5, 7, -1});
+  CHECK(relation(two_tips, under) == contact);
+}
+
 TEST_CASE("two links of a chain are apart, in contact or interfering", "[contact]") {
   const Solid link = box({0, 0, 0}, {12, 8, 2}) - box({2, 2, -1}, {10, 6, 3});
   const auto other = [](double x) {  // goes through the first one's hole

@@ -12,7 +12,7 @@ namespace strata::contact {
 class Twins {
  public:
   struct Pair {
-    std::uint32_t f = 0, g = 0;       ///< of the first part, of the second
+    std::uint32_t f = 0, g = 0;  ///< of the first part, of the second
     bool look_the_same_way = false;
   };
   static constexpr std::uint32_t none = ~0u;
@@ -23,7 +23,7 @@ class Twins {
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
 
   /// True when the faces are twins, or share nothing but corners that one of them has in common with the twin of the
-  /// other one. Since faces of one part meet along common edges and vertices only, a look at their numbers tells.
+  /// other one: faces of one part meet along common edges and vertices only. Not if these may have different numbers.
   [[nodiscard]] bool tell(std::uint32_t f, std::uint32_t g) const;
 
  private:

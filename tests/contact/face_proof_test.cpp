@@ -1,0 +1,59 @@
+#include "strata/contact/face_proof.h"
+
+#include <catch2/catch.hpp>
+
+#include "strata/overlap/meeting.h"
+
+namespace strata::contact {
+namespace {
+
+using Corners = std::array<Vertex, 3>;
+
+/// What a face in the plane z = 0, seen from above, and another one prove, whichever of them comes first.
+bool prove(const Corners& g) {
+  const std::vector<Vertex> points[] = {{{-4, -4, 0}, {8, -4, 0}, {-4, 8, 0}}, {g[0], g[1], g[2]}};
+  const std::vector<Triangle> face{{0, 1, 2}};
+  const auto proof = [&](std::size_t first) {
+    Carriers carriers;
+    carriers.add(points[first], face);
+    carriers.add(points[1 - first], face);
+    const FilteredFace one(carriers, 0), other(carriers, 1);
+    Meetings meetings;
+    REQUIRE(meet_faces(carriers, one, other, meetings));
+    return prove_interference(carriers, one, other, meetings);
+  };
+  const bool found = proof(0);
+  CHECK(proof(1) == found);
+  return found;
+}
+
+// The long side of the face in z = 0 goes from (8, -4) to (-4, 8). Catches: hanging taken for standing.
+TEST_CASE("a face that reaches below another inside of it proves interference", "[contact][degenerate]") {
+  CHECK(prove({{{0, 0, -1}, {1, 0, 1}, {0, 1, 1}}}));          // crosses
+  CHECK(prove({{{0, 0, 0}, {2, 1, 0}, {1, 1, -3}}}));          // hangs by an edge
+  CHECK(prove({{{2, 1, 0}, {0, 0, 0}, {1, 1, -3}}}));
+  CHECK(prove({{{0, 0, 0}, {9, 0, 0}, {1, 1, -3}}}));          // by an edge that goes beyond
+  CHECK_FALSE(prove({{{0, 0, 0}, {2, 1, 0}, {1, 1, 3}}}));     // stands upon an edge
+  CHECK_FALSE(prove({{{2, 1, 0}, {0, 0, 0}, {1, 1, 3}}}));
+}
+
+TEST_CASE("a face that reaches below another along an edge of it, or in a point, proves nothing",
+          "[contact][degenerate]") {
+  CHECK_FALSE(prove({{{-2, -4, 0}, {2, -4, 0}, {0, -4, -3}}}));  // along an edge of both
+  CHECK_FALSE(prove({{{-2, -4, 0}, {2, -4, 0}, {0, -3, -3}}}));
+  CHECK_FALSE(prove({{{2, -4, 0}, {-2, -4, 0}, {0, -3, -3}}}));
+  CHECK_FALSE(prove({{{-2, -4, 0}, {2, -4, 0}, {0, -5, 3}}}));
+  CHECK_FALSE(prove({{{0, 0, 0}, {1, 0, -1}, {0, 1, -1}}}));     // in a point
+  CHECK_FALSE(prove({{{-9, -4, 0}, {-4, -4, 0}, {0, -4, -3}}}));
+}
+
+TEST_CASE("coplanar faces prove interference where they share an area and look the same way", "[contact]") {
+  CHECK(prove({{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}}));
+  CHECK_FALSE(prove({{{0, 0, 0}, {0, 9, 0}, {9, 0, 0}}}));
+  CHECK(prove({{{-4, -4, 0}, {8, -4, 0}, {-4, 8, 0}}}));
+  CHECK_FALSE(prove({{{-4, -4, 0}, {0, -9, 0}, {8, -4, 0}}}));  // an edge in common
+  CHECK_FALSE(prove({{{2, 2, 0}, {9, 9, 0}, {2, 9, 0}}}));      // a vertex on an edge
+}
+
+}  // namespace
+}  // namespace strata::contact
