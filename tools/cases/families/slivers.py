@@ -27,7 +27,24 @@ def add_to(cases):
         b = tetrahedron((0, 0, 0), (10**k, 2, 1), (10**k, -1, 1), (10**k, 0, -1))
         cases.operations(f"narrow-cones-1e{k}", a, b, ["sliver", "vertex-contact"],
                          f"two cones of an opening of 1e-{k} from one tip")
+    steps(cases)
     shells(cases)
+
+
+def steps(cases):
+    """A corner above a face, or below it, by the least that a lattice of 2^25 steps allows: the determinant is 1 or -1, and
+    products of doubles round it away."""
+    u, v, w = (5339397, -30670133, 22304293), (-20132623, -8602516, 6226413), (-8611000, -11480017, 8334109)
+    opposite = tuple(x + y for x, y in zip(u, v))
+    below, up = (0, 2**24, 2**24), 2**23
+    for name, face, corner, facts in (
+            ("above", ((0, 0, 0), u, v), w,
+             {"union": {"components": 2}, "intersection": {"volume": 0}, "xor": {"components": 2}}),
+            ("below", (u, v, opposite), tuple(x - y for x, y in zip(opposite, w)), None)):
+        tip = tetrahedron(corner, *[tuple(x + y for x, y in zip(corner, f)) for f in
+                                    ((0, -up, -up), (up, -up, -up), (0, -up, -up // 2))])
+        cases.operations(f"step-{name}-face", tetrahedron(*face, below), tip, ["sliver", "ulp", "lattice"],
+                         f"a tip is one step of a lattice {name} a face off the axes", facts)
 
 
 def shells(cases):
