@@ -24,8 +24,8 @@ class UnboundedResult : public std::runtime_error {
 
 /// The open regularization of a Boolean combination of the sets that the operands fill: its polygons. Exact for all
 /// finite input. O((n + k) log n) for k points inside edges; one arrangement, whatever the number of operands. Laws:
-/// those of Boolean algebra, up to regularization; the same for loops started elsewhere, and (but for the order of
-/// polygons) for operands in another order. Throws UnboundedResult, Cancelled.
+/// those of Boolean algebra, up to regularization; the same for loops started elsewhere and for operands in another
+/// order. Throws UnboundedResult, Cancelled.
 [[nodiscard]] Region combine(std::span<const Operand> operands, Operation operation, const Monitor& monitor = {});
 [[nodiscard]] Region combine(std::span<const Operand> operands, const Combination& combination,
                              const Monitor& monitor = {});

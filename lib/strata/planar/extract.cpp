@@ -88,11 +88,16 @@ class CornerFinder {
   CornerLoops result_;
 };
 
-/// Loops by polygon, outer loop first; polygons and holes by their least vertices.
+/// Loops by polygon, outer loop first; polygons and holes by their least vertices, and by what follows them where
+/// these are one point: no two loops have an edge in common.
 std::vector<std::uint32_t> order_loops(const Places& places, const BoundaryLoops& loops, const CornerLoops& corners,
                                        std::vector<std::uint32_t>& first_loop) {
   const auto count = static_cast<std::uint32_t>(loops.component.size());
-  const auto least = [&](std::uint32_t l) { return corners.corners[corners.first[l]].vertex; };
+  const auto is_before = [&](std::uint32_t l, std::uint32_t m) {
+    const Corner *p = &corners.corners[corners.first[l]], *q = &corners.corners[corners.first[m]];
+    const Sign s = compare_xy(places, p[0].vertex, q[0].vertex);
+    return (s != Sign::zero ? s : compare_xy(places, p[1].vertex, q[1].vertex)) == Sign::negative;
+  };
   std::vector<std::uint32_t> outer_of(
       loops.component.empty() ? 0 : *std::max_element(loops.component.begin(), loops.component.end()) + 1, none);
   for (std::uint32_t l = 0; l < count; ++l)
@@ -101,13 +106,9 @@ std::vector<std::uint32_t> order_loops(const Places& places, const BoundaryLoops
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t m) {
     const std::uint32_t p = outer_of[loops.component[l]], q = outer_of[loops.component[m]];
-    if (p != q) {
-      const Sign s = compare_xy(places, least(p), least(q));
-      return s != Sign::zero ? s == Sign::negative : p < q;
-    }
+    if (p != q) return is_before(p, q);
     if (corners.is_outer[l] != corners.is_outer[m]) return corners.is_outer[l] > corners.is_outer[m];
-    const Sign s = compare_xy(places, least(l), least(m));
-    return s != Sign::zero ? s == Sign::negative : l < m;
+    return is_before(l, m);
   });
   for (std::uint32_t i = 0; i < count; ++i)
     if (i > 0 && corners.is_outer[order[i]]) first_loop.push_back(i);

@@ -9,7 +9,8 @@ namespace strata::plane {
 /// counter-clockwise, its holes are clockwise: the polygon lies to the left of every edge. Where a polygon's boundary
 /// touches itself, loops share the vertex, so a polygon without holes is simple. Vertices are corners, or are on the
 /// boundary more than once: no edge goes straight on elsewhere. Every loop starts at its lexicographically least
-/// vertex. `places.place` of every point is its nearest double.
+/// vertex; polygons, and the holes of each, are in the order of their first vertices, then of their second ones: what is
+/// listed, and in which order, depends on the set alone. `places.place` of every point is its nearest double.
 struct Region {
   Loops loops;
   std::vector<std::uint32_t> first_loop{
