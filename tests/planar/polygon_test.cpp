@@ -144,7 +144,7 @@ TEST_CASE("rounding that makes loops meet is told", "[planar][clean]") {
 // Catches: bridges that miss what they should see, and polygons that are merged or split wrongly.
 TEST_CASE("polygons are one loop with bridges and back, and touch one another in points",
           "[planar][bridges][property]") {
-  const auto seed = GENERATE(range(0u, 300u));
+  const auto seed = GENERATE(range(0u, seeds(300)));
   CAPTURE(seed);
   Random random(seed);
   std::vector<Loop> frames = random_grid_loops(random, 9);

@@ -3,12 +3,16 @@
 #include <vector>
 
 #include "strata/planar/combine.h"
+#include "support/rounds.h"
 
 // What the tests of the plane share: small shapes, random degenerate ones, and facts from the definitions.
 namespace strata::plane::test {
 
 using Loop = std::vector<PlanePoint>;
 using Random = std::mt19937_64;
+
+/// Seeds for a property: a twentieth under a sanitizer.
+constexpr unsigned seeds(unsigned usual) { return static_cast<unsigned>(strata::test::rounds(usual)); }
 
 inline Loop box(double left, double low, double right, double high) {
   return {{left, low}, {right, low}, {right, high}, {left, high}};

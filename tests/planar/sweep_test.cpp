@@ -117,7 +117,7 @@ TEST_CASE("a list that is searched by its order stays in order", "[planar][sweep
 
 // Catches: bundles lost or torn where they turn around, crossings not looked for after an end, wrong containers.
 TEST_CASE("sweeps find what pairs and rays find", "[planar][sweep][degenerate][property]") {
-  const auto seed = GENERATE(range(0u, 600u));
+  const auto seed = GENERATE(range(0u, seeds(600)));
   CAPTURE(seed);
   Random random(seed);
   const double unit = unit_of(seed);
