@@ -109,6 +109,41 @@ class Contacts(ToolTest):
         one = self.report("contacts", *self.parts(), "--distance", "-j", "1")["result"]
         self.assertEqual(one, self.report("contacts", *self.parts(), "--distance", "-j", "2")["result"])
 
+    def test_parts_that_touch_themselves_in_faces_are_resolved_when_asked(self):
+        around = self.file("around.off", """OFF
+8 8 0
+0.0 0.0 8.0
+16.0 0.0 8.0
+0.0 16.0 8.0
+2.0 2.0 -16.0
+2.0 3.0 8.0
+4.0 3.0 8.0
+3.0 2.0 5.0
+3.0 4.0 5.0
+3 0 1 2
+3 0 2 3
+3 0 3 1
+3 3 2 1
+3 4 5 6
+3 4 6 7
+3 4 7 5
+3 7 6 5
+""")
+        within = self.file("within.off", """OFF
+4 4 0
+2.0 3.0 8.0
+4.0 3.0 8.0
+3.0 2.0 5.0
+3.0 4.0 5.0
+3 0 2 1
+3 0 3 2
+3 0 1 3
+3 3 1 2
+""")  # fills a cavity that has an edge in a face
+        self.run_tool("contacts", around, within, expect=USAGE)
+        result = self.report("contacts", around, within, "--input", "overlapping")["result"]
+        self.assertEqual((result["contact"], result["interfering"]), (1, 0))
+
     def test_what_makes_no_sense_is_refused(self):
         a = self.file("a.off", cube())
         self.run_tool("contacts", a, self.file("open.off", open_cube()), expect=INVALID)

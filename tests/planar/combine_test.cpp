@@ -87,6 +87,22 @@ TEST_CASE("the order of what is listed depends on the set alone", "[planar][comb
   }
 }
 
+// Catches: a meet whose place comes out as infinite, since what it is divided by vanished, taken for well known.
+TEST_CASE("meets of rationals below all doubles are found", "[planar][combine][degenerate]") {
+  const Rational unit = to_rational(0x1p-1074) / 3;
+  const auto narrow = [&](const Loop& loop) {
+    LoopsBuilder builder;
+    for (const PlanePoint& p : loop) builder.add_vertex(RationalPlacement{to_rational(p[0]) * unit, to_rational(p[1])});
+    builder.end_loop();
+    return builder.finish();
+  };
+  const Loop a{{1, 1}, {8, 7}, {1, 2}, {5, 6}, {1, 0}}, b{{6, 5}, {6, -4}, {2, 2}};
+  for (const auto combined : {&unite, &intersect}) {
+    const Loops narrow_a = narrow(a), narrow_b = narrow(b), wide_a = loops({a}), wide_b = loops({b});
+    CHECK(area(combined(narrow_a, narrow_b)) == area(combined(wide_a, wide_b)) * unit);
+  }
+}
+
 TEST_CASE("zeros of results have no sign", "[planar][combine][degenerate]") {
   const Region r = unite(loops({{{-0.0, -0.0}, {2, -0.0}, {-0.0, 2}}}), loops({box(-1, -1, -0.0, 1)}));
   for (const PlanePoint& p : r.loops.places.place)

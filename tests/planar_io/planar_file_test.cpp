@@ -142,6 +142,12 @@ TEST_CASE("paths of SVG are elements, and transformations attributes", "[planar_
                Catch::Contains("transformations are not applied"));
   CHECK_THAT(refusal("<svg>\n<path d=M0/></svg>", PlanarFormat::svg), Catch::Contains("text:2: expected a quoted value"));
   CHECK_THAT(refusal("<svg>\n<!-- ", PlanarFormat::svg), Catch::Contains("text:2: expected '-->'"));
+  for (const std::string& unquoted :
+       {std::string("<?it's?>"), "<?a x > " + square + " \" ?>", std::string("<!DOCTYPE svg [<!-- don't > --><!ENTITY a \"'>\"> <?b '?>]>")}) {
+    CAPTURE(unquoted);
+    CHECK(area(read_region(unquoted + "<svg>" + square + "</svg>" + unquoted, PlanarFormat::svg)) == 1);
+  }
+  CHECK_THAT(refusal("\n<!DOCTYPE svg [<!ENTITY a 'b'>", PlanarFormat::svg), Catch::Contains("text:2: expected '>'"));
   const auto notes = read_planar("<svg><rect/><!-- <circle/> --><rect/></svg>", PlanarFormat::svg, "text").notes;
   CHECK(notes == std::vector<std::string>{"only paths are read: rect was left out"});
 }

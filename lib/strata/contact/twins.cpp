@@ -105,15 +105,18 @@ bool Twins::tell(std::uint32_t f, std::uint32_t g) const {
          (of_g != none && meet_in_corners(parts_[0], of_g, in_a));
 }
 
-/// True when faces of one part are the same, or have no corners at one place under different numbers.
+/// True when faces of one part are the same, or have a corner in common and none at one place under different numbers.
 bool Twins::meet_in_corners(std::uint32_t part, std::uint32_t face, std::uint32_t other) const {
   if (face == other) return true;
   const auto points = carriers_.points(part);
   const auto &f = carriers_.faces(part)[face], &g = carriers_.faces(part)[other];
+  bool is_neighbour = false;
   for (const std::uint32_t v : f)
-    for (const std::uint32_t w : g)
+    for (const std::uint32_t w : g) {
       if (v != w && points[v] == points[w]) return false;
-  return true;
+      is_neighbour |= v == w;
+    }
+  return is_neighbour;
 }
 
 }  // namespace strata::contact

@@ -64,12 +64,12 @@ Bounded bounded_rational(const Rational& x) {
   return {value, std::abs(value) * Bounded::rounding + Bounded::underflow};
 }
 
-/// True when a meet is known well, as seen from its lines' points. False for NaN.
+/// True when a meet is known well, as seen from its lines' points. False for what is not finite.
 bool is_sharp(const Places& places, const Meet& meet, const Pair<Bounded>& p) {
   for (std::size_t i = 0; i < 2; ++i) {
     const Line l = places.lines[meet.first];
     const double scale = std::abs(p[i].value) + std::abs(places.place[l.to][i] - places.place[l.from][i]);
-    if (!(p[i].error <= scale * 0x1p-40)) return false;
+    if (!(std::isfinite(p[i].value) && p[i].error <= scale * 0x1p-40)) return false;
   }
   return true;
 }

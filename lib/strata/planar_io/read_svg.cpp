@@ -185,7 +185,7 @@ std::size_t behind(std::string_view text, std::string_view what, std::size_t fro
   return at + what.size();
 }
 
-/// The tags of elements in a text, in order. Comments, character data and declarations are passed over.
+/// The tags of elements in a text, in order. Comments, character data, instructions and declarations are passed over.
 class Tags {
  public:
   explicit Tags(std::string_view text) : text_(text) {}
@@ -195,18 +195,47 @@ class Tags {
       const std::size_t begin = text_.find('<', at_);
       if (begin == std::string_view::npos) return std::nullopt;
       const std::string_view rest = text_.substr(begin);
-      if (rest.starts_with("<!--")) {
-        at_ = behind(text_, "-->", begin + 4);
+      if (const auto end = behind_hidden(begin)) {
+        at_ = *end;
       } else if (rest.starts_with("<![CDATA[")) {
         at_ = behind(text_, "]]>", begin);
+      } else if (rest.starts_with("<!")) {
+        at_ = behind_declaration(begin);
       } else {
         at_ = end_of_tag(begin);
-        if (!rest.starts_with("<!") && !rest.starts_with("<?")) return Tag{begin, text_.substr(0, at_)};
+        return Tag{begin, text_.substr(0, at_)};
       }
     }
   }
 
  private:
+  /// Behind a comment or an instruction, in which quotes mean nothing.
+  [[nodiscard]] std::optional<std::size_t> behind_hidden(std::size_t begin) const {
+    const std::string_view rest = text_.substr(begin);
+    if (rest.starts_with("<!--")) return behind(text_, "-->", begin + 4);
+    if (rest.starts_with("<?")) return behind(text_, "?>", begin + 2);
+    return std::nullopt;
+  }
+  /// Declarations may hold others, comments and instructions.
+  [[nodiscard]] std::size_t behind_declaration(std::size_t begin) const {
+    std::size_t at = begin + 1;
+    for (std::size_t depth = 1; depth > 0;) {
+      at = text_.find_first_of("\"'<>", at);
+      if (at == std::string_view::npos) io::fail_at_line(begin, "expected '>' behind a declaration");
+      const char c = text_[at];
+      if (c == '<') {
+        const auto end = behind_hidden(at);
+        depth += end ? 0 : 1;
+        at = end.value_or(at + 1);
+      } else if (c == '>') {
+        --depth;
+        ++at;
+      } else {
+        at = behind(text_, text_.substr(at, 1), at + 1);
+      }
+    }
+    return at;
+  }
   [[nodiscard]] std::size_t end_of_tag(std::size_t begin) const {
     for (std::size_t at = begin;;) {
       at = text_.find_first_of("\"'>", at);
