@@ -143,7 +143,8 @@ TEST_CASE("paths of SVG are elements, and transformations attributes", "[planar_
   CHECK_THAT(refusal("<svg>\n<path d=M0/></svg>", PlanarFormat::svg), Catch::Contains("text:2: expected a quoted value"));
   CHECK_THAT(refusal("<svg>\n<!-- ", PlanarFormat::svg), Catch::Contains("text:2: expected '-->'"));
   for (const std::string& unquoted :
-       {std::string("<?it's?>"), "<?a x > " + square + " \" ?>", std::string("<!DOCTYPE svg [<!-- don't > --><!ENTITY a \"'>\"> <?b '?>]>")}) {
+       {std::string("<?it's?>"), "<?a x > " + square + " \" ?>",
+        std::string("<!DOCTYPE svg [<!-- don't > --><!ENTITY a \"'>\"> <?b '?>]>")}) {
     CAPTURE(unquoted);
     CHECK(area(read_region(unquoted + "<svg>" + square + "</svg>" + unquoted, PlanarFormat::svg)) == 1);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
 #include "strata/complex/carriers_of_cells.h"
 #include "strata/complex/face_geometry.h"
@@ -69,10 +70,13 @@ class FaceTriangulator {
     std::vector<std::array<Index, 2>> segments;
     for (const Wing& w : wings) segments.push_back({local(cells_.edges[w.edge][0]), local(cells_.edges[w.edge][1])});
     const Subdivision subdivision(points, segments);
-    std::vector<Index> vertex(vertices.size());
+    std::vector<Index> vertex(subdivision.vertices.mesh.vertices.size(), none);
     for (Index i = 0; i < vertices.size(); ++i) vertex[subdivision.vertex_of[i]] = vertices[i];
     for (const Index p : inner_parts(subdivision, wings)) {
       const auto& part = subdivision.parts[p];
+      const auto is_corner = [&](Index v) { return v < vertex.size() && vertex[v] != none; };
+      if (!std::all_of(part.v.begin(), part.v.end(), is_corner))
+        throw std::invalid_argument("the edges of a face cross, or do not enclose it");
       std::array<Index, 3> edges{none, none, none};
       for (std::size_t i = 0; i < 3; ++i)
         if (!part.sides[i].segments.empty()) edges[i] = first_edge_ + wings[part.sides[i].segments.front().first].edge;
