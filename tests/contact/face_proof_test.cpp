@@ -9,11 +9,12 @@ namespace {
 
 using Corners = std::array<Vertex, 3>;
 
-/// What a face in the plane z = 0, seen from above, and another one prove, whichever of them comes first.
-bool prove(const Corners& g) {
+/// Faces that must be alone for a face in the plane z = 0, seen from above, and another one to prove interference,
+/// whichever of them comes first; nothing if they do not.
+std::optional<SoleFaces> proof(const Corners& g) {
   const std::vector<Vertex> points[] = {{{-4, -4, 0}, {8, -4, 0}, {-4, 8, 0}}, {g[0], g[1], g[2]}};
   const std::vector<Triangle> face{{0, 1, 2}};
-  const auto proof = [&](std::size_t first) {
+  const auto sole = [&](std::size_t first) {
     Carriers carriers;
     carriers.add(points[first], face);
     carriers.add(points[1 - first], face);
@@ -22,10 +23,12 @@ bool prove(const Corners& g) {
     REQUIRE(meet_faces(carriers, one, other, meetings));
     return prove_interference(carriers, one, other, meetings);
   };
-  const bool found = proof(0);
-  CHECK(proof(1) == found);
+  const std::optional<SoleFaces> found = sole(0), turned = sole(1);
+  REQUIRE(found.has_value() == turned.has_value());
+  if (found) CHECK(*turned == SoleFaces{found->second, found->first, found->either});
   return found;
 }
+bool prove(const Corners& g) { return proof(g).has_value(); }
 
 // The long side of the face in z = 0 goes from (8, -4) to (-4, 8). Catches: hanging taken for standing.
 TEST_CASE("a face that reaches below another inside of it proves interference", "[contact][degenerate]") {
@@ -53,6 +56,12 @@ TEST_CASE("coplanar faces prove interference where they share an area and look t
   CHECK(prove({{{-4, -4, 0}, {8, -4, 0}, {-4, 8, 0}}}));
   CHECK_FALSE(prove({{{-4, -4, 0}, {0, -9, 0}, {8, -4, 0}}}));  // an edge in common
   CHECK_FALSE(prove({{{2, 2, 0}, {9, 9, 0}, {2, 9, 0}}}));      // a vertex on an edge
+}
+
+TEST_CASE("the part of a face that another one reaches below must have no other face there", "[contact]") {
+  CHECK(proof({{{0, 0, -1}, {1, 0, 1}, {0, 1, 1}}}) == SoleFaces{true, true, true});    // crosses: either
+  CHECK(proof({{{0, 0, 0}, {2, 1, 0}, {1, 1, -3}}}) == SoleFaces{true, false, false});  // hangs by an edge: the upper one
+  CHECK(proof({{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}}) == SoleFaces{true, true, false});    // coplanar: both
 }
 
 }  // namespace

@@ -280,5 +280,82 @@ TEST_CASE("parts interfere exactly where what they have in common has a volume",
   for (const std::size_t n : seen) CHECK(n > 20);
 }
 
+/// The hull of four to six points of a small lattice.
+Mesh lattice_hull(test::Random& random) {
+  for (;;) {
+    std::vector<Vertex> points;
+    for (int i = random.between(4, 6); i > 0; --i)
+      points.push_back({double(random.between(0, 4)), double(random.between(0, 4)), double(random.between(0, 4))});
+    if (Mesh hull = test::convex_hull(points); !hull.triangles.empty()) return hull;
+  }
+}
+
+bool shares_area(const Solid& a, const Solid& b) { return relation(a, b) != apart && region(a, b).area() > 0; }
+
+/// Shapes whose interiors are disjoint, to be listed as one mesh. Cavities of a block are among them, turned over, if
+/// they touch its surface and one another in edges and vertices only.
+std::vector<Mesh> loose_shapes(test::Random& random, const std::vector<Mesh>& pile) {
+  std::vector<Mesh> shapes;
+  if (random.once_in(2)) {
+    for (const Mesh& shape : pile)
+      if (random.once_in(2)) shapes.push_back(shape);
+    return shapes;
+  }
+  const Mesh block = test::box({0, 0, 0}, {4, 4, 4});
+  shapes.push_back(block);
+  const Solid around = Solid(test::box({-1, -1, -1}, {5, 5, 5})) - Solid(block);
+  std::vector<Solid> cavities;
+  for (const Mesh& shape : pile) {
+    const Solid cavity(shape);
+    const auto is_beside = [&](const Solid& other) { return shares_area(other, cavity); };
+    if (is_beside(around) || std::any_of(cavities.begin(), cavities.end(), is_beside)) continue;
+    cavities.push_back(cavity);
+    shapes.push_back(test::reversed(shape));
+  }
+  return shapes;
+}
+
+/// Points, loops, edges and vertices: equal for equal sets.
+bool are_equal(const ContactRegion& r, const ContactRegion& s) {
+  const auto facets_are = [](const ContactFacet& f, const ContactFacet& g) { return f.loops == g.loops; };
+  const auto edges_are = [](const ContactEdge& e, const ContactEdge& f) { return e.ends == f.ends; };
+  return r.points == s.points && r.vertices == s.vertices &&
+         std::equal(r.facets.begin(), r.facets.end(), s.facets.begin(), s.facets.end(), facets_are) &&
+         std::equal(r.edges.begin(), r.edges.end(), s.edges.begin(), s.edges.end(), edges_are);
+}
+
+// Parts that touch themselves inside of faces, with walls in them and cavities that reach their surface, against the
+// same resolved. Catches: proofs by faces that are not alone where they are; neighbours of twins that touch elsewhere;
+// edges of a contact that are inside of its facets.
+TEST_CASE("parts may touch themselves anywhere", "[contact][property][degenerate]") {
+  std::size_t seen[3] = {};
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    std::vector<Mesh> pile;
+    Solid whole;
+    for (int i = 0; i < 12; ++i) {
+      const Mesh shape = lattice_hull(random);
+      if (!(whole & Solid(shape)).is_empty()) continue;
+      whole = whole | Solid(shape);
+      pile.push_back(shape);
+    }
+    const Mesh a = test::merged(loose_shapes(random, pile));
+    std::vector<Mesh> rest;
+    for (const Mesh& shape : pile)
+      if (random.once_in(3)) rest.push_back(shape);
+    const Mesh b = test::merged(rest);
+    const Solid first(a), second(b);
+    const Solid resolved_first(a, InputClass::overlapping), resolved_second(b, InputClass::overlapping);
+    const Relation expected = relation(resolved_first, resolved_second);
+    REQUIRE((expected == interfering) == !(resolved_first & resolved_second).is_empty());
+    ++seen[static_cast<std::size_t>(expected)];
+    CHECK(relation(first, second) == expected);
+    CHECK(relation(second, first) == expected);
+    if (expected == contact) CHECK(are_equal(region(first, second), region(resolved_first, resolved_second)));
+  }
+  for (const std::size_t n : seen) CHECK(n > 20);
+}
+
 }  // namespace
 }  // namespace strata::contact

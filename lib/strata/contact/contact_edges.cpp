@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "strata/contact/convex_polygon.h"
 #include "strata/contact/line_intervals.h"
 #include "strata/kernel/box.h"
 #include "strata/kernel/filters.h"
@@ -42,45 +43,50 @@ struct OnLine {
   Intervals all, taken;
 };
 
-/// A convex polygon with its box.
-class ConvexPiece {
- public:
-  ConvexPiece(const SharedPieces& pieces, const SharedPieces::Polygon& polygon) {
-    for (const std::uint32_t n : polygon) {
-      corners_.push_back(pieces.places[n]);
-      box_.include(pieces.places.nearest(n));
-    }
-    normal_ = cross<Rational>(corners_[1] - corners_[0], corners_[2] - corners_[0]);
+/// A polygon with its box, of nearest doubles: rounding is monotone, so boxes of what meets meet.
+struct BoxedPolygon {
+  BoxedPolygon(const SharedPieces& pieces, const SharedPieces::Polygon& corners) : polygon(positions(pieces, corners)) {
+    for (const std::uint32_t n : corners) box.include(pieces.places.nearest(n));
   }
-  /// Of nearest doubles: rounding is monotone, so boxes of what meets meet.
-  [[nodiscard]] const Box& box() const { return box_; }
-
-  [[nodiscard]] bool has(const RationalPoint& p) const {
-    if (!dot<Rational>(normal_, p - corners_[0]).is_zero()) return false;
-    for (std::size_t i = 0; i < corners_.size(); ++i)
-      if (dot<Rational>(inward(i), p - corners_[i]).sign() < 0) return false;
-    return true;
+  static std::vector<RationalPoint> positions(const SharedPieces& pieces, const SharedPieces::Polygon& corners) {
+    std::vector<RationalPoint> list;
+    for (const std::uint32_t n : corners) list.push_back(pieces.places[n]);
+    return list;
   }
 
- private:
-  [[nodiscard]] RationalPoint inward(std::size_t i) const {
-    return cross<Rational>(normal_, corners_[(i + 1) % corners_.size()] - corners_[i]);
-  }
-  std::vector<RationalPoint> corners_;
-  RationalPoint normal_;
-  Box box_;
+  ConvexPolygon polygon;
+  Box box;
 };
 
-std::vector<ConvexPiece> convex_pieces(const SharedPieces& pieces) {
-  std::vector<ConvexPiece> list;
+std::vector<BoxedPolygon> boxed_polygons(const SharedPieces& pieces) {
+  std::vector<BoxedPolygon> list;
   list.reserve(pieces.polygons.size());
-  for (const auto& polygon : pieces.polygons) list.emplace_back(pieces, polygon);
+  for (const auto& corners : pieces.polygons) list.emplace_back(pieces, corners);
   return list;
+}
+
+Box box_of(const RationalPoint& p, const RationalPoint& q) {
+  Box box;
+  for (const RationalPoint* r : {&p, &q})
+    box.include(Vertex{to_nearest_double((*r)[0]), to_nearest_double((*r)[1]), to_nearest_double((*r)[2])});
+  return box;
 }
 
 bool is_on(const RationalSegment& segment, const RationalPoint& p) {
   if (!is_zero(cross<Rational>(segment[1] - segment[0], p - segment[0]))) return false;
   return segment[0] <= p && p <= segment[1];
+}
+
+/// What polygons cover of intervals of a line by their insides.
+Intervals inside_polygons(const std::vector<BoxedPolygon>& polygons, const Line& line, const Intervals& intervals) {
+  Intervals covered;
+  for (const auto& [from, to] : intervals) {
+    const Box box = box_of(line.at(from), line.at(to));
+    for (const BoxedPolygon& b : polygons)
+      if (b.box.overlaps(box))
+        if (const auto part = b.polygon.part_of_line(line.base, line.direction)) covered.push_back(*part);
+  }
+  return covered;
 }
 
 }  // namespace
@@ -96,10 +102,13 @@ std::vector<RationalSegment> contact_edges(const SharedPieces& pieces) {
   for (const auto& [p, q] : pieces.sides)
     if (const auto at = lines.find(Line(places[p], places[q])); at != lines.end())
       at->second.taken.push_back(at->first.between(places[p], places[q]));
+  const std::vector<BoxedPolygon> polygons = boxed_polygons(pieces);
   std::vector<RationalSegment> edges;
-  for (const auto& [line, intervals] : lines)
-    for (const auto& [from, to] : without(intervals.all, intervals.taken))
+  for (const auto& [line, intervals] : lines) {
+    const Intervals beside_sides = without(intervals.all, intervals.taken);
+    for (const auto& [from, to] : without(beside_sides, inside_polygons(polygons, line, beside_sides)))
       edges.push_back({line.at(from), line.at(to)});
+  }
   std::sort(edges.begin(), edges.end());
   return edges;
 }
@@ -107,14 +116,13 @@ std::vector<RationalSegment> contact_edges(const SharedPieces& pieces) {
 std::vector<RationalPoint> isolated_points(const SharedPieces& pieces, const std::vector<RationalSegment>& edges) {
   std::vector<RationalPoint> isolated;
   if (pieces.points.empty()) return isolated;
-  const std::vector<ConvexPiece> convex = convex_pieces(pieces);
+  const std::vector<BoxedPolygon> polygons = boxed_polygons(pieces);
   for (const std::uint32_t n : pieces.points) {
     const RationalPoint& p = pieces.places[n];
-    Box box;
-    box.include(pieces.places.nearest(n));
-    const auto covers = [&](const ConvexPiece& piece) { return piece.box().overlaps(box) && piece.has(p); };
+    const Box box = box_of(p, p);
+    const auto covers = [&](const BoxedPolygon& b) { return b.box.overlaps(box) && b.polygon.has(p); };
     if (std::any_of(edges.begin(), edges.end(), [&](const RationalSegment& e) { return is_on(e, p); })) continue;
-    if (std::any_of(convex.begin(), convex.end(), covers)) continue;
+    if (std::any_of(polygons.begin(), polygons.end(), covers)) continue;
     isolated.push_back(p);
   }
   std::sort(isolated.begin(), isolated.end());

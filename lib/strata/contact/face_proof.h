@@ -1,14 +1,24 @@
 #pragma once
+#include <optional>
+
 #include "strata/kernel/carriers.h"
 #include "strata/overlap/constraint.h"
 #include "strata/overlap/filtered_face.h"
 
 namespace strata::contact {
 
-/// True when two faces, and what they share, prove by themselves that the interiors of their solids meet: one reaches
-/// below the other in a segment that runs inside of that one, or they lie on one another looking the same way.
-/// theory.md, section 2.
-[[nodiscard]] bool prove_interference(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g,
-                                      const Meetings& meetings);
+/// Of two faces, those that must be the only ones of their parts around a point for what is said about it to hold.
+struct SoleFaces {
+  bool first = false, second = false;
+  bool either = false;  ///< one of them is enough
+
+  friend bool operator==(const SoleFaces&, const SoleFaces&) = default;
+};
+
+/// Faces of which one reaches below the other in a segment that runs inside of that one, or that lie on one another
+/// looking the same way: the interiors of their solids meet around a point inside of what the faces share, if there the
+/// solids have no other faces than is told. Nothing for other faces. theory.md, section 2.
+[[nodiscard]] std::optional<SoleFaces> prove_interference(const Carriers& carriers, const FilteredFace& f,
+                                                          const FilteredFace& g, const Meetings& meetings);
 
 }  // namespace strata::contact

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "strata/overlap/filtered_face.h"
+
 namespace strata::contact {
 namespace {
 
@@ -105,18 +107,12 @@ bool Twins::tell(std::uint32_t f, std::uint32_t g) const {
          (of_g != none && meet_in_corners(parts_[0], of_g, in_a));
 }
 
-/// True when faces of one part are the same, or have a corner in common and none at one place under different numbers.
+/// True when faces of one part are the same, or have nothing but corners and edges in common, as doubles tell.
 bool Twins::meet_in_corners(std::uint32_t part, std::uint32_t face, std::uint32_t other) const {
   if (face == other) return true;
-  const auto points = carriers_.points(part);
-  const auto &f = carriers_.faces(part)[face], &g = carriers_.faces(part)[other];
-  bool is_neighbour = false;
-  for (const std::uint32_t v : f)
-    for (const std::uint32_t w : g) {
-      if (v != w && points[v] == points[w]) return false;
-      is_neighbour |= v == w;
-    }
-  return is_neighbour;
+  const std::uint32_t first = carriers_.first_face(part);
+  const FilteredFace f(carriers_, part, first + face), g(carriers_, part, first + other);
+  return f.is_beside(g, f.sides_of(g)) || f.is_off(g) || g.is_off(f);
 }
 
 }  // namespace strata::contact

@@ -23,7 +23,7 @@ class Twins {
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
 
   /// True when the faces are twins, or share nothing but corners that one of them has in common with the twin of the
-  /// other one: faces of one part meet along common edges and vertices only. Not if these may have different numbers.
+  /// other one, as doubles tell.
   [[nodiscard]] bool tell(std::uint32_t f, std::uint32_t g) const;
 
  private:
