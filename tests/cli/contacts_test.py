@@ -109,7 +109,7 @@ class Contacts(ToolTest):
         one = self.report("contacts", *self.parts(), "--distance", "-j", "1")["result"]
         self.assertEqual(one, self.report("contacts", *self.parts(), "--distance", "-j", "2")["result"])
 
-    def test_parts_that_touch_themselves_in_faces_are_resolved_when_asked(self):
+    def test_parts_may_touch_themselves_in_faces(self):
         around = self.file("around.off", """OFF
 8 8 0
 0.0 0.0 8.0
@@ -140,9 +140,15 @@ class Contacts(ToolTest):
 3 0 1 3
 3 3 1 2
 """)  # fills a cavity that has an edge in a face
-        self.run_tool("contacts", around, within, expect=USAGE)
-        result = self.report("contacts", around, within, "--input", "overlapping")["result"]
+        result = self.report("contacts", around, within)["result"]
         self.assertEqual((result["contact"], result["interfering"]), (1, 0))
+        self.assertEqual(result["pairs"], self.report("contacts", around, within, "--input", "overlapping")["result"]["pairs"])
+
+    def test_parts_that_cross_themselves_are_resolved_when_asked(self):
+        points = [tuple(map(float, line.split())) for at in (0, 0.5) for line in cube(at).splitlines()[2:10]]
+        crossing = self.file("crossing.off", off(points, CUBE_FACES + [tuple(v + 8 for v in f) for f in CUBE_FACES]))
+        pair, = self.report("contacts", crossing, self.file("b.off", cube(1.5)), "--input", "overlapping")["result"]["pairs"]
+        self.assertEqual((pair["relation"], pair["area"]), ("contact", 1))
 
     def test_what_makes_no_sense_is_refused(self):
         a = self.file("a.off", cube())

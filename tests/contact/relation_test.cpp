@@ -290,6 +290,18 @@ Mesh lattice_hull(test::Random& random) {
   }
 }
 
+std::vector<Mesh> lattice_pile(test::Random& random) {
+  std::vector<Mesh> pile;
+  Solid whole;
+  for (int i = 0; i < 12; ++i) {
+    const Mesh shape = lattice_hull(random);
+    if (!(whole & Solid(shape)).is_empty()) continue;
+    whole = whole | Solid(shape);
+    pile.push_back(shape);
+  }
+  return pile;
+}
+
 bool shares_area(const Solid& a, const Solid& b) { return relation(a, b) != apart && region(a, b).area() > 0; }
 
 /// Shapes whose interiors are disjoint, to be listed as one mesh. Cavities of a block are among them, turned over, if
@@ -324,37 +336,82 @@ bool are_equal(const ContactRegion& r, const ContactRegion& s) {
          std::equal(r.edges.begin(), r.edges.end(), s.edges.begin(), s.edges.end(), edges_are);
 }
 
-// Parts that touch themselves inside of faces, with walls in them and cavities that reach their surface, against the
-// same resolved. Catches: proofs by faces that are not alone where they are; neighbours of twins that touch elsewhere;
-// edges of a contact that are inside of its facets.
+/// Parts as they are given lie to each other as the same resolved.
+void check_loose_parts(const Mesh& a, const Mesh& b, std::size_t (&seen)[3]) {
+  const Solid first(a), second(b);
+  const Solid resolved_first(a, InputClass::overlapping), resolved_second(b, InputClass::overlapping);
+  const Relation expected = relation(resolved_first, resolved_second);
+  REQUIRE((expected == interfering) == !(resolved_first & resolved_second).is_empty());
+  ++seen[static_cast<std::size_t>(expected)];
+  CHECK(relation(first, second) == expected);
+  CHECK(relation(second, first) == expected);
+  if (expected == contact) CHECK(are_equal(region(first, second), region(resolved_first, resolved_second)));
+}
+
+// Parts that touch themselves inside of faces, with walls in them and cavities that reach their surface. Catches: proofs by
+// faces that are not alone where they are; edges of a contact that are inside of its facets.
 TEST_CASE("parts may touch themselves anywhere", "[contact][property][degenerate]") {
   std::size_t seen[3] = {};
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     CAPTURE(seed);
     test::Random random(seed);
-    std::vector<Mesh> pile;
-    Solid whole;
-    for (int i = 0; i < 12; ++i) {
-      const Mesh shape = lattice_hull(random);
-      if (!(whole & Solid(shape)).is_empty()) continue;
-      whole = whole | Solid(shape);
-      pile.push_back(shape);
-    }
-    const Mesh a = test::merged(loose_shapes(random, pile));
+    const std::vector<Mesh> pile = lattice_pile(random);
     std::vector<Mesh> rest;
     for (const Mesh& shape : pile)
       if (random.once_in(3)) rest.push_back(shape);
-    const Mesh b = test::merged(rest);
-    const Solid first(a), second(b);
-    const Solid resolved_first(a, InputClass::overlapping), resolved_second(b, InputClass::overlapping);
-    const Relation expected = relation(resolved_first, resolved_second);
-    REQUIRE((expected == interfering) == !(resolved_first & resolved_second).is_empty());
-    ++seen[static_cast<std::size_t>(expected)];
-    CHECK(relation(first, second) == expected);
-    CHECK(relation(second, first) == expected);
-    if (expected == contact) CHECK(are_equal(region(first, second), region(resolved_first, resolved_second)));
+    check_loose_parts(test::merged(loose_shapes(random, pile)), test::merged(rest), seen);
   }
   for (const std::size_t n : seen) CHECK(n > 20);
+}
+
+Mesh welded(const Mesh& mesh) {
+  Mesh result;
+  result.vertices = corners_of(mesh);
+  result.vertices.erase(std::unique(result.vertices.begin(), result.vertices.end()), result.vertices.end());
+  for (Triangle t : mesh.triangles) {
+    for (std::uint32_t& v : t) {
+      const auto at = std::lower_bound(result.vertices.begin(), result.vertices.end(), mesh.vertices[v]);
+      v = static_cast<std::uint32_t>(at - result.vertices.begin());
+    }
+    result.triangles.push_back(t);
+  }
+  return result;
+}
+
+/// The tetrahedra of [0, 2]^3, and the same half as large beside them.
+std::vector<Mesh> coarse_and_fine() {
+  std::vector<Mesh> all;
+  for (const int exponent : {1, 0}) {
+    const std::array<int, 3> size = exponent == 1 ? std::array<int, 3>{1, 1, 1} : std::array<int, 3>{1, 2, 2};
+    for (std::size_t i = 0; i < 6 * static_cast<std::size_t>(size[0] * size[1] * size[2]); ++i) {
+      std::vector<bool> taken(6 * static_cast<std::size_t>(size[0] * size[1] * size[2]));
+      taken[i] = true;
+      const Mesh cell = test::scaled(test::kuhn_solid(size, taken), exponent);
+      all.push_back(exponent == 1 ? cell : test::translated(cell, {2, 0, 0}));
+    }
+  }
+  return all;
+}
+
+// Cells with all their walls, and with vertices in the middle of the edges and sides of others. Catches: neighbours of
+// twins that touch them in more than the corners they share by number.
+TEST_CASE("parts may be heaps of cells that do not match", "[contact][property][degenerate]") {
+  std::size_t seen[3] = {};
+  const std::vector<Mesh> cells = coarse_and_fine();
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    std::vector<Mesh> a, b;
+    for (const Mesh& cell : cells) {
+      const auto into = random.below(4);
+      if (into == 0) a.push_back(cell);
+      if (into == 1) b.push_back(cell);
+      if (into == 0 && random.once_in(200)) b.push_back(cell);
+    }
+    check_loose_parts(welded(test::merged(a)), welded(test::merged(b)), seen);
+  }
+  CHECK(seen[static_cast<std::size_t>(contact)] > 300);
+  CHECK(seen[static_cast<std::size_t>(interfering)] > 20);
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ void add_contacts(CommandLine& line) {
   verb->footer(fmt::format(
       R"(Every file is a part. Parts interfere when their interiors meet, are in contact when only their boundaries do, and
 are apart when they have no point in common: exactly, by the doubles in the files. Gaps of an ulp are gaps.
-Parts may touch themselves in vertices and edges that they list; with --input overlapping, anywhere.
+Parts may touch themselves anywhere; those that cross themselves want --input overlapping.
 
 Examples:
   strata contacts housing.stl shaft.stl bearing.stl --report contacts.json

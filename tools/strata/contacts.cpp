@@ -98,11 +98,8 @@ void find_facts(const Assembly& parts, std::vector<PairFacts>& pairs, const stra
           break;
         case Relation::interfering:
           pairs[i].overlap = parts.overlap(a, b);
-          if (pairs[i].overlap.is_empty())  // proved by faces that are not alone where they are
-            throw UsageError(
-                fmt::format("one of the parts {} and {} touches itself inside of faces; "
-                            "give --input overlapping",
-                            a, b));
+          if (pairs[i].overlap.is_empty())
+            throw UsageError(fmt::format("one of the parts {} and {} crosses itself; give --input overlapping", a, b));
           break;
       }
       const std::lock_guard lock(mutex);

@@ -24,9 +24,9 @@ struct RelatedPair {
 /// Solids that stand beside one another, and what is between them: interference, contacts, distances. Exact for all
 /// finite doubles and for rational vertices, at any scale.
 ///
-/// Requires solids: surfaces that meet themselves along shared edges and vertices only. Parts are numbered as given;
-/// the same solid may occur several times, and then interferes with itself. An immutable value, cheap to copy, safe to
-/// ask from many threads.
+/// Requires solids: surfaces with winding numbers 0 and 1, which may touch themselves anywhere, but have no membranes:
+/// faces that lie on one another with the solid on no side. Parts are numbered as given; the same solid may occur
+/// several times, and then interferes with itself. An immutable value, cheap to copy, safe to ask from many threads.
 class Assembly {
  public:
   /// O(vertices); trees of faces are made when they are first needed. Throws std::length_error (more than 2^32 - 2
