@@ -107,9 +107,12 @@ bool Twins::tell(std::uint32_t f, std::uint32_t g) const {
          (of_g != none && meet_in_corners(parts_[0], of_g, in_a));
 }
 
-/// True when faces of one part are the same, or have nothing but corners and edges in common, as doubles tell.
+/// True when faces of one part are the same, or have corners and nothing but corners and edges in common, as doubles
+/// tell.
 bool Twins::meet_in_corners(std::uint32_t part, std::uint32_t face, std::uint32_t other) const {
   if (face == other) return true;
+  const auto &corners = carriers_.faces(part)[face], &others = carriers_.faces(part)[other];
+  if (std::none_of(others.begin(), others.end(), [&](std::uint32_t v) { return has(corners, v); })) return false;
   const std::uint32_t first = carriers_.first_face(part);
   const FilteredFace f(carriers_, part, first + face), g(carriers_, part, first + other);
   return f.is_beside(g, f.sides_of(g)) || f.is_off(g) || g.is_off(f);
