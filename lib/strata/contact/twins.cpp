@@ -115,7 +115,7 @@ bool Twins::meet_in_corners(std::uint32_t part, std::uint32_t face, std::uint32_
   if (std::none_of(others.begin(), others.end(), [&](std::uint32_t v) { return has(corners, v); })) return false;
   const std::uint32_t first = carriers_.first_face(part);
   const FilteredFace f(carriers_, part, first + face), g(carriers_, part, first + other);
-  return f.is_beside(g, f.sides_of(g)) || f.is_off(g) || g.is_off(f);
+  return f.is_beside(g, f.sides_of(g)) || g.is_beside(f, g.sides_of(f)) || f.is_off(g) || g.is_off(f);
 }
 
 }  // namespace strata::contact
