@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 namespace strata::complex {
@@ -111,6 +112,8 @@ class Renumbering {
     for (auto& sides : new_.sides)
       for (Index& v : sides) v = volume_[v];
     for (Index v = 0; v < old_.count(3); ++v) volume_[v] = volume_[merged_.volumes.find(v)];
+    if (std::find(volume_.begin(), volume_.end(), none) != volume_.end())
+      throw std::invalid_argument("a bounded volume has no faces, or faces that are one have different volumes");
     new_.marks[3].resize(1 + *std::max_element(volume_.begin(), volume_.end()));
     for (Index v = 0; v < old_.count(3); ++v) new_.marks[3][volume_[v]] = old_.marks[3][v];
   }
