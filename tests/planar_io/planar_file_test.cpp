@@ -153,6 +153,43 @@ TEST_CASE("paths of SVG are elements, and transformations attributes", "[planar_
   CHECK(notes == std::vector<std::string>{"only paths are read: rect was left out"});
 }
 
+// Catches: shapes of a clip path or a symbol taken for drawn ones; what would change the drawn shape passed over in silence.
+TEST_CASE("paths of SVG are drawn where they stand, or it is told", "[planar_io]") {
+  const std::string square = "<path d='M0 0h1v1h-1z'/>", other = "<path d='M5 0h1v1h-1z'></path>";
+  const auto read = [](const std::string& inside) {
+    return read_planar("<svg viewBox='0 0 9 9'>" + inside + "</svg>", PlanarFormat::svg, "text");
+  };
+  for (const std::string name : {"defs", "symbol", "clipPath", "mask", "pattern", "marker", "s:defs"}) {
+    CAPTURE(name);
+    const std::string begin = "<" + name + " id='a'>", end = "</" + name + ">", empty = "<" + name + "/>";
+    const PlanarFile file = read(begin + empty + other + begin + other + end + other + end + square + empty);
+    CHECK(area(fill(file.loops)) == 1);
+    CHECK(file.notes == std::vector<std::string>{"paths that are only defined and not drawn were left out"});
+  }
+  CHECK(read("<defs><rect transform='scale(2)'/></defs>" + square).notes.empty());
+  CHECK(read("<use href='#a'/>").notes == std::vector<std::string>{"only paths are read: use was left out"});
+  for (const std::string rule : {"fill-rule='evenodd'", "style='fill:red; fill-rule : evenodd'"})
+    CHECK(read("<g " + rule + ">" + square + "</g>").notes ==
+          std::vector<std::string>{"fill-rule evenodd is not applied: give the rule with the operation"});
+  CHECK(read("<g fill-rule='nonzero' style=''>" + square + "</g>").notes.empty());
+  CHECK(read("<g style='clip-path:url(#a)'>" + square + "</g>").notes ==
+        std::vector<std::string>{"clip paths and masks are not applied"});
+  CHECK_THAT(refusal("<svg><g style='fill:red;transform:scale(2)'>" + square + "</g></svg>", PlanarFormat::svg),
+             Catch::Contains("transformations are not applied"));
+  CHECK_THAT(refusal("<svg>\n<svg x='1'>" + square + "</svg></svg>", PlanarFormat::svg),
+             Catch::Contains("text:2: svg elements inside of others are not placed"));
+  CHECK(area(fill(read("<svg>" + square + "</svg>").loops)) == 1);
+  CHECK(refusal("<svg/>" + ("<svg x='1'>" + square + "</svg>"), PlanarFormat::svg).empty());
+}
+
+TEST_CASE("a byte order mark is passed over", "[planar_io]") {
+  const std::string mark = "\xEF\xBB\xBF";
+  CHECK(area(read_region(mark + "POLYGON ((0 0, 1 0, 0 1))", PlanarFormat::wkt)) == Rational(1) / 2);
+  CHECK(area(read_region(mark + R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]})", PlanarFormat::geojson)) ==
+        Rational(1) / 2);
+  CHECK(area(read_region(mark + "M0 0h1v1z", PlanarFormat::svg)) == Rational(1) / 2);
+}
+
 TEST_CASE("formats are told by extensions and names", "[planar_io]") {
   CHECK(planar_format_of("a/b.wkt") == PlanarFormat::wkt);
   CHECK(planar_format_of("b.GEOJSON") == planar_format_of("b.json"));

@@ -27,7 +27,8 @@ struct Merged {
 };
 
 /// The cells that are left, in the order of their places: vertices lexicographically, edges by their vertices, faces
-/// and volumes by what bounds them; the unbounded cell first among those of the highest dimension.
+/// and volumes by what bounds them; the unbounded cell first among those of the highest dimension. Throws
+/// std::invalid_argument for cells that are no complex, as far as this meets them; reads nothing outside of them.
 [[nodiscard]] Cells renumbered(const Cells& cells, Merged merged);
 
 }  // namespace strata::complex

@@ -101,7 +101,7 @@ std::string to_svg(const Region& region, const Points& points) {
     text.push_back(' ');
   }
   text.back() = '"';
-  text.append(">\n<path fill-rule=\"evenodd\" d=\"");
+  text.append(">\n<path d=\"");
   for (std::uint32_t l = 0; l < region.loops.size(); ++l) {
     char command = 'M';
     for (const std::uint32_t v : region.loops.loop(l)) {
@@ -129,6 +129,7 @@ std::optional<PlanarFormat> planar_format_of(const std::filesystem::path& path) 
 }
 
 PlanarFile read_planar(std::string_view data, PlanarFormat format, std::string name) {
+  if (constexpr std::string_view mark = "\xEF\xBB\xBF"; data.starts_with(mark)) data.remove_prefix(mark.size());
   const io::Input input{std::move(name), data};
   PlanarFile file;
   try {

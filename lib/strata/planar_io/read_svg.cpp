@@ -142,14 +142,19 @@ struct Tag {
   std::size_t begin = 0;
   std::string_view text;  ///< of the file, up to the end of the tag
 
-  [[nodiscard]] std::size_t end_of_name() const { return find_of(" \t\r\n/", begin + 1); }
+  /// True for the tag that ends an element, </name>.
+  [[nodiscard]] bool is_end() const { return text.substr(begin).starts_with("</"); }
+  /// True for an element that has nothing in it, <name/>.
+  [[nodiscard]] bool is_empty() const { return text.back() == '/'; }
   /// Without the prefix of a name space.
   [[nodiscard]] std::string_view name() const {
-    const std::string_view whole = text.substr(begin + 1, end_of_name() - begin - 1);
+    const std::size_t first = begin + (is_end() ? 2 : 1);
+    const std::string_view whole = text.substr(first, end_of_name() - first);
     return whole.substr(whole.find(':') + 1);  // all of it, if there is none
   }
   /// The value of an attribute, as a range of the text.
   [[nodiscard]] std::optional<std::array<std::size_t, 2>> value(std::string_view attribute) const {
+    if (is_end()) return std::nullopt;
     for (std::size_t at = behind_white(end_of_name()); at < text.size();) {
       const std::size_t end_of_key = find_of(" \t\r\n=", at), sign = behind_white(end_of_key);
       const bool has_value = sign < text.size() && text[sign] == '=';
@@ -162,6 +167,7 @@ struct Tag {
   }
 
  private:
+  [[nodiscard]] std::size_t end_of_name() const { return find_of(" \t\r\n/", begin + (is_end() ? 2 : 1)); }
   /// The quote that closes the value behind a sign.
   [[nodiscard]] std::size_t end_of_value(std::size_t sign) const {
     const std::size_t quote = behind_white(sign + 1);
@@ -249,21 +255,95 @@ class Tags {
   std::size_t at_ = 0;
 };
 
-void read_paths(std::string_view text, RingCollector& rings, std::vector<std::string>& notes) {
-  constexpr std::array<std::string_view, 5> shapes{"polygon", "rect", "circle", "ellipse", "polyline"};
-  std::array<bool, shapes.size()> is_there{};
-  Tags tags(text);
-  while (const std::optional<Tag> tag = tags.next()) {
-    if (const auto transform = tag->value("transform"))
-      io::fail_at_line((*transform)[0], "transformations are not applied: write the path with its own coordinates");
-    const std::string_view name = tag->name();
-    for (std::size_t i = 0; i < shapes.size(); ++i) is_there[i] = is_there[i] || name == shapes[i];
-    if (name != "path") continue;
-    if (const auto data = tag->value("d")) PathReader(text, (*data)[0], (*data)[1], rings).read();
+/// Reads the paths of a document that are drawn.
+class DocumentReader {
+ public:
+  DocumentReader(std::string_view text, RingCollector& rings) : text_(text), rings_(rings) {}
+
+  void read() {
+    Tags tags(text_);
+    while (const std::optional<Tag> tag = tags.next()) {
+      if (hides(*tag)) continue;
+      refuse_placement(*tag);
+      look_at(*tag);
+    }
   }
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-    if (is_there[i]) notes.push_back("only paths are read: " + std::string(shapes[i]) + " was left out");
-}
+  /// What was left out.
+  [[nodiscard]] std::vector<std::string> notes() const {
+    std::vector<std::string> notes;
+    for (std::size_t i = 0; i < unread.size(); ++i)
+      if (has_unread_[i]) notes.push_back("only paths are read: " + std::string(unread[i]) + " was left out");
+    if (has_hidden_path_) notes.emplace_back("paths that are only defined and not drawn were left out");
+    if (has_parity_) notes.emplace_back("fill-rule evenodd is not applied: give the rule with the operation");
+    if (has_clip_) notes.emplace_back("clip paths and masks are not applied");
+    return notes;
+  }
+
+ private:
+  static constexpr std::array<std::string_view, 8> unread{"polygon", "rect", "circle", "ellipse",
+                                                          "polyline", "text", "image", "use"};
+  static constexpr std::array<std::string_view, 6> hiding{"defs", "symbol", "clipPath", "mask", "pattern", "marker"};
+
+  /// True inside of elements that are not drawn where they are.
+  bool hides(const Tag& tag) {
+    const std::string_view name = tag.name();
+    if (hidden_depth_ == 0) {
+      if (tag.is_end() || tag.is_empty() || std::find(hiding.begin(), hiding.end(), name) == hiding.end()) return false;
+      hiding_ = name;
+      hidden_depth_ = 1;
+      return true;
+    }
+    has_hidden_path_ = has_hidden_path_ || (name == "path" && !tag.is_end());
+    if (name == hiding_ && !tag.is_empty()) hidden_depth_ += tag.is_end() ? -1 : 1;
+    return true;
+  }
+
+  [[nodiscard]] std::string_view text_of(const std::array<std::size_t, 2>& range) const {
+    return text_.substr(range[0], range[1] - range[0]);
+  }
+  /// The value of a property, as an attribute or in a style.
+  [[nodiscard]] std::optional<std::array<std::size_t, 2>> property(const Tag& tag, std::string_view name) const {
+    if (const auto value = tag.value(name)) return value;
+    const auto style = tag.value("style");
+    if (!style) return std::nullopt;
+    for (std::size_t at = (*style)[0]; at < (*style)[1];) {
+      const std::size_t end = std::min(text_.find(';', at), (*style)[1]), colon = std::min(text_.find(':', at), end);
+      std::string_view key = text_.substr(at, colon - at);
+      key = key.substr(std::min(key.find_first_not_of(white), key.size()));
+      if (key.substr(0, key.find_last_not_of(white) + 1) == name) return std::array{std::min(colon + 1, end), end};
+      at = end + 1;
+    }
+    return std::nullopt;
+  }
+
+  void refuse_placement(const Tag& tag) {
+    if (const auto transform = property(tag, "transform"))
+      io::fail_at_line((*transform)[0], "transformations are not applied: write the path with its own coordinates");
+    if (tag.name() != "svg") return;
+    for (const std::string_view placement : {"x", "y", "viewBox"})
+      if (const auto value = tag.value(placement); value && depth_ > 0)
+        io::fail_at_line((*value)[0], "svg elements inside of others are not placed: write one with paths alone");
+    if (!tag.is_empty()) depth_ += tag.is_end() ? -1 : 1;
+  }
+
+  void look_at(const Tag& tag) {
+    const std::string_view name = tag.name();
+    for (std::size_t i = 0; i < unread.size(); ++i) has_unread_[i] = has_unread_[i] || name == unread[i];
+    if (const auto rule = property(tag, "fill-rule"))
+      has_parity_ = has_parity_ || text_of(*rule).find("evenodd") != std::string_view::npos;
+    has_clip_ = has_clip_ || property(tag, "clip-path") || property(tag, "mask");
+    if (name != "path") return;
+    if (const auto data = tag.value("d")) PathReader(text_, (*data)[0], (*data)[1], rings_).read();
+  }
+
+  std::string_view text_;
+  RingCollector& rings_;
+  std::string_view hiding_;  ///< the outermost element that is not drawn
+  int hidden_depth_ = 0;     ///< how many of that name are open
+  int depth_ = 0;            ///< how many svg elements are open
+  std::array<bool, unread.size()> has_unread_{};
+  bool has_hidden_path_ = false, has_parity_ = false, has_clip_ = false;
+};
 
 }  // namespace
 
@@ -273,7 +353,9 @@ Loops read_svg(std::string_view text, std::vector<std::string>& notes) {
   if (first != std::string_view::npos && text[first] != '<') {
     PathReader(text, 0, text.size(), rings).read();  // bare path data
   } else {
-    read_paths(text, rings, notes);
+    DocumentReader document(text, rings);
+    document.read();
+    notes = document.notes();
   }
   return rings.finish();
 }
