@@ -60,7 +60,7 @@ TEST_CASE("coplanar faces prove interference where they share an area and look t
 
 TEST_CASE("the part of a face that another one reaches below must have no other face there", "[contact]") {
   CHECK(proof({{{0, 0, -1}, {1, 0, 1}, {0, 1, 1}}}) == SoleFaces{true, true, true});    // crosses: either
-  CHECK(proof({{{0, 0, 0}, {2, 1, 0}, {1, 1, -3}}}) == SoleFaces{true, false, false});  // hangs by an edge: the upper one
+  CHECK(proof({{{0, 0, 0}, {2, 1, 0}, {1, 1, -3}}}) == SoleFaces{true, false, false});  // hangs by an edge: the upper
   CHECK(proof({{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}}) == SoleFaces{true, true, false});    // coplanar: both
 }
 

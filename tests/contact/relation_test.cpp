@@ -348,8 +348,8 @@ void check_loose_parts(const Mesh& a, const Mesh& b, std::size_t (&seen)[3]) {
   if (expected == contact) CHECK(are_equal(region(first, second), region(resolved_first, resolved_second)));
 }
 
-// Parts that touch themselves inside of faces, with walls in them and cavities that reach their surface. Catches: proofs by
-// faces that are not alone where they are; edges of a contact that are inside of its facets.
+// Parts that touch themselves inside of faces, with walls in them and cavities that reach their surface. Catches: proofs
+// by faces that are not alone where they are; edges of a contact that are inside of its facets.
 TEST_CASE("parts may touch themselves anywhere", "[contact][property][degenerate]") {
   std::size_t seen[3] = {};
   for (std::uint64_t seed = 0; seed < 500; ++seed) {

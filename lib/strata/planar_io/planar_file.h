@@ -30,8 +30,8 @@ struct PlanarFile {
 };
 
 /// Reads polygons; coordinates become their nearest doubles, quotients and sums of relative coordinates stay exact.
-/// Of SVG, paths that are drawn where they stand; clip paths, fill rules and other shapes are told in notes. A byte order
-/// mark is passed over. Throws IoError: missing, unreadable or malformed files, other geometries, curves in paths, and
+/// Of SVG, paths that are drawn where they stand; clip paths, fill rules and other shapes are told in notes. A byte
+/// order mark is passed over. Throws IoError: missing, unreadable or malformed files, other geometries, curves in paths, and
 /// transformations. O(size of the file).
 [[nodiscard]] PlanarFile read_planar(const std::filesystem::path& path, std::optional<PlanarFormat> format = {});
 [[nodiscard]] PlanarFile read_planar(std::string_view data, PlanarFormat format, std::string name);
