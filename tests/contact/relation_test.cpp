@@ -393,12 +393,12 @@ std::vector<Mesh> coarse_and_fine() {
   return all;
 }
 
-// Cells with all their walls, and with vertices in the middle of the edges and sides of others. Catches: neighbours of
-// twins that touch them in more than the corners they share by number.
+// Cells with all their walls, and with vertices in the middle of the edges and sides of others. Catches: walls taken for
+// the surface of a part.
 TEST_CASE("parts may be heaps of cells that do not match", "[contact][property][degenerate]") {
   std::size_t seen[3] = {};
   const std::vector<Mesh> cells = coarse_and_fine();
-  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
     CAPTURE(seed);
     test::Random random(seed);
     std::vector<Mesh> a, b;
@@ -410,8 +410,8 @@ TEST_CASE("parts may be heaps of cells that do not match", "[contact][property][
     }
     check_loose_parts(welded(test::merged(a)), welded(test::merged(b)), seen);
   }
-  CHECK(seen[static_cast<std::size_t>(contact)] > 300);
-  CHECK(seen[static_cast<std::size_t>(interfering)] > 20);
+  CHECK(seen[static_cast<std::size_t>(contact)] > 100);
+  CHECK(seen[static_cast<std::size_t>(interfering)] > 5);
 }
 
 }  // namespace
