@@ -364,55 +364,5 @@ TEST_CASE("parts may touch themselves anywhere", "[contact][property][degenerate
   for (const std::size_t n : seen) CHECK(n > 20);
 }
 
-Mesh welded(const Mesh& mesh) {
-  Mesh result;
-  result.vertices = corners_of(mesh);
-  result.vertices.erase(std::unique(result.vertices.begin(), result.vertices.end()), result.vertices.end());
-  for (Triangle t : mesh.triangles) {
-    for (std::uint32_t& v : t) {
-      const auto at = std::lower_bound(result.vertices.begin(), result.vertices.end(), mesh.vertices[v]);
-      v = static_cast<std::uint32_t>(at - result.vertices.begin());
-    }
-    result.triangles.push_back(t);
-  }
-  return result;
-}
-
-/// The tetrahedra of [0, 2]^3, and the same half as large beside them.
-std::vector<Mesh> coarse_and_fine() {
-  std::vector<Mesh> all;
-  for (const int exponent : {1, 0}) {
-    const std::array<int, 3> size = exponent == 1 ? std::array<int, 3>{1, 1, 1} : std::array<int, 3>{1, 2, 2};
-    for (std::size_t i = 0; i < 6 * static_cast<std::size_t>(size[0] * size[1] * size[2]); ++i) {
-      std::vector<bool> taken(6 * static_cast<std::size_t>(size[0] * size[1] * size[2]));
-      taken[i] = true;
-      const Mesh cell = test::scaled(test::kuhn_solid(size, taken), exponent);
-      all.push_back(exponent == 1 ? cell : test::translated(cell, {2, 0, 0}));
-    }
-  }
-  return all;
-}
-
-// Cells with all their walls, and with vertices in the middle of the edges and sides of others. Catches: walls taken for
-// the surface of a part.
-TEST_CASE("parts may be heaps of cells that do not match", "[contact][property][degenerate]") {
-  std::size_t seen[3] = {};
-  const std::vector<Mesh> cells = coarse_and_fine();
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    CAPTURE(seed);
-    test::Random random(seed);
-    std::vector<Mesh> a, b;
-    for (const Mesh& cell : cells) {
-      const auto into = random.below(4);
-      if (into == 0) a.push_back(cell);
-      if (into == 1) b.push_back(cell);
-      if (into == 0 && random.once_in(200)) b.push_back(cell);
-    }
-    check_loose_parts(welded(test::merged(a)), welded(test::merged(b)), seen);
-  }
-  CHECK(seen[static_cast<std::size_t>(contact)] > 100);
-  CHECK(seen[static_cast<std::size_t>(interfering)] > 5);
-}
-
 }  // namespace
 }  // namespace strata::contact
