@@ -58,15 +58,21 @@ bool FilteredFace::is_beside(const FilteredFace& other, const Signs& sides) cons
 namespace {
 
 /// Is all of g strictly on the other side of the line of an edge of f than f, seen along an axis? Ends that both have
-/// count as beyond. `turn(a, b, c)`: 0 when it is not known.
-template <class Turn>
-bool is_beyond_edge(const FilteredFace& f, const FilteredFace& g, std::size_t edge, const Turn& turn) {
+/// count as beyond. `turn(a, b, c)`: 0 when it is not known. `is_in_line(w, end, other)`: is w known to be on the edge's
+/// line beyond an end? If g has this end and not the other one, w counts as beyond, too.
+template <class Turn, class IsInLine>
+bool is_beyond_edge(const FilteredFace& f, const FilteredFace& g, std::size_t edge, const Turn& turn,
+                    const IsInLine& is_in_line) {
   const std::size_t from = edge, to = (edge + 1) % 3;
   const int own = turn(f, from, to, f, (edge + 2) % 3);
   if (own == 0) return false;
+  const bool has_from = g.has(f.vertices[from]), has_to = g.has(f.vertices[to]);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t w = g.vertices[i];
-    if (w != f.vertices[from] && w != f.vertices[to] && turn(f, from, to, g, i) != -own) return false;
+    if (w == f.vertices[from] || w == f.vertices[to]) continue;
+    const int side = turn(f, from, to, g, i);
+    if (side == -own) continue;
+    if (side == own || has_from == has_to || !is_in_line(i, has_from ? from : to, has_from ? to : from)) return false;
   }
   return true;
 }
@@ -94,9 +100,16 @@ bool FilteredFace::is_off(const FilteredFace& other) const {
     const auto turn = turn_of(f.corner(a), f.corner(b), g.corner(c), static_cast<int>(u), static_cast<int>(v)).sign();
     return to_int(turn.value_or(Sign::zero));
   };
+  const auto is_in_line = [&](std::size_t i, std::size_t end, std::size_t far) {
+    const auto &w = other.corners[i], &c = corners[end], &d = corners[far];
+    if (turn_by_differences({d[u], d[v]}, {c[u], c[v]}, {w[u], w[v]}) != Sign::zero) return false;
+    const std::size_t k = c[u] != d[u] ? u : v;
+    return c[k] > d[k] ? w[k] > c[k] : w[k] < c[k];
+  };
+  const auto is_unknown = [](std::size_t, std::size_t, std::size_t) { return false; };
   for (std::size_t e = 0; e < 3; ++e)
-    if (is_exact && other.is_exact ? is_beyond_edge(*this, other, e, in_doubles)
-                                   : is_beyond_edge(*this, other, e, within_bounds))
+    if (is_exact && other.is_exact ? is_beyond_edge(*this, other, e, in_doubles, is_in_line)
+                                   : is_beyond_edge(*this, other, e, within_bounds, is_unknown))
       return true;
   return false;
 }
