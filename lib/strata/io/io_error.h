@@ -7,7 +7,8 @@
 namespace strata {
 
 /// A file that cannot be read or written, or does not hold what its format demands.
-/// what() is one sentence: "part.obj:12: expected a number for y, found 'abc'".
+/// what() is one sentence: "part.obj:12: expected a number for y, found 'abc'". Control characters of the reason are
+/// shown as '?'.
 class IoError : public std::runtime_error {
  public:
   /// Where in the file: a line (text, from 1) or a byte (binary, from 0).
