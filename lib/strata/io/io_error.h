@@ -6,9 +6,8 @@
 
 namespace strata {
 
-/// A file that cannot be read or written, or does not hold what its format demands.
-/// what() is one sentence: "part.obj:12: expected a number for y, found 'abc'". Control characters of the reason are
-/// shown as '?'.
+/// A file that cannot be read or written, or does not hold what its format demands. what() is one sentence; what its
+/// reason quotes has no control characters: "part.obj:12: expected a number for y, found 'abc'".
 class IoError : public std::runtime_error {
  public:
   /// Where in the file: a line (text, from 1) or a byte (binary, from 0).
