@@ -164,6 +164,7 @@ SelectiveComplex validated(Cells cells) {
   const char* const mismatch = "cells meet otherwise than they say, or do not bound the cells that they should";
   try {
     SelectiveComplex s = SelectiveComplex::of(cells);
+    check_faces(s.cells());  // cells that contradict one another may merge to faces that are none
     if (arranged(s) == s) return s;
   } catch (const std::exception&) {
     // Simplification and arrangement trust their input; what they stumble over is no complex.
