@@ -1,0 +1,27 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "strata/planar/combine.h"
+#include "strata/planar/strands.h"
+
+namespace strata::plane {
+
+/// Operands with an edge in place of every strand, which is all of a strand that other stages have to see.
+struct Thinned {
+  std::vector<Operand> operands;  ///< of `loops`, or what was given where it has no strands
+  std::vector<Loops> loops;
+  std::vector<Strand> strands;
+  std::vector<std::vector<std::uint32_t>> strand_of;  ///< of every operand's edges, by their first vertices, as in
+                                                      ///< `Strands`; empty for an operand without strands
+};
+
+/// Chains of fewer edges within one quadrant of directions are left as they are.
+inline constexpr std::uint32_t usual_chain = 32;
+
+/// Finds strands, by the boxes of chains and their halves, down to single edges: theory.md, section 3. Where chains
+/// are short or too many boxes meet there are none. O(n + m log m) for n edges, and m chains and stretches between
+/// them. The operands must outlive the result.
+[[nodiscard]] Thinned thin(std::span<const Operand> operands, std::uint32_t shortest_chain = usual_chain);
+
+}  // namespace strata::plane
