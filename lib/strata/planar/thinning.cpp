@@ -18,9 +18,9 @@ struct Stretch {
 enum class Quadrant : std::uint8_t { left_down, right_down, left_up, right_up, none };
 
 Quadrant quadrant(const PlanePoint& p, const PlanePoint& q) {
-  const bool is_right = p[0] != q[0] ? p[0] < q[0] : p[1] < q[1];
-  const bool is_up = p[1] != q[1] ? p[1] < q[1] : p[0] < q[0];
-  if (p[0] == q[0] && p[1] == q[1]) return Quadrant::none;
+  const bool is_level = p[1] == q[1], is_vertical = p[0] == q[0];
+  if (is_level && is_vertical) return Quadrant::none;
+  const bool is_right = is_vertical ? p[1] < q[1] : p[0] < q[0], is_up = is_level ? is_right : p[1] < q[1];
   return static_cast<Quadrant>(static_cast<int>(is_right) + 2 * static_cast<int>(is_up));
 }
 
@@ -39,17 +39,18 @@ class ChainFinder {
  private:
   void cut(const Loops& loops, std::uint32_t operand, std::uint32_t loop) {
     const bool is_plain = loops.places.error.empty();
-    const auto quadrant_of = [&](std::uint32_t i) {
-      const std::uint32_t p = loops.vertices[i], q = loops.vertices[i + 1];
-      if (!is_plain && !(loops.places.is_double(p) && loops.places.is_double(q) && loops.edge_line[i] == none))
-        return Quadrant::none;
-      return quadrant(loops.places.place[p], loops.places.place[q]);
+    const auto is_fit = [&](std::uint32_t i) {
+      return is_plain || (loops.places.is_double(loops.vertices[i]) && loops.places.is_double(loops.vertices[i + 1]) &&
+                          loops.edge_line[i] == none);
     };
     const std::uint32_t last = loops.first_vertex[loop + 1] - 1;
     Stretch chain{operand, loops.first_vertex[loop], loops.first_vertex[loop]};
     Quadrant now = Quadrant::none;
+    const PlanePoint* from = &loops.places.place[loops.vertices[chain.first]];
     for (; chain.last < last; ++chain.last) {
-      const Quadrant next = quadrant_of(chain.last);
+      const PlanePoint* to = &loops.places.place[loops.vertices[chain.last + 1]];
+      const Quadrant next = is_fit(chain.last) ? quadrant(*from, *to) : Quadrant::none;
+      from = to;
       if (next == now) continue;
       add(chain, now);
       chain.first = chain.last;
@@ -99,10 +100,10 @@ struct Listed {
 /// of an edge of another chain, or of another stretch, and the first and last ones.
 class Encounters {
  public:
-  Encounters(std::span<const Operand> operands, const std::vector<Stretch>& chains, std::size_t most_steps)
-      : operands_(operands), chains_(chains), most_steps_(most_steps) {}
+  Encounters(std::span<const Operand> operands, const std::vector<Stretch>& chains, std::size_t most_pairs)
+      : operands_(operands), chains_(chains), most_pairs_(most_pairs) {}
 
-  /// In order. None at all if that takes too many steps.
+  /// In order. None at all if that takes too many pairs.
   std::vector<Listed> find() {
     std::vector<Box> boxes;
     std::vector<std::array<PlanePoint, 2>> ends;  // as of points: nothing here is straight
@@ -112,7 +113,7 @@ class Encounters {
     Strips strips(std::move(boxes), std::move(ends));
     strips_ = &strips;
     strips.sort(*this);
-    if (steps_ > most_steps_) return {};
+    if (pairs_ > most_pairs_) return {};
     for (std::uint32_t c = 0; c < chains_.size(); ++c)
       listed_.insert(listed_.end(), {{c, chains_[c].first}, {c, chains_[c].last - 1}});
     std::sort(listed_.begin(), listed_.end());
@@ -122,7 +123,7 @@ class Encounters {
 
   void enter(std::uint32_t strip) {
     strip_ = strip;
-    pairs_ = 0;
+    seen_ = 0;
   }
   void visit(std::uint32_t a, std::uint32_t b) {
     if (a >= chains_.size() && b >= chains_.size()) return;
@@ -130,9 +131,9 @@ class Encounters {
     compare(part(a), strips_->box(a), part(b), strips_->box(b));
   }
   bool is_enough(std::size_t pairs) {
-    steps_ += pairs - pairs_;
-    pairs_ = pairs;
-    return steps_ > most_steps_;
+    pairs_ += pairs - seen_;
+    seen_ = pairs;
+    return pairs_ > most_pairs_;
   }
 
  private:
@@ -145,7 +146,7 @@ class Encounters {
     return item < chains_.size() ? Part{item, chains_[item].first, chains_[item].last} : Part{};
   }
   void compare(const Part& a, const Box& box_a, const Part& b, const Box& box_b) {
-    if (!overlap(box_a, box_b) || ++steps_ > most_steps_) return;
+    if (!overlap(box_a, box_b) || ++pairs_ > most_pairs_) return;
     if (a.edges() < b.edges()) return compare(b, box_b, a, box_a);
     if (a.edges() == 1) {
       for (const Part& p : {a, b})
@@ -171,10 +172,10 @@ class Encounters {
 
   std::span<const Operand> operands_;
   const std::vector<Stretch>& chains_;
-  std::size_t most_steps_, steps_ = 0;
+  std::size_t most_pairs_, pairs_ = 0;
   const Strips* strips_ = nullptr;
   std::uint32_t strip_ = 0;
-  std::size_t pairs_ = 0;  ///< looked at in this strip
+  std::size_t seen_ = 0;  ///< pairs in this strip
   std::vector<Listed> listed_;
 };
 
@@ -237,20 +238,20 @@ Loops without(const Loops& from, std::span<const Stretch> quiet, std::uint32_t f
   return to;
 }
 
-std::vector<Stretch> find_quiet(std::span<const Operand> operands, std::uint32_t shortest_chain) {
-  constexpr std::size_t steps_per_edge = 1;
+std::vector<Stretch> find_quiet(std::span<const Operand> operands, std::uint32_t shortest_chain,
+                                std::size_t most_pairs) {
   const std::vector<Stretch> chains = ChainFinder(operands, shortest_chain).take();
   std::size_t edges = 0, in_chains = 0;
   for (const Operand& o : operands) edges += o.loops->vertices.size();
   for (const Stretch& c : chains) in_chains += c.last - c.first;
-  if (in_chains < edges / 2) return {};
-  return quiet_stretches(operands, chains, Encounters(operands, chains, steps_per_edge * edges).find());
+  if (chains.empty() || 4 * in_chains < edges) return {};
+  return quiet_stretches(operands, chains, Encounters(operands, chains, most_pairs * edges).find());
 }
 
 }  // namespace
 
-Thinned thin(std::span<const Operand> operands, std::uint32_t shortest_chain) {
-  const std::vector<Stretch> quiet = find_quiet(operands, shortest_chain);
+Thinned thin(std::span<const Operand> operands, std::uint32_t shortest_chain, std::size_t most_pairs) {
+  const std::vector<Stretch> quiet = find_quiet(operands, shortest_chain, most_pairs);
   Thinned thinned;
   thinned.operands.assign(operands.begin(), operands.end());
   thinned.loops.resize(operands.size());

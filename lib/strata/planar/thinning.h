@@ -19,9 +19,13 @@ struct Thinned {
 /// Chains of fewer edges within one quadrant of directions are left as they are.
 inline constexpr std::uint32_t usual_chain = 32;
 
-/// Finds strands, by the boxes of chains and their halves, down to single edges: theory.md, section 3. Where chains
-/// are short or too many boxes meet there are none. O(n + m log m) for n edges, and m chains and stretches between
-/// them. The operands must outlive the result.
-[[nodiscard]] Thinned thin(std::span<const Operand> operands, std::uint32_t shortest_chain = usual_chain);
+/// How many pairs of boxes may be looked at, per edge, before strands are given up.
+inline constexpr std::size_t usual_pairs = 2;
+
+/// Finds strands, by the boxes of chains and their halves, down to single edges: theory.md, section 3. Where long
+/// chains do not hold half of the edges, or too many boxes meet, there are none. O(n log n). The operands must outlive
+/// the result.
+[[nodiscard]] Thinned thin(std::span<const Operand> operands, std::uint32_t shortest_chain = usual_chain,
+                           std::size_t most_pairs = usual_pairs);
 
 }  // namespace strata::plane
