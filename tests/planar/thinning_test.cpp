@@ -68,7 +68,22 @@ Loop disturbed(Random& random, const Loop& loop) {
   return all;
 }
 
-/// Arcs, islands among them, loops given twice, loops of few vertices.
+/// Steps within one quadrant, many of them level or vertical, closed from outside.
+Loop random_stairs(Random& random, int grid, double unit) {
+  const double right = random() % 2 == 0 ? 1 : -1, up = random() % 2 == 0 ? 1 : -1;
+  double x = static_cast<double>(random() % (64 * static_cast<unsigned>(grid))),
+         y = static_cast<double>(random() % (64 * static_cast<unsigned>(grid)));
+  Loop loop;
+  for (int i = 0; i < 24; ++i) {
+    loop.push_back({unit * x, unit * y});
+    x += right * static_cast<double>(random() % 4);
+    y += up * static_cast<double>(random() % 4);
+  }
+  loop.push_back({unit * (x + 40), unit * (y + 3)});
+  return loop;
+}
+
+/// Arcs and stairs, islands among them, loops given twice, loops of few vertices.
 std::vector<Loop> random_outlines(Random& random, int grid, double unit) {
   std::vector<Loop> all = random_arcs(random, grid, unit);
   for (Loop& loop : all) {
@@ -82,6 +97,7 @@ std::vector<Loop> random_outlines(Random& random, int grid, double unit) {
     all.push_back({{x, y}, {x + r, y}, {x + r + unit, y + r}, {x, y + r}});
     if (random() % 2 == 0) std::reverse(all.back().begin(), all.back().end());
   }
+  for (std::size_t i = random() % 4; i > 0; --i) all.push_back(random_stairs(random, grid, unit));
   if (random() % 8 == 0) all.push_back(all[0]);
   if (random() % 8 == 0) all.push_back({all[0][0], all[0][random() % all[0].size()]});
   if (random() % 8 == 0) all.push_back({all[0][random() % all[0].size()]});
@@ -132,7 +148,7 @@ TEST_CASE("a result has no vertices where an outline goes straight on", "[planar
   CHECK(unite(a, circle(0, 20, 1, 200)).loops.vertices.size() == 81 + 0);
 }
 
-// Catches: edges that touch something in a strand; strands that do not follow their loops.
+// Catches: edges that touch something in a strand; strands that change their direction, or do not follow their loops.
 TEST_CASE("a strand meets nothing but its neighbours", "[planar][thinning][degenerate][property]") {
   const auto seed = GENERATE(range(0u, seeds(300)));
   CAPTURE(seed);
@@ -154,6 +170,11 @@ TEST_CASE("a strand meets nothing but its neighbours", "[planar][thinning][degen
     const std::uint32_t offset = s.loops == &a ? 0 : shift;
     for (std::uint32_t i = s.first; i < s.last; ++i) is_edge[offset + i] = 1;
     for (std::uint32_t i = s.first; i <= s.last; ++i) is_inside[offset + i] = 1;
+    std::vector<PlanePoint> points, turned;
+    for (std::uint32_t i = s.first; i <= s.last; ++i) points.push_back(s.point(i));
+    for (const PlanePoint& p : points) turned.push_back({p[1], p[0]});
+    for (const auto& ordered : {points, turned})
+      CHECK((std::is_sorted(ordered.begin(), ordered.end()) || std::is_sorted(ordered.rbegin(), ordered.rend())));
     CHECK(turn(s.point(s.first - 1), s.point(s.first), s.point(s.first + 1)) != Sign::zero);
     CHECK(turn(s.point(s.last - 1), s.point(s.last), s.point(s.last + 1)) != Sign::zero);
   }

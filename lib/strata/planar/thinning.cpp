@@ -24,7 +24,7 @@ Quadrant quadrant(const PlanePoint& p, const PlanePoint& q) {
   return static_cast<Quadrant>(static_cast<int>(is_right) + 2 * static_cast<int>(is_up));
 }
 
-/// Cuts loops into chains of edges within one quadrant. Long ones count; a loop's last edge is in none.
+/// Cuts loops into monotone chains: edges within one quadrant. Long ones count; a loop's last edge is in none.
 class ChainFinder {
  public:
   ChainFinder(std::span<const Operand> operands, std::uint32_t shortest) : shortest_(shortest) {
@@ -40,8 +40,7 @@ class ChainFinder {
   void cut(const Loops& loops, std::uint32_t operand, std::uint32_t loop) {
     const bool is_plain = loops.places.error.empty();
     const auto is_fit = [&](std::uint32_t i) {
-      return is_plain || (loops.places.is_double(loops.vertices[i]) && loops.places.is_double(loops.vertices[i + 1]) &&
-                          loops.edge_line[i] == none);
+      return is_plain || (loops.places.is_double(loops.vertices[i]) && loops.places.is_double(loops.vertices[i + 1]));
     };
     const std::uint32_t last = loops.first_vertex[loop + 1] - 1;
     Stretch chain{operand, loops.first_vertex[loop], loops.first_vertex[loop]};
@@ -97,7 +96,7 @@ struct Listed {
 };
 
 /// Lists the edges of chains that may meet anything but their neighbours in the chain: those whose boxes meet the box
-/// of an edge of another chain, or of another stretch, and the first and last ones.
+/// of an edge of another chain, or of another stretch. The first and last ones do.
 class Encounters {
  public:
   Encounters(std::span<const Operand> operands, const std::vector<Stretch>& chains, std::size_t most_pairs)
@@ -114,8 +113,6 @@ class Encounters {
     strips_ = &strips;
     strips.sort(*this);
     if (pairs_ > most_pairs_) return {};
-    for (std::uint32_t c = 0; c < chains_.size(); ++c)
-      listed_.insert(listed_.end(), {{c, chains_[c].first}, {c, chains_[c].last - 1}});
     std::sort(listed_.begin(), listed_.end());
     listed_.erase(std::unique(listed_.begin(), listed_.end()), listed_.end());
     return std::move(listed_);

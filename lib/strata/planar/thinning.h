@@ -16,15 +16,14 @@ struct Thinned {
                                                       ///< `Strands`; empty for an operand without strands
 };
 
-/// Chains of fewer edges within one quadrant of directions are left as they are.
+/// Monotone chains (theory.md, section 3) of fewer edges are left as they are.
 inline constexpr std::uint32_t usual_chain = 32;
 
 /// How many pairs of boxes may be looked at, per edge, before strands are given up.
 inline constexpr std::size_t usual_pairs = 2;
 
-/// Finds strands, by the boxes of chains and their halves, down to single edges: theory.md, section 3. Where long
-/// chains do not hold half of the edges, or too many boxes meet, there are none. O(n log n). The operands must outlive
-/// the result.
+/// Finds strands, by the boxes of monotone chains and their halves, down to single edges. Where long chains do not hold
+/// a quarter of the edges, or too many boxes meet, there are none. O(n log n). The operands must outlive the result.
 [[nodiscard]] Thinned thin(std::span<const Operand> operands, std::uint32_t shortest_chain = usual_chain,
                            std::size_t most_pairs = usual_pairs);
 
