@@ -221,4 +221,38 @@ TEST_CASE("results do not depend on strands", "[planar][thinning][degenerate][pr
   if (seed + 1 == seeds(400)) CHECK(strands > seed);  // they do come up
 }
 
+// Catches: rays and sweeps that take a strand for the line between its ends, and pass by it or see it on the wrong side.
+TEST_CASE("islands are seen between a strand and the line through its ends", "[planar][thinning][property]") {
+  const auto seed = GENERATE(range(0u, seeds(60)));
+  CAPTURE(seed);
+  Random random(seed);
+  std::uniform_real_distribution<double> radius(0.7, 1.2), angle(0, 2 * std::numbers::pi);
+  std::vector<Operand> operands;
+  const Loops rings[] = {circle(0, 0, 1, 200), circle(0, 0, 1.04, 200), circle(0, 0, 0.96, 200)};
+  for (const Loops& ring : rings) operands.emplace_back(ring);
+  std::vector<Loop> doubles, others;  // the islands' least vertices are doubles, or rationals, or meets
+  LoopsBuilder thirds;
+  for (int i = 0; i < 30; ++i) {
+    const double r = radius(random), t = angle(random), x = r * std::cos(t), y = r * std::sin(t), s = 0x1p-9;
+    if (i % 3 != 1) doubles.push_back({{x, y}, {x + s, y - s}, {x + s, y + s}});
+    if (i % 3 == 2) others.push_back({{x + s / 2, y - s}, {x + s / 2, y + s}, {x - s, y}});
+    if (i % 3 != 1) continue;
+    const Rational a = to_rational(x) + Rational(1, 3000), b = to_rational(y) + Rational(1, 7000);
+    thirds.add_vertex(RationalPlacement{a, b});
+    thirds.add_vertex(RationalPlacement{a + to_rational(s), b - to_rational(s)});
+    thirds.add_vertex(RationalPlacement{a + to_rational(s), b + to_rational(s)});
+    thirds.end_loop();
+  }
+  const Loops plain = loops(doubles), rational = thirds.finish();
+  const Region crossed = symmetric_difference(plain, loops(others));
+  operands.emplace_back(rational);
+  operands.emplace_back(crossed);
+  const Region expected = Pipeline{false}.combine(operands, Operation::symmetric_difference);
+  for (const std::size_t patience : {std::size_t{0}, endless}) {
+    Pipeline with{true, patience};
+    CHECK(listed(with.combine(operands, Operation::symmetric_difference)) == listed(expected));
+    CHECK(with.strands >= 12);
+  }
+}
+
 }  // namespace strata::plane
