@@ -221,7 +221,8 @@ TEST_CASE("results do not depend on strands", "[planar][thinning][degenerate][pr
   if (seed + 1 == seeds(400)) CHECK(strands > seed);  // they do come up
 }
 
-// Catches: rays and sweeps that take a strand for the line between its ends, and pass by it or see it on the wrong side.
+// Catches: rays and sweeps that take a strand for the line between its ends: they pass by it, or see it on the wrong
+// side.
 TEST_CASE("islands are seen between a strand and the line through its ends", "[planar][thinning][property]") {
   const auto seed = GENERATE(range(0u, seeds(60)));
   CAPTURE(seed);

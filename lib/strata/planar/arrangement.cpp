@@ -243,7 +243,8 @@ Arrangement arrange(Segments segments, const Monitor& monitor, std::size_t patie
   Arrangement a;
   std::vector<Box> boxes;
   boxes.reserve(segments.ends.size());
-  for (const auto& e : segments.ends) boxes.push_back(hull(box_of(segments.places, e[0]), box_of(segments.places, e[1])));
+  for (const auto& [p, q] : segments.ends)
+    boxes.push_back(hull(box_of(segments.places, p), box_of(segments.places, q)));
   a.first_of_run = runs_of(segments, boxes);
   std::unique_ptr<Strips> strips = strips_of(segments, boxes, a.first_of_run);
   monitor.check();

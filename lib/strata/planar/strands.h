@@ -8,8 +8,8 @@
 namespace strata::plane {
 
 /// A stretch of a loop that meets nothing but the two edges next to it: edges between points given as doubles, all
-/// within one quadrant of directions, vertical and level ones in the first or the third. So its points come in the order
-/// of x, then y, or against it, and likewise of y, then x. It turns at both of its ends.
+/// within one quadrant of directions, vertical and level ones in the first or the third. So its points come in the
+/// order of x, then y, or against it, and likewise of y, then x. It turns at both of its ends.
 /// The loops must outlive it.
 struct Strand {
   const Loops* loops = nullptr;

@@ -14,7 +14,8 @@ struct Stretch {
 };
 
 /// The closed quadrant of directions that an edge is in. A vertical edge that goes up counts as one to the right, a
-/// level one to the right as one that goes up: so points of a chain within one quadrant come in order by x, then y, too.
+/// level one to the right as one that goes up: so points of a chain within one quadrant come in order by x, then y,
+/// too.
 enum class Quadrant : std::uint8_t { left_down, right_down, left_up, right_up, none };
 
 Quadrant quadrant(const PlanePoint& p, const PlanePoint& q) {
@@ -184,7 +185,9 @@ std::vector<Stretch> quiet_stretches(std::span<const Operand> operands, const st
     if (listed[i - 1].chain != listed[i].chain) continue;
     const std::uint32_t operand = chains[listed[i].chain].operand;
     Strand s{operands[operand].loops, listed[i - 1].edge + 1, listed[i].edge};
-    const auto turns_at = [&](std::uint32_t v) { return turn(s.point(v - 1), s.point(v), s.point(v + 1)) != Sign::zero; };
+    const auto turns_at = [&](std::uint32_t v) {
+      return turn(s.point(v - 1), s.point(v), s.point(v + 1)) != Sign::zero;
+    };
     while (s.first + 1 < s.last && !turns_at(s.first)) ++s.first;
     while (s.first + 1 < s.last && !turns_at(s.last)) --s.last;
     if (s.first + 1 < s.last) quiet.push_back({operand, s.first, s.last});
