@@ -41,8 +41,10 @@ Rings run(const std::vector<Rings>& operands, strata::plane::Operation operation
   const std::vector<strata::plane::Operand> all(loops.begin(), loops.end());
   const strata::plane::Region region = strata::plane::combine(all, operation);
   Rings result(region.loops.size());
-  for (std::uint32_t l = 0; l < region.loops.size(); ++l)
+  for (std::uint32_t l = 0; l < region.loops.size(); ++l) {
+    result[l].reserve(region.loops.loop(l).size());
     for (const std::uint32_t v : region.loops.loop(l)) result[l].push_back(region.loops.places.place[v]);
+  }
   return result;
 }
 

@@ -10,7 +10,9 @@
 #include <string>
 
 #include "planar/shapes.h"
-#include "strata/planar/combine.h"
+#include "strata/planar/extract.h"
+#include "strata/planar/gather.h"
+#include "strata/planar/labels.h"
 
 // Booleans of polygons beside CGAL's Boolean_set_operations_2: a sweep over curves, no code in common.
 namespace strata::plane {
@@ -96,6 +98,14 @@ Loops random_loops(test::Random& random, std::uint64_t seed) {
   return seed % 4 == 0 ? test::in_thirds(all) : test::loops(all);
 }
 
+/// `combine` with strands wherever there are any.
+Region combined_by_strands(std::span<const Operand> operands, Operation operation) {
+  Gathered gathered = gather(thin(operands, 1, std::size_t{1} << 40));
+  const Arrangement a = arrange(std::move(gathered.segments));
+  const Subdivision s = subdivide(a, gathered.first_segment);
+  return extract(a, s, Labels(gathered, s, operands).evaluate([&](const Inside& i) { return holds(operation, i); }));
+}
+
 void compare_seeds(std::uint64_t first, std::uint64_t last) {
   if (const char* seeds = std::getenv("STRATA_SEEDS")) {  // "first-last": a part of the long run
     const std::string text = seeds;
@@ -120,6 +130,19 @@ void compare_seeds(std::uint64_t first, std::uint64_t last) {
 // Catches: whatever the library's own laws and definitions have in common with its arrangement.
 TEST_CASE("600 Booleans of random degenerate polygons are what CGAL gives", "[oracle][planar]") {
   compare_seeds(0, 600);
+}
+
+TEST_CASE("60 Booleans of outlines of arcs are what CGAL gives", "[oracle][planar]") {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    const int grid = 2 + static_cast<int>(seed % 3);
+    const Loops a = test::loops(test::random_arcs(random, grid)), b = test::loops(test::random_arcs(random, grid));
+    const auto operation = static_cast<Operation>(seed % 4);
+    const Region ours =
+        combined_by_strands(std::vector<Operand>{{a, FillRule::even_odd}, {b, FillRule::even_odd}}, operation);
+    CHECK(canonical_form(ours) == facts_of(combined(operation, parity_of(a), parity_of(b))).loops);
+  }
 }
 
 TEST_CASE("9,400 more Booleans of random degenerate polygons are what CGAL gives", "[oracle][planar][slow]") {

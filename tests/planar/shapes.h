@@ -34,6 +34,31 @@ inline std::vector<Loop> random_grid_loops(Random& random, int grid, double unit
   return all;
 }
 
+/// Points of an arc from p to q in steps of eight, q left out; straight for some pairs. The same arc back from q to p.
+inline void add_arc(const PlanePoint& p, const PlanePoint& q, double unit, Loop& loop) {
+  const bool is_back = q < p;
+  const PlanePoint &from = is_back ? q : p, &to = is_back ? p : q;
+  const PlanePoint step{(to[0] - from[0]) * 8, (to[1] - from[1]) * 8};
+  const int bulge = static_cast<int>(static_cast<unsigned>(from[0] + 5 * from[1] + 2 * to[0] + 3 * to[1]) % 4) - 1;
+  for (int i = 0; i < 8; ++i) {
+    const double j = is_back ? 8 - i : i, bend = bulge * j * (8 - j) / 2;
+    loop.push_back({unit * (64 * from[0] + j * step[0] - bend * step[1] / 8),
+                    unit * (64 * from[1] + j * step[1] + bend * step[0] / 8)});
+  }
+}
+
+/// Loops over a small grid with arcs in place of their edges: many edges and few meetings, but arcs that coincide, run
+/// back, touch at their ends, and go straight.
+inline std::vector<Loop> random_arcs(Random& random, int grid, double unit = 1) {
+  std::vector<Loop> all;
+  for (const Loop& corners : random_grid_loops(random, grid)) {
+    Loop& loop = all.emplace_back();
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      add_arc(corners[i], corners[(i + 1) % corners.size()], unit, loop);
+  }
+  return all;
+}
+
 /// The same in thirds, which are no doubles.
 inline Loops in_thirds(const std::vector<Loop>& all) {
   LoopsBuilder builder;

@@ -32,28 +32,10 @@ class Names {
   std::vector<std::uint32_t> name_;
 };
 
-Box box_of(const Places& places, const std::array<std::uint32_t, 2>& ends) {
-  if (places.is_double(ends[0]) && places.is_double(ends[1])) {
-    const PlanePoint &p = places.place[ends[0]], &q = places.place[ends[1]];
-    return {std::min(p[0], q[0]), std::max(p[0], q[0]), std::min(p[1], q[1]), std::max(p[1], q[1])};
-  }
-  Box box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
-  for (const std::uint32_t p : ends) {
-    const Bounded x = places.bounded(p, 0), y = places.bounded(p, 1);
-    box = {std::min(box.left, x.lower()), std::max(box.right, x.upper()), std::min(box.low, y.lower()),
-           std::max(box.high, y.upper())};
-  }
-  return box;
-}
-
 double size_of(const Box& box) { return (box.right - box.left) + (box.high - box.low); }
 
-Box hull(const Box& a, const Box& b) {
-  return {std::min(a.left, b.left), std::max(a.right, b.right), std::min(a.low, b.low), std::max(a.high, b.high)};
-}
-
 /// Consecutive segments that make progress, up to eight together: fewer things to sort, and boxes that are little
-/// larger.
+/// larger. What stands for a strand is alone.
 std::vector<std::uint32_t> runs_of(const Segments& segments, const std::vector<Box>& boxes) {
   constexpr std::uint32_t longest = 8;
   constexpr double progress = 0.6;  // of the box in what the segments measure
@@ -64,6 +46,7 @@ std::vector<std::uint32_t> runs_of(const Segments& segments, const std::vector<B
     const Box joined = s > 0 ? hull(box, boxes[s]) : boxes[s];
     const double size = size_of(boxes[s]);
     const bool goes_on = s > 0 && s - first.back() < longest && segments.ends[s - 1][1] == segments.ends[s][0] &&
+                         !segments.strands.holds(s - 1) && !segments.strands.holds(s) &&
                          size_of(joined) >= progress * (total + size);
     if (!goes_on) first.push_back(s);
     box = goes_on ? joined : boxes[s];
@@ -84,13 +67,10 @@ std::unique_ptr<Strips> strips_of(const Segments& segments, const std::vector<Bo
     run_boxes.push_back(box);
     const PlanePoint& from = segments.places.place[segments.ends[first][0]];
     const PlanePoint& to = segments.places.place[segments.ends[first][1]];
-    ends.push_back({from, end - first == 1 ? to : from});  // only what is straight is cut along its line
+    const bool is_straight = end - first == 1 && !segments.strands.holds(first);
+    ends.push_back({from, is_straight ? to : from});  // only what is straight is cut along its line
   }
   return std::make_unique<Strips>(std::move(run_boxes), std::move(ends));
-}
-
-bool overlap(const Box& a, const Box& b) {
-  return a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
 }
 
 /// Finds where segments meet, pair by pair where boxes meet: within runs, and between runs that share a strip. What
@@ -124,6 +104,7 @@ class MeetingSearch {
     points_before_ = segments_.places.size();
   }
   void visit(std::uint32_t q, std::uint32_t r) {
+    if (is_strand(q) || is_strand(r)) return;
     for (std::uint32_t s = first_of_run_[q]; s < first_of_run_[q + 1]; ++s) {
       if (!overlap(boxes_[s], strips_.box(r))) continue;
       for (std::uint32_t t = first_of_run_[r]; t < first_of_run_[r + 1]; ++t) {
@@ -147,6 +128,8 @@ class MeetingSearch {
   }
 
  private:
+  /// Strands meet nothing.
+  [[nodiscard]] bool is_strand(std::uint32_t run) const { return segments_.strands.holds(first_of_run_[run]); }
   /// True when a run of given doubles goes strictly up, or down, in a coordinate: then its segments meet only in the
   /// ends that they share.
   [[nodiscard]] bool is_monotone(std::uint32_t run, std::size_t axis) const {
@@ -175,6 +158,7 @@ class MeetingSearch {
     std::sort(runs.begin(), runs.end());
     runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
     std::vector<SweptSegment> swept;
+    std::erase_if(runs, [&](std::uint32_t r) { return is_strand(r); });
     for (const std::uint32_t r : runs)
       for (std::uint32_t s = first_of_run_[r]; s < first_of_run_[r + 1]; ++s)
         swept.push_back({s, segments_.ends[s][0], segments_.ends[s][1]});
@@ -259,7 +243,8 @@ Arrangement arrange(Segments segments, const Monitor& monitor, std::size_t patie
   Arrangement a;
   std::vector<Box> boxes;
   boxes.reserve(segments.ends.size());
-  for (const auto& e : segments.ends) boxes.push_back(box_of(segments.places, e));
+  for (const auto& [p, q] : segments.ends)
+    boxes.push_back(hull(box_of(segments.places, p), box_of(segments.places, q)));
   a.first_of_run = runs_of(segments, boxes);
   std::unique_ptr<Strips> strips = strips_of(segments, boxes, a.first_of_run);
   monitor.check();
@@ -273,6 +258,7 @@ Arrangement arrange(Segments segments, const Monitor& monitor, std::size_t patie
   a.vertex_of = names.take();
   a.places = std::move(segments.places);
   a.ends = std::move(segments.ends);
+  a.strands = std::move(segments.strands);
   for (auto& e : a.ends) e = {a.vertex_of[e[0]], a.vertex_of[e[1]]};
   a.is_fold.assign(a.places.size(), 0);
   for (const std::uint32_t p : found.folds) a.is_fold[a.vertex_of[p]] = 1;

@@ -6,16 +6,18 @@
 
 #include "strata/mesh/monitor.h"
 #include "strata/planar/places.h"
+#include "strata/planar/strands.h"
 #include "strata/planar/strips.h"
 
 namespace strata::plane {
 
 /// Segments of the plane, to be split where they meet. Line i of `places` carries segment i and points its way; further
 /// lines are those that meets among the given points refer to. A segment from a point to itself stands for this point
-/// alone.
+/// alone. A segment that stands for a strand is a piece as it is: the strand meets no other segment but in its ends.
 struct Segments {
   Places places;
   std::vector<std::array<std::uint32_t, 2>> ends;  ///< of segment i: points it goes from and to
+  Strands strands;
 };
 
 /// Segments split where they meet: vertices, and pieces between them.
@@ -33,6 +35,7 @@ struct Arrangement {
   std::vector<std::uint32_t> first_piece;            ///< of every segment, and the count of pieces
   std::vector<std::array<std::uint32_t, 2>> pieces;  ///< from vertex to vertex
   std::vector<std::uint8_t> is_fold;                 ///< of every vertex: two segments leave it the same way
+  Strands strands;                                   ///< that segments stand for
   std::vector<std::uint32_t> first_of_run;           ///< segments in runs of a few consecutive ones, and their count
   std::unique_ptr<const Strips> strips;              ///< where runs are, for queries
 

@@ -3,6 +3,7 @@
 #include "strata/planar/extract.h"
 #include "strata/planar/gather.h"
 #include "strata/planar/labels.h"
+#include "strata/planar/thinning.h"
 
 namespace strata::plane {
 namespace {
@@ -12,7 +13,8 @@ Region combine_where(std::span<const Operand> operands, const Holds& holds, cons
   Inside outside;
   outside.is_in.resize(operands.size());
   if (holds(outside)) throw UnboundedResult();
-  Gathered gathered = gather(operands);
+  Thinned thinned = thin(operands);
+  Gathered gathered = gather(thinned);
   const Arrangement arrangement = arrange(std::move(gathered.segments), monitor);
   monitor.report(0.5);
   const Subdivision subdivision = subdivide(arrangement, gathered.first_segment);

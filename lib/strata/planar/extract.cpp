@@ -9,14 +9,15 @@
 namespace strata::plane {
 namespace {
 
-/// A corner of a loop in the arrangement's numbers: a vertex, and the line of the edge that leaves it, which goes along
-/// or against.
+/// A corner of a loop in the arrangement's numbers: a vertex, and the segment of the edge that leaves it, which goes
+/// along or against. (The segment's line has the same number.) Where it stands for a strand, that is what leaves.
 struct Corner {
   std::uint32_t vertex = 0, line = 0;
   bool against = false;
 };
 
-Sign turn(const Places& places, const Corner& in, const Corner& out) {
+/// Requires that none of them is a strand.
+Sign turn_at(const Places& places, const Corner& in, const Corner& out) {
   const Sign s = cross(places, in.line, out.line);
   return in.against == out.against ? s : -s;
 }
@@ -69,7 +70,7 @@ class CornerFinder {
     const std::size_t begin = all.size();
     const Corner* before = &loop_.back();
     for (const Corner& corner : loop_) {
-      if (is_shared_[corner.vertex] || turn(a_.places, *before, corner) != Sign::zero) all.push_back(corner);
+      if (is_corner(*before, corner)) all.push_back(corner);
       before = &corner;
     }
     const auto first = all.begin() + static_cast<std::ptrdiff_t>(begin);
@@ -77,8 +78,13 @@ class CornerFinder {
       return compare_xy(a_.places, p.vertex, q.vertex) == Sign::negative;
     });
     std::rotate(first, least, all.end());
-    result_.is_outer.push_back(turn(a_.places, all.back(), *first) == Sign::positive);
+    result_.is_outer.push_back(turn_at(a_.places, all.back(), *first) == Sign::positive);
     result_.first.push_back(static_cast<std::uint32_t>(all.size()));
+  }
+  /// Strands turn at both ends.
+  [[nodiscard]] bool is_corner(const Corner& before, const Corner& corner) const {
+    return is_shared_[corner.vertex] || a_.strands.holds(before.line) || a_.strands.holds(corner.line) ||
+           turn_at(a_.places, before, corner) != Sign::zero;
   }
 
   const Arrangement& a_;
@@ -132,9 +138,12 @@ class PlacesCopy {
     need_point(from_.lines[l].from);
     need_point(from_.lines[l].to);
   }
+  /// How many points that takes.
+  [[nodiscard]] std::size_t points() const {
+    return static_cast<std::size_t>(
+        std::count_if(point_.begin(), point_.end(), [](std::uint32_t number) { return number != none; }));
+  }
   void copy() {
-    const auto is_needed = [](std::uint32_t number) { return number != none; };
-    to_.place.reserve(static_cast<std::size_t>(std::count_if(point_.begin(), point_.end(), is_needed)));
     for (std::uint32_t p = 0; p < from_.given(); ++p)
       if (point_[p] != none) point_[p] = add_given(p);
     for (std::uint32_t l = 0; l < from_.lines.size(); ++l) {
@@ -174,6 +183,78 @@ class PlacesCopy {
   std::vector<std::uint32_t> point_, line_;
 };
 
+/// Writes loops of corners down as a region's, strands with all their vertices inside them.
+class LoopWriter {
+ public:
+  LoopWriter(const Arrangement& a, const CornerLoops& corners, Loops& to)
+      : a_(a), corners_(corners), to_(to), copy_(a.places, to.places) {}
+
+  void write(const std::vector<std::uint32_t>& order) {
+    std::size_t inside = 0;
+    for_each_corner(order, [&](const Corner& c, const Corner& next) {
+      copy_.need_point(c.vertex);
+      if (needs_line(c, next)) copy_.need_line(c.line);
+      if (a_.strands.holds(c.line)) inside += a_.strands.of(c.line).last - a_.strands.of(c.line).first - 1;
+    });
+    to_.places.place.reserve(inside + copy_.points());
+    for_each_corner(order, [&](const Corner& c, const Corner&) {
+      if (a_.strands.holds(c.line)) add_inside(c);
+    });
+    to_.vertices.reserve(corners_.corners.size() + to_.places.size());
+    to_.edge_line.reserve(corners_.corners.size() + to_.places.size());
+    copy_.copy();
+    add_loops(order);
+  }
+
+ private:
+  /// visit(corner, next corner), in the order of the result.
+  template <class Visit>
+  void for_each_corner(std::span<const std::uint32_t> order, const Visit& visit) const {
+    for (const std::uint32_t l : order)
+      for (std::uint32_t i = corners_.first[l], end = corners_.first[l + 1]; i < end; ++i)
+        visit(corners_.corners[i], corners_.corners[i + 1 < end ? i + 1 : corners_.first[l]]);
+  }
+  [[nodiscard]] bool needs_line(const Corner& from, const Corner& to) const {
+    return a_.places.is_meet(from.vertex) || a_.places.is_meet(to.vertex);
+  }
+  /// The vertices inside a strand where it turns, as the loop comes to them: the first points of the result.
+  void add_inside(const Corner& corner) {
+    const Strand& s = a_.strands.of(corner.line);
+    std::vector<PlanePoint>& place = to_.places.place;
+    const std::size_t begin = place.size();
+    PlanePoint before = s.point(s.first), at = s.point(s.first + 1);
+    for (std::uint32_t i = s.first + 2; i <= s.last; ++i) {
+      const PlanePoint after = s.point(i);
+      if (turn(before, at, after) != Sign::zero) place.push_back(at);
+      before = at;
+      at = after;
+    }
+    if (corner.against) std::reverse(place.begin() + static_cast<std::ptrdiff_t>(begin), place.end());
+    inside_.push_back(static_cast<std::uint32_t>(place.size() - begin));
+  }
+  void add_loops(const std::vector<std::uint32_t>& order) {
+    std::uint32_t next_inside = 0;
+    auto count = inside_.begin();
+    for (const std::uint32_t l : order) {
+      for_each_corner({&l, 1}, [&](const Corner& c, const Corner& next) {
+        to_.vertices.push_back(copy_.point(c.vertex));
+        to_.edge_line.push_back(needs_line(c, next) ? copy_.line(c.line) : none);
+        if (!a_.strands.holds(c.line)) return;
+        for (const std::uint32_t end = next_inside + *count++; next_inside < end;)
+          to_.vertices.push_back(next_inside++);
+        to_.edge_line.resize(to_.vertices.size(), none);
+      });
+      to_.first_vertex.push_back(static_cast<std::uint32_t>(to_.vertices.size()));
+    }
+  }
+
+  const Arrangement& a_;
+  const CornerLoops& corners_;
+  Loops& to_;
+  PlacesCopy copy_;
+  std::vector<std::uint32_t> inside_;  ///< of every strand, in the order of the result: how many vertices
+};
+
 }  // namespace
 
 Region extract(const Arrangement& a, const Subdivision& s, const std::vector<std::uint8_t>& label) {
@@ -181,31 +262,7 @@ Region extract(const Arrangement& a, const Subdivision& s, const std::vector<std
   const CornerLoops corners = CornerFinder(a, s).find(boundary);
   Region region;
   const std::vector<std::uint32_t> order = order_loops(a.places, boundary, corners, region.first_loop);
-
-  PlacesCopy copy(a.places, region.loops.places);
-  const auto next_corner = [&](std::uint32_t loop, std::uint32_t i) {
-    return corners.corners[i + 1 < corners.first[loop + 1] ? i + 1 : corners.first[loop]];
-  };
-  const auto needs_line = [&](const Corner& from, const Corner& to) {
-    return a.places.is_meet(from.vertex) || a.places.is_meet(to.vertex);
-  };
-  for (const std::uint32_t l : order)
-    for (std::uint32_t i = corners.first[l]; i < corners.first[l + 1]; ++i) {
-      const Corner& c = corners.corners[i];
-      copy.need_point(c.vertex);
-      if (needs_line(c, next_corner(l, i))) copy.need_line(c.line);
-    }
-  copy.copy();
-  region.loops.vertices.reserve(corners.corners.size());
-  region.loops.edge_line.reserve(corners.corners.size());
-  for (const std::uint32_t l : order) {
-    for (std::uint32_t i = corners.first[l]; i < corners.first[l + 1]; ++i) {
-      const Corner& c = corners.corners[i];
-      region.loops.vertices.push_back(copy.point(c.vertex));
-      region.loops.edge_line.push_back(needs_line(c, next_corner(l, i)) ? copy.line(c.line) : none);
-    }
-    region.loops.first_vertex.push_back(static_cast<std::uint32_t>(region.loops.vertices.size()));
-  }
+  LoopWriter(a, corners, region.loops).write(order);
   return region;
 }
 

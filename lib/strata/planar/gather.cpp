@@ -154,4 +154,17 @@ class Gatherer {
 
 Gathered gather(std::span<const Operand> operands, bool keep_names) { return Gatherer(operands).gather(keep_names); }
 
+Gathered gather(Thinned thinned) {
+  Gathered gathered = gather(thinned.operands);
+  if (thinned.strands.empty()) return gathered;
+  Strands& strands = gathered.segments.strands;
+  strands.strands = std::move(thinned.strands);
+  strands.strand_of.reserve(gathered.edge_of.size());
+  for (std::size_t s = 0; s < gathered.edge_of.size(); ++s) {
+    const auto& strand_of = thinned.strand_of[gathered.operand_of[s]];
+    strands.strand_of.push_back(strand_of.empty() ? none : strand_of[gathered.edge_of[s]]);
+  }
+  return gathered;
+}
+
 }  // namespace strata::plane

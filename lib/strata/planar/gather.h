@@ -1,6 +1,7 @@
 #pragma once
 #include "strata/planar/arrangement.h"
 #include "strata/planar/combine.h"
+#include "strata/planar/thinning.h"
 
 namespace strata::plane {
 
@@ -16,5 +17,7 @@ struct Gathered {
 
 /// Equal doubles, and equal rationals, get one name. `name_of` is filled if asked for. O(n).
 [[nodiscard]] Gathered gather(std::span<const Operand> operands, bool keep_names = false);
+/// The same, with segments that stand for strands.
+[[nodiscard]] Gathered gather(Thinned thinned);
 
 }  // namespace strata::plane

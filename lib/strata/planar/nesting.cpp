@@ -13,10 +13,10 @@ struct Crossed {
 };
 
 /// True when q lies to the right of p at the ray's height. Pieces do not cross; from a common lower end they part or
-/// coincide.
+/// coincide. (No two that have one are strands: what is next to a strand comes from below it, or goes level.)
 bool is_right_of(const Arrangement& a, const Crossed& p, const Crossed& q) {
   const auto side_of = [&](std::uint32_t v, const Crossed& c) {
-    const Sign s = side(a.places, v, c.segment);
+    const Sign s = a.strands.side(a.places, v, c.segment);
     return c.upward ? s : -s;
   };
   if (p.low != q.low) {
@@ -67,7 +67,7 @@ class LeftwardRay {
   bool meet(std::uint32_t segment) {
     const bool starts_below = is_below(a_.ends[segment][0]);
     if (starts_below == is_below(a_.ends[segment][1])) return false;
-    if (side(a_.places, vertex_, segment) != (starts_below ? Sign::negative : Sign::positive)) return false;
+    if (a_.strands.side(a_.places, vertex_, segment) != (starts_below ? Sign::negative : Sign::positive)) return false;
     const std::uint32_t piece = piece_of(segment, starts_below);
     const auto [from, to] = a_.pieces[piece];
     const Crossed met{piece, segment, starts_below ? from : to, starts_below ? to : from, starts_below};
@@ -122,7 +122,7 @@ void Nesting::sweep() {
       half_edge.push_back(2 * c);
     });
   }
-  SweepLine line(a_.places, pieces);
+  SweepLine line(a_.places, pieces, &a_.strands);
   below_.assign(a_.places.size(), none);
   SweepLine::Event event;
   const std::vector<SweepLine::End> ends = line.ends_in_order();

@@ -13,6 +13,21 @@ struct Box {
   double left = 0, right = 0, low = 0, high = 0;
 };
 
+/// Around a point, as far as it is known.
+[[nodiscard]] inline Box box_of(const Places& places, std::uint32_t p) {
+  if (const PlanePoint& q = places.place[p]; places.is_double(p)) return {q[0], q[0], q[1], q[1]};
+  const Bounded x = places.bounded(p, 0), y = places.bounded(p, 1);
+  return {x.lower(), x.upper(), y.lower(), y.upper()};
+}
+
+[[nodiscard]] inline Box hull(const Box& a, const Box& b) {
+  return {std::min(a.left, b.left), std::max(a.right, b.right), std::min(a.low, b.low), std::max(a.high, b.high)};
+}
+
+[[nodiscard]] inline bool overlap(const Box& a, const Box& b) {
+  return a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
+}
+
 /// Horizontal strips of the plane, each with the segments that come into it. Two segments that meet share a strip in
 /// which their boxes meet: heights are mapped to strips by a monotone function, and a segment's part in a strip is only
 /// ever overestimated. Strips are of equal height, or, where segments crowd, of equal crowds.

@@ -4,9 +4,10 @@
 
 namespace strata::plane {
 
-SweepLine::SweepLine(const Places& places, std::span<const SweptSegment> segments)
+SweepLine::SweepLine(const Places& places, std::span<const SweptSegment> segments, const Strands* strands)
     : places_(places),
       segments_(segments),
+      strands_(strands),
       is_backwards_(segments.size()),
       next_(segments.size(), none),
       place_of_(segments.size(), none) {

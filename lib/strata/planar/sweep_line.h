@@ -5,6 +5,7 @@
 
 #include "strata/planar/ordered_list.h"
 #include "strata/planar/predicates.h"
+#include "strata/planar/strands.h"
 
 namespace strata::plane {
 
@@ -21,8 +22,8 @@ struct SweptSegment {
 /// Requires that the line stops at every end of a segment and at every crossing.
 class SweepLine {
  public:
-  /// Segments are known by their numbers in `segments`.
-  SweepLine(const Places& places, std::span<const SweptSegment> segments);
+  /// Segments are known by their numbers in `segments`; lines may be those of segments that stand for strands.
+  SweepLine(const Places& places, std::span<const SweptSegment> segments, const Strands* strands = nullptr);
 
   /// An end of a segment, at a point.
   struct End {
@@ -39,7 +40,8 @@ class SweepLine {
 
   /// Positive when a point is above a segment, which reaches as far to both sides as the point.
   [[nodiscard]] Sign side_of(std::uint32_t point, std::uint32_t segment) const {
-    const Sign s = side(places_, point, segments_[segment].line);
+    const std::uint32_t line = segments_[segment].line;
+    const Sign s = strands_ != nullptr ? strands_->side(places_, point, line) : side(places_, point, line);
     return is_backwards_[segment] ? -s : s;
   }
 
@@ -72,6 +74,7 @@ class SweepLine {
 
   const Places& places_;
   std::span<const SweptSegment> segments_;
+  const Strands* strands_;
   std::vector<std::uint8_t> is_backwards_;
   OrderedList bundles_;
   std::vector<std::uint32_t> first_;     ///< of every bundle: a segment
