@@ -144,6 +144,11 @@ class Contacts(ToolTest):
         self.assertEqual((result["contact"], result["interfering"]), (1, 0))
         self.assertEqual(result["pairs"], self.report("contacts", around, within, "--input", "overlapping")["result"]["pairs"])
 
+        deeper = self.file("deeper.off", within.read_text().replace("5.0\n", f"{5 - 2.0 ** -40}\n"))
+        pair, = self.report("contacts", around, deeper)["result"]["pairs"]
+        self.assertEqual(pair, self.report("contacts", around, deeper, "--input", "overlapping")["result"]["pairs"][0])
+        self.assertEqual(pair["relation"], "interfering")
+
     def test_parts_that_cross_themselves_are_resolved_when_asked(self):
         points = [tuple(map(float, line.split())) for at in (0, 0.5) for line in cube(at).splitlines()[2:10]]
         crossing = self.file("crossing.off", off(points, CUBE_FACES + [tuple(v + 8 for v in f) for f in CUBE_FACES]))

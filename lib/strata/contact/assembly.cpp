@@ -79,7 +79,12 @@ ContactRegion Assembly::contact_region(std::uint32_t a, std::uint32_t b) const {
 
 Solid Assembly::overlap(std::uint32_t a, std::uint32_t b) const {
   if (parts_->common_box(a, b).empty()) return {};
-  return part(a) & part(b);
+  try {
+    return part(a) & part(b);
+  } catch (const InputError&) {  // a part touches itself inside of a face, which shows where the other one comes near
+    const auto resolved = [&](std::uint32_t p) { return Solid(part(p).exact_mesh(), InputClass::overlapping); };
+    return resolved(a) & resolved(b);
+  }
 }
 
 Nearest Assembly::nearest(std::uint32_t a, std::uint32_t b) const { return nearest_of(*parts_, a, b); }
