@@ -49,7 +49,8 @@ class Assembly {
   [[nodiscard]] Relation relation(std::uint32_t a, std::uint32_t b) const;
   /// Where two parts touch. Requires that they do not interfere; nothing where they are apart.
   [[nodiscard]] ContactRegion contact_region(std::uint32_t a, std::uint32_t b) const;
-  /// What two parts have in common, regularized: a solid with exact vertices; empty unless they interfere.
+  /// What two parts have in common, regularized: a solid with exact vertices; empty unless they interfere. Where it
+  /// shows that one touches itself inside of faces, both are resolved first.
   [[nodiscard]] Solid overlap(std::uint32_t a, std::uint32_t b) const;
   /// The least distance of two parts that are apart, and where it is. Requires that neither is empty.
   [[nodiscard]] Nearest nearest(std::uint32_t a, std::uint32_t b) const;

@@ -43,27 +43,31 @@ struct OnLine {
   Intervals all, taken;
 };
 
-/// A polygon with its box, of nearest doubles: rounding is monotone, so boxes of what meets meet.
-struct BoxedPolygon {
-  BoxedPolygon(const SharedPieces& pieces, const SharedPieces::Polygon& corners) : polygon(positions(pieces, corners)) {
-    for (const std::uint32_t n : corners) box.include(pieces.places.nearest(n));
+/// The polygons with their boxes, of nearest doubles: rounding is monotone, so boxes of what meets meet.
+class BoxedPolygons {
+ public:
+  explicit BoxedPolygons(const SharedPieces& pieces) : pieces_(pieces), boxes_(pieces.polygons.size()) {
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      for (const std::uint32_t n : pieces.polygons[i]) boxes_[i].include(pieces.places.nearest(n));
   }
-  static std::vector<RationalPoint> positions(const SharedPieces& pieces, const SharedPieces::Polygon& corners) {
-    std::vector<RationalPoint> list;
-    for (const std::uint32_t n : corners) list.push_back(pieces.places[n]);
-    return list;
+  /// Calls `visit(polygon)` for those whose boxes meet a box; ends, and returns false, when it does.
+  template <class Visit>
+  bool for_each_near(const Box& box, const Visit& visit) const {
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      if (boxes_[i].overlaps(box) && !visit(polygon(i))) return false;
+    return true;
   }
 
-  ConvexPolygon polygon;
-  Box box;
+ private:
+  [[nodiscard]] ConvexPolygon polygon(std::size_t i) const {
+    std::vector<RationalPoint> corners;
+    for (const std::uint32_t n : pieces_.polygons[i]) corners.push_back(pieces_.places[n]);
+    return ConvexPolygon(std::move(corners));
+  }
+
+  const SharedPieces& pieces_;
+  std::vector<Box> boxes_;
 };
-
-std::vector<BoxedPolygon> boxed_polygons(const SharedPieces& pieces) {
-  std::vector<BoxedPolygon> list;
-  list.reserve(pieces.polygons.size());
-  for (const auto& corners : pieces.polygons) list.emplace_back(pieces, corners);
-  return list;
-}
 
 Box box_of(const RationalPoint& p, const RationalPoint& q) {
   Box box;
@@ -78,14 +82,13 @@ bool is_on(const RationalSegment& segment, const RationalPoint& p) {
 }
 
 /// What polygons cover of intervals of a line by their insides.
-Intervals inside_polygons(const std::vector<BoxedPolygon>& polygons, const Line& line, const Intervals& intervals) {
+Intervals inside_polygons(const BoxedPolygons& polygons, const Line& line, const Intervals& intervals) {
   Intervals covered;
-  for (const auto& [from, to] : intervals) {
-    const Box box = box_of(line.at(from), line.at(to));
-    for (const BoxedPolygon& b : polygons)
-      if (b.box.overlaps(box))
-        if (const auto part = b.polygon.part_of_line(line.base, line.direction)) covered.push_back(*part);
-  }
+  for (const auto& [from, to] : intervals)
+    polygons.for_each_near(box_of(line.at(from), line.at(to)), [&](const ConvexPolygon& polygon) {
+      if (const auto part = polygon.part_of_line(line.base, line.direction)) covered.push_back(*part);
+      return true;
+    });
   return covered;
 }
 
@@ -102,7 +105,7 @@ std::vector<RationalSegment> contact_edges(const SharedPieces& pieces) {
   for (const auto& [p, q] : pieces.sides)
     if (const auto at = lines.find(Line(places[p], places[q])); at != lines.end())
       at->second.taken.push_back(at->first.between(places[p], places[q]));
-  const std::vector<BoxedPolygon> polygons = boxed_polygons(pieces);
+  const BoxedPolygons polygons(pieces);
   std::vector<RationalSegment> edges;
   for (const auto& [line, intervals] : lines) {
     const Intervals beside_sides = without(intervals.all, intervals.taken);
@@ -116,14 +119,12 @@ std::vector<RationalSegment> contact_edges(const SharedPieces& pieces) {
 std::vector<RationalPoint> isolated_points(const SharedPieces& pieces, const std::vector<RationalSegment>& edges) {
   std::vector<RationalPoint> isolated;
   if (pieces.points.empty()) return isolated;
-  const std::vector<BoxedPolygon> polygons = boxed_polygons(pieces);
+  const BoxedPolygons polygons(pieces);
   for (const std::uint32_t n : pieces.points) {
     const RationalPoint& p = pieces.places[n];
-    const Box box = box_of(p, p);
-    const auto covers = [&](const BoxedPolygon& b) { return b.box.overlaps(box) && b.polygon.has(p); };
     if (std::any_of(edges.begin(), edges.end(), [&](const RationalSegment& e) { return is_on(e, p); })) continue;
-    if (std::any_of(polygons.begin(), polygons.end(), covers)) continue;
-    isolated.push_back(p);
+    const bool is_free = polygons.for_each_near(box_of(p, p), [&](const ConvexPolygon& q) { return !q.has(p); });
+    if (is_free) isolated.push_back(p);
   }
   std::sort(isolated.begin(), isolated.end());
   return isolated;

@@ -20,9 +20,7 @@ IoError Input::error(const Malformed& malformed) const {
 
 std::string quoted(std::string_view word) {
   constexpr std::size_t longest = 32;
-  std::string text = "'";
-  for (const char c : word.substr(0, longest)) text += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  return text + "'";
+  return "'" + std::string(word.substr(0, longest)) + "'";
 }
 
 }  // namespace strata::io

@@ -33,7 +33,7 @@ struct Input {
   [[nodiscard]] IoError error(const Malformed& malformed) const;
 };
 
-/// A word for a message: in quotes, 32 bytes at most, control characters as '?'.
+/// A word for an error: in quotes, 32 bytes at most.
 [[nodiscard]] std::string quoted(std::string_view word);
 
 [[noreturn]] inline void fail(std::string reason) { throw Malformed{std::move(reason)}; }
