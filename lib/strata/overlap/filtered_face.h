@@ -27,7 +27,7 @@ struct FilteredFace {
   /// True when a face with these sides, but for vertices that both have, is strictly on one side of this one's plane.
   [[nodiscard]] bool is_beside(const FilteredFace& other, const Signs& sides) const;
   /// True when, seen along the axis across which this face is widest, the line of one of its edges has the face on one
-  /// side and all of the other face on the other one, strictly or beyond an end, but for ends of the edge that both have.
+  /// side and all of the other face on the other, strictly or beyond an end, but for ends of the edge that both have.
   [[nodiscard]] bool is_off(const FilteredFace& other) const;
 
   /// A corner within bounds.
