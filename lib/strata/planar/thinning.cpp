@@ -258,7 +258,8 @@ Thinned thin(std::span<const Operand> operands, std::uint32_t shortest_chain, st
   thinned.strand_of.resize(operands.size());
   for (const Stretch& s : quiet) thinned.strands.push_back({operands[s.operand].loops, s.first, s.last});
   for (std::uint32_t i = 0; i < operands.size(); ++i) {
-    const auto [first, last] = std::ranges::equal_range(quiet, i, {}, &Stretch::operand);
+    const auto first = std::ranges::lower_bound(quiet, i, {}, &Stretch::operand);
+    const auto last = std::ranges::upper_bound(quiet, i, {}, &Stretch::operand);
     if (first == last) continue;
     thinned.loops[i] = without(*operands[i].loops, {first, last}, static_cast<std::uint32_t>(first - quiet.begin()),
                                thinned.strand_of[i]);
