@@ -1,5 +1,6 @@
 #include "strata/convex/minkowski.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -53,6 +54,37 @@ Mesh small_convex(Random& random) {
   }
 }
 
+/// Some cells of a square lattice as columns of one height or two: rings of any shape, whose rims touch themselves in
+/// vertices and have other columns beside them.
+std::vector<Solid> columns(Random& random, int cells, double side) {
+  std::vector<Solid> columns;
+  for (int x = 0; x < cells; ++x)
+    for (int y = 0; y < cells; ++y) {
+      const bool is_inner = x % (cells - 1) != 0 && y % (cells - 1) != 0;
+      const double height = random.below(6) > 0 ? 1 : 2;
+      if (random.below(is_inner ? 2 : 12) > 0)
+        columns.push_back(box({x * side, y * side, 0}, {(x + 1) * side, (y + 1) * side, height}));
+    }
+  return columns;
+}
+
+/// The sums of all pairs of convex solids.
+Solid of_pairs(const std::vector<Solid>& a, const std::vector<Solid>& b) {
+  std::vector<Solid> sums;
+  for (const Solid& p : a)
+    for (const Solid& q : b) sums.push_back(Solid::trusted(mesh_of(sum(polytope(p.mesh()), polytope(q.mesh())))));
+  return unite(sums);
+}
+
+void check_sum_of_columns(std::uint64_t seed) {
+  CAPTURE(seed);
+  constexpr std::array<double, 5> sides{0.25, 0.5, 0.75, 1, 1.5};
+  Random random(seed);
+  const auto cells = static_cast<int>(2 + seed % 3);
+  const std::vector<Solid> a = columns(random, 4, 1), b = columns(random, cells, sides[random.below(5)]);
+  REQUIRE(minkowski_sum(unite(a), unite(b)) == of_pairs(a, b));
+}
+
 }  // namespace
 
 TEST_CASE("boxes add up to boxes, and moving is adding a point", "[convex][minkowski]") {
@@ -72,6 +104,16 @@ TEST_CASE("a box fills the hole and the cavity that it does not fit into", "[con
     CHECK(minkowski_sum(with_hole, Solid(b)) == by_pieces(with_hole, polytope(b)));
     CHECK(minkowski_sum(with_cavity, Solid(b)) == by_pieces(with_cavity, polytope(b)));
   }
+}
+
+// Catches: rings taken for larger than they are, by rims that touch themselves or have more rims beside them.
+TEST_CASE("flat rings of any shape, with what fits into their holes and what does not", "[convex][minkowski]") {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) check_sum_of_columns(seed);
+  for (const std::uint64_t telling : {314, 326}) check_sum_of_columns(telling);
+}
+
+TEST_CASE("more flat rings", "[.][slow][minkowski]") {
+  for (std::uint64_t seed = 30; seed < 1000; ++seed) check_sum_of_columns(seed);
 }
 
 // Catches: a wall between two parts of one solid taken for something that is in the way.

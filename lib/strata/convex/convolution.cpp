@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "strata/convex/directions.h"
+#include "strata/convex/rings.h"
 #include "strata/convex/sum_points.h"
-#include "strata/kernel/disjoint_sets.h"
 
 namespace strata::convex {
 namespace {
@@ -69,8 +69,8 @@ class Convolver {
         monitor_(monitor) {}
 
   Convolution run() {
-    if (has_rings(a_, a_directions_, b_directions_)) return {{}, true};
-    if (!b_.is_convex && has_rings(b_, b_directions_, a_directions_)) return {{}, true};
+    if (has_rings(a_, a_directions_, b_, b_directions_)) return {{}, true};
+    if (!b_.is_convex && has_rings(b_, b_directions_, a_, a_directions_)) return {{}, true};
     find_crossings();
     monitor_.check();
     add_parallelograms();
@@ -301,72 +301,6 @@ class Convolver {
     std::vector<std::vector<std::uint32_t>> parts_;
     std::vector<Step> steps_;
   };
-
-  /// Is there a ring of one surface that faces as some face of the other one does?
-  static bool has_rings(const Surface& surface, const Directions<N>& own, const Directions<N>& other) {
-    for (const std::uint32_t m : different_normals(other)) {
-      std::vector<std::uint32_t> level;
-      for (std::uint32_t e = 0; e < surface.edges.size(); ++e)
-        if (product_sign(other.normals, m, own.edges, e) == 0) level.push_back(e);
-      if (level.size() >= 3 && has_ring(surface, own, other, m, level)) return true;
-    }
-    return false;
-  }
-
-  /// A face for every direction; some directions more than once, by normals of different lengths.
-  static std::vector<std::uint32_t> different_normals(const Directions<N>& directions) {
-    std::map<std::array<double, 3>, std::uint32_t> first;
-    std::vector<std::uint32_t> result;
-    for (std::uint32_t f = 0; f < directions.normals.size(); ++f) {
-      std::array<double, 3> n = directions.normals.approximate[f];
-      const bool is_axis = (n[0] != 0) + (n[1] != 0) + (n[2] != 0) == 1;
-      if (is_axis)
-        for (double& x : n) x = x == 0 ? 0 : x > 0 ? 1 : -1;
-      const auto [at, is_new] = first.emplace(n, f);
-      if (is_new || (!is_axis && directions.normals.exact[f] != directions.normals.exact[at->second]))
-        result.push_back(f);
-    }
-    return result;
-  }
-
-  /// Of the edges at right angles to a normal and the faces between them, those from which nothing near rises: parts
-  /// with as many edges as vertices and faces, or more, surround something.
-  static bool has_ring(const Surface& surface, const Directions<N>& own, const Directions<N>& other, std::uint32_t m,
-                       const std::vector<std::uint32_t>& level) {
-    std::map<std::uint32_t, int> level_sides;
-    for (const std::uint32_t e : level)
-      for (const std::uint32_t f : {surface.edges[e].left, surface.edges[e].right}) ++level_sides[f];
-    const auto is_level = [&](std::uint32_t f) {
-      return level_sides[f] == static_cast<int>(surface.faces[f].size()) &&
-             sign_number(dot(own.normals.exact[f], other.normals.exact[m])) > 0;
-    };
-    std::map<std::uint32_t, std::uint32_t> number;
-    const auto number_of = [&](std::uint32_t v) {
-      return number.emplace(v, static_cast<std::uint32_t>(number.size())).first->second;
-    };
-    std::vector<std::uint32_t> edges;
-    std::map<std::uint32_t, std::uint32_t> faces;  // with a vertex
-    for (const std::uint32_t e : level) {
-      const SurfaceEdge& edge = surface.edges[e];
-      const bool beside_face = is_level(edge.left) || is_level(edge.right);
-      const bool is_top = own.bend[e] >= 0 && product_sign(other.normals, m, own.towards, 2 * e) <= 0 &&
-                          product_sign(other.normals, m, own.towards, 2 * e + 1) <= 0;
-      if (!beside_face && !is_top) continue;
-      edges.push_back(e);
-      number_of(edge.from);
-      number_of(edge.to);
-      for (const std::uint32_t f : {edge.left, edge.right})
-        if (is_level(f)) faces.emplace(f, edge.from);
-    }
-    DisjointSets<std::uint32_t> parts(number.size());
-    for (const std::uint32_t e : edges) parts.unite(number[surface.edges[e].from], number[surface.edges[e].to]);
-    std::map<std::uint32_t, int> characteristic;
-    for (const auto& [v, n] : number) ++characteristic[parts.find(n)];
-    for (const std::uint32_t e : edges) --characteristic[parts.find(number[surface.edges[e].from])];
-    for (const auto& [f, v] : faces) ++characteristic[parts.find(number[v])];
-    return std::any_of(edges.begin(), edges.end(),
-                       [&](std::uint32_t e) { return characteristic[parts.find(number[surface.edges[e].from])] <= 0; });
-  }
 
   const Surface& a_;
   const Surface& b_;

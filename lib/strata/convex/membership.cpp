@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "strata/convex/outline.h"
 #include "strata/convex/sum.h"
 #include "strata/kernel/disjoint_sets.h"
 
@@ -94,13 +95,37 @@ Side side_of_solid(const ExactMesh& solid, const NearPoint& point) {
   return above > 0 && !is_in_front ? Side::in : Side::out;
 }
 
+/// Both sides of a triangle.
+Outline outline_of(const Mesh& mesh, const Triangle& t) {
+  const Vertex &p = mesh.vertices[t[0]], &q = mesh.vertices[t[1]], &r = mesh.vertices[t[2]];
+  Outline outline({p, q, r});
+  outline.add_facet(p, q, r);
+  outline.add_facet(p, r, q);
+  return outline;
+}
+
+Outline outline_of(const Polytope& polytope) {
+  Outline outline(polytope.vertices);
+  for (const auto& loop : polytope.facets) {
+    const Vertex &p = polytope.vertices[loop[0]], &q = polytope.vertices[loop[1]], &r = polytope.vertices[loop[2]];
+    outline.add_facet(p, q, r);
+    if (polytope.dimension < 3) outline.add_facet(p, r, q);
+  }
+  return outline;
+}
+
 }  // namespace
 
 Side side_of(const Polytope& polytope, const NearPoint& point) {
   const bool is_flat = polytope.dimension < 3;
   if (polytope.dimension < 2) return Side::out;
   bool unknown = false;
+  const Vertex near = nearest(point.p);
   for (const auto& loop : polytope.facets) {
+    const auto certain =
+        rounded_side(polytope.vertices[loop[0]], polytope.vertices[loop[1]], polytope.vertices[loop[2]], near);
+    if (!is_flat && certain == Sign::negative) continue;
+    if (!is_flat && certain == Sign::positive) return Side::out;
     const RationalPoint p = polytope.position(loop[0]);
     const RationalPoint normal = cross(minus(polytope.position(loop[1]), p), minus(polytope.position(loop[2]), p));
     const Rational height = dot(normal, minus(point.p, p));
@@ -153,7 +178,9 @@ SumMembership::SumMembership(const ExactMesh& a, const Surface& of_a, const Exac
       pieces_of_a_(triangles_of(a)),
       pieces_of_b_(b != nullptr ? triangles_of(*b) : pieces_of(*whole_b)),
       parts_of_a_(parts_of(of_a)),
-      parts_of_b_(parts_of(of_b)) {}
+      parts_of_b_(parts_of(of_b)) {
+  if (whole_b != nullptr) outline_of_b_ = outline_of(*whole_b);
+}
 
 Side SumMembership::side(const NearPoint& point) const {
   const Vertex near = nearest(point.p);
@@ -168,8 +195,10 @@ Side SumMembership::side(const NearPoint& point) const {
   };
   for (std::size_t j = 0; j < pieces_of_b_.boxes.size(); ++j) {
     Polytope of_b;
+    const Outline outline_of_b = b_ == nullptr ? *outline_of_b_ : outline_of(b_->mesh, b_->mesh.triangles[j]);
     for (std::size_t i = 0; i < pieces_of_a_.boxes.size(); ++i) {
       if (!may_cover(pieces_of_a_.boxes[i], pieces_of_b_.boxes[j])) continue;
+      if (sum_misses(outline_of(a_.mesh, a_.mesh.triangles[i]), outline_of_b, near)) continue;
       if (of_b.dimension < 0)
         of_b = b_ == nullptr ? pieces_of_b_.polytopes[j] : triangle_polytope(*b_, b_->mesh.triangles[j]);
       switch (side_of(sum(triangle_polytope(a_, a_.mesh.triangles[i]), of_b), point)) {

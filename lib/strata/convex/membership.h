@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "strata/convex/outline.h"
 #include "strata/convex/polytope.h"
 #include "strata/convex/surface.h"
 #include "strata/exact/rational.h"
@@ -49,6 +50,7 @@ class SumMembership {
   const ExactMesh& a_;
   const ExactMesh* b_;
   Pieces pieces_of_a_, pieces_of_b_;
+  std::optional<Outline> outline_of_b_;                              ///< of a polytope
   std::vector<std::vector<RationalPoint>> parts_of_a_, parts_of_b_;  ///< vertices of every shell
 };
 
