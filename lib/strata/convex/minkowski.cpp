@@ -1,5 +1,7 @@
 #include "strata/convex/minkowski.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <compare>
@@ -86,26 +88,31 @@ std::vector<std::vector<std::uint32_t>> patches_of(const Mesh& mesh) {
   return patches;
 }
 
-/// Is what is in front of a patch part of the sum as well? Nothing if no point that is tried tells.
-std::optional<bool> is_inner(const ExactMesh& mesh, const std::vector<std::uint32_t>& patch,
-                             const SumMembership& membership) {
+/// Is what is in front of a patch part of the sum as well? Unknown if no point that is tried tells.
+Side side_in_front(const ExactMesh& mesh, const std::vector<std::uint32_t>& patch, const SumMembership& membership) {
   constexpr int tries = 64;
   for (int k = 1; k <= tries; ++k) {
     const Triangle& t = mesh.mesh.triangles[patch[static_cast<std::size_t>(k - 1) % patch.size()]];
     const Side side = membership.side({inner_point(mesh, t, k + 1), exact_normal(mesh, t)});
-    if (side != Side::unknown) return side == Side::in;
+    if (side != Side::unknown) return side;
   }
-  return std::nullopt;
+  return Side::unknown;
 }
 
 /// Nothing if some patch is not decided.
-std::optional<ExactMesh> without_inner_patches(ExactMesh mesh, const SumMembership& membership) {
+std::optional<ExactMesh> without_inner_patches(ExactMesh mesh, const SumMembership& membership,
+                                               const Monitor& monitor) {
+  const auto patches = patches_of(mesh.mesh);
+  std::vector<Side> in_front(patches.size());
+  tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t i) {
+    monitor.check();
+    in_front[i] = side_in_front(mesh, patches[i], membership);
+  });
   std::vector<Triangle> kept;
-  for (const auto& patch : patches_of(mesh.mesh)) {
-    const std::optional<bool> inner = is_inner(mesh, patch, membership);
-    if (!inner) return std::nullopt;
-    if (!*inner)
-      for (const std::uint32_t f : patch) kept.push_back(mesh.mesh.triangles[f]);
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    if (in_front[i] == Side::unknown) return std::nullopt;
+    if (in_front[i] == Side::out)
+      for (const std::uint32_t f : patches[i]) kept.push_back(mesh.mesh.triangles[f]);
   }
   if (kept.size() < mesh.mesh.triangles.size()) mesh.mesh.triangles = std::move(kept);
   return mesh;
@@ -137,18 +144,22 @@ class General {
       found = convolution(of_a_, of_b_, monitor);
     });
     if (!found.has_rings)
-      if (auto sum = resolved(std::move(found.surface))) return Solid::trusted(std::move(*sum));
+      if (auto sum = resolved(std::move(found.surface), monitor)) return Solid::trusted(std::move(*sum));
     return by_pieces(monitor);
   }
 
  private:
   /// The surface of the sum, from the convolution.
-  std::optional<ExactMesh> resolved(ExactMesh surface) const {
+  std::optional<ExactMesh> resolved(ExactMesh surface, const Monitor& monitor) const {
     mark_as_checked(surface);
     BooleanResult outer = unite_checked(std::span(&surface, 1), InputClass::overlapping, options_);
     const SumMembership membership(a_.exact_mesh(), of_a_, b_ != nullptr ? &b_->exact_mesh() : nullptr, of_b_,
                                    whole_b_);
-    return without_inner_patches({std::move(outer.mesh), std::move(outer.exact)}, membership);
+    std::optional<ExactMesh> sum;
+    arena_for(options_).execute([&] {
+      sum = without_inner_patches({std::move(outer.mesh), std::move(outer.exact)}, membership, monitor);
+    });
+    return sum;
   }
 
   /// The union of the sums of all pairs of convex pieces.

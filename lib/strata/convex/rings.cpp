@@ -179,7 +179,9 @@ bool has_rings(const Surface& surface, const Directions<N>& directions, const Su
     const std::vector<std::uint32_t> level = level_edges(directions, of_other.normals, m);
     if (level.size() < 3) continue;
     const LevelSet<N> set(surface, directions, of_other.normals, m, level);
-    const Rims rims(surface, set.rims_of_rings());
+    const std::vector<std::uint32_t> around_rings = set.rims_of_rings();
+    if (around_rings.empty()) continue;
+    const Rims rims(surface, around_rings);
     for (const Box& part : boxes_of_parts(other, level_edges(of_other, of_other.normals, m)))
       if (rims.may_fit(part)) return true;
   }

@@ -111,10 +111,17 @@ BooleanResult combine_in_stages(const Rule& rule, std::span<const Operand> given
   return result;
 }
 
+/// How many faces of plain solids take as long. Those that are no doubles, or that may cross others of their operand,
+/// as in the convolutions of Minkowski sums, take ten times as long and more.
+std::size_t worth_in_faces(std::span<const Operand> operands, InputClass input) {
+  std::size_t worth = 0;
+  for (const Operand& o : operands)
+    worth += o.mesh.triangles.size() * (o.exact.empty() && input == InputClass::solid ? 1 : 10);
+  return worth;
+}
+
 BooleanResult combine(const Rule& rule, std::span<const Operand> operands, const Options& options) {
-  std::size_t faces = 0;
-  for (const Operand& o : operands) faces += o.mesh.triangles.size();
-  tbb::task_arena arena = arena_for(options, faces);
+  tbb::task_arena arena = arena_for(options, worth_in_faces(operands, options.input));
   BooleanResult result;
   arena.execute([&] { result = combine_in_stages(rule, operands, options); });
   return result;
