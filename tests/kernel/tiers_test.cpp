@@ -182,6 +182,37 @@ TEST_CASE("a vertex that is the sum of two doubles needs no more bits than these
   check_tier(Tier::twofold, Sign::negative, [&] { return orient3d(lower, 0U, 1U, 2U, 3U); });
 }
 
+// Catches: coordinates taken for equal whose nearest doubles are, what is left of a sum that is forgotten by a meet.
+TEST_CASE("coordinates in common need no integers, even as sums of two doubles", "[kernel]") {
+  const double least = 0x1p-60;
+  const Rational sum = to_rational(1) + to_rational(least), less = to_rational(1) - to_rational(least);
+  const auto rational = [](double x) { return to_rational(x); };
+  // All in the plane z = 1 + 2^-60 but the fifth, which is 2^-59 below it; edges 0 1 and 2 3 cross.
+  const std::vector<Carriers::Coordinates> points{{0.1, 0.3, 1}, {0.7, 0.9, 1}, {0.1, 0.7, 1}, {0.9, 0.3, 1},
+                                                  {0.3, 0.1, 1}, {0.7, 0.3, 0}, {0.7, 0.3, 2}, {0.2, 0.7, 1}};
+  std::vector<ExactVertex> exact;
+  for (const std::uint32_t v : {0U, 1U, 2U, 3U, 4U, 7U})
+    exact.push_back({v, {rational(points[v][0]), rational(points[v][1]), v == 4 ? less : sum}});
+  const std::vector<Carriers::Indices> faces{{0, 3, 1}};
+  Carriers carriers;
+  carriers.add(points, faces, exact);
+  check_tier(Tier::twofold, Sign::zero, [&] { return orient3d(carriers, 0U, 1U, 2U, 3U); });
+  CHECK(orient3d(carriers, 0U, 3U, 1U, 4U) == Sign::negative);
+  CHECK(orient3d(carriers, 0U, 1U, 3U, 4U) == Sign::positive);
+  const Point meet = make_point(carriers, PointName::edge_edge(0, 1, 2, 3));
+  const Point in_face = make_point(carriers, PointName::edge_face(5, 6, 0));
+  for (const Point& p : {meet, in_face}) {
+    CHECK(exact_position(carriers, p)[2] == sum);
+    CHECK(to_rational(p.fine[2].value) + to_rational(p.fine[2].low) == sum);
+    CHECK(p.fine[2].error == 0);
+  }
+  // Seen along y: the points at one height are in line, the fifth is not.
+  const Projection projection{.u = 2, .v = 0};
+  const Point at[] = {make_point(carriers, PointName::input(0)), make_point(carriers, PointName::input(4))};
+  check_tier(Tier::twofold, Sign::zero, [&] { return orient2d(carriers, projection, at[0], meet, in_face); });
+  CHECK(orient2d(carriers, projection, at[0], meet, at[1]) != Sign::zero);
+}
+
 // Lines in a plane x = 0, so far apart in size that no long integer holds their meet: the axis along which they do not
 // meet must not be taken for the answer. Catches: the sign of a lost value that is read.
 TEST_CASE("a meet of edges that no long integer holds is found by unbounded ones", "[kernel][degenerate]") {

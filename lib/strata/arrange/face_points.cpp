@@ -12,8 +12,52 @@ namespace strata {
 using namespace triangle_index;
 
 namespace {
+
 constexpr std::size_t few = 32;
-}
+
+/// What vertices show to be in the plane of a face.
+class PlaneOfFace {
+ public:
+  PlaneOfFace(const Carriers& carriers, std::uint32_t face)
+      : carriers_(carriers), face_(face), corners_(carriers.face(face)) {}
+
+  /// Certain where the answer is yes: an edge or a face through the point is in the plane.
+  [[nodiscard]] bool has(const PointName& name) const {
+    const auto& id = name.id;
+    switch (name.kind) {
+      case PointName::Kind::input:
+        return has_vertex(id[0]);
+      case PointName::Kind::edge_edge:
+        return has_edge(id[0], id[1]) || has_edge(id[2], id[3]);
+      case PointName::Kind::edge_face:
+        return has_face(id[2]) || has_edge(id[0], id[1]);
+      case PointName::Kind::three_faces:
+        return has_face(id[0]) || has_face(id[1]) || has_face(id[2]);
+      case PointName::Kind::weighted:
+      case PointName::Kind::free:
+        return false;
+    }
+    return false;
+  }
+
+ private:
+  [[nodiscard]] bool has_vertex(std::uint32_t v) const {
+    return v == corners_[0] || v == corners_[1] || v == corners_[2] ||
+           orient3d(carriers_, corners_[0], corners_[1], corners_[2], v) == Sign::zero;
+  }
+  [[nodiscard]] bool has_edge(std::uint32_t v, std::uint32_t w) const { return has_vertex(v) && has_vertex(w); }
+  [[nodiscard]] bool has_face(std::uint32_t face) const {
+    if (face == face_) return true;
+    const auto v = carriers_.face(face);
+    return has_vertex(v[0]) && has_vertex(v[1]) && has_vertex(v[2]);
+  }
+
+  const Carriers& carriers_;
+  std::uint32_t face_;
+  Carriers::Indices corners_;
+};
+
+}  // namespace
 
 void FacePoints::start(std::uint32_t face) {
   face_ = face;
@@ -70,7 +114,7 @@ Sign FacePoints::turn(std::int32_t a, std::int32_t b, std::int32_t c) const {
   if (const auto sign = filtered_orient2d(projection_, p, q, r)) return *sign;
   if (collinear_by_name(p, q, r)) return Sign::zero;
   if (const auto sign = refined_orient2d(projection_, p, q, r)) return *sign;
-  if (collinear_by_edges(p, q, r) || collinear_by_planes(p, q, r)) return Sign::zero;
+  if (collinear_by_edges(p, q, r) || collinear_by_planes(p, q, r) || collinear_by_faces(p, q, r)) return Sign::zero;
   return exact_orient2d(carriers_, projection_, p, q, r);
 }
 
@@ -149,6 +193,18 @@ bool FacePoints::collinear_by_edges(const Point& p, const Point& q, const Point&
   std::sort(ends.begin(), ends.end());
   if (std::unique(ends.begin(), ends.end()) != ends.begin() + 4) return false;
   return orient3d(carriers_, ends[0], ends[1], ends[2], ends[3]) == Sign::zero;
+}
+
+/// Three points of this face are collinear when they lie in the plane of another face, too: as where edges of coplanar
+/// faces cross this one. Degree 3, where the turn has 11.
+bool FacePoints::collinear_by_faces(const Point& p, const Point& q, const Point& r) const {
+  for (const Point* x : {&p, &q, &r}) {
+    const std::uint32_t g = x->name.id[2];
+    if (x->name.kind != PointName::Kind::edge_face || g == face_) continue;
+    const PlaneOfFace plane(carriers_, g);
+    if (plane.has(p.name) && plane.has(q.name) && plane.has(r.name)) return leaves_plane(carriers_.face(g));
+  }
+  return false;
 }
 
 }  // namespace strata

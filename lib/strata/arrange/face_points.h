@@ -52,6 +52,7 @@ class FacePoints {
  private:
   [[nodiscard]] bool collinear_by_name(const Point& p, const Point& q, const Point& r) const;
   [[nodiscard]] bool collinear_by_planes(const Point& p, const Point& q, const Point& r) const;
+  [[nodiscard]] bool collinear_by_faces(const Point& p, const Point& q, const Point& r) const;
   [[nodiscard]] bool is_surely_other_plane(const SourcePlane& plane) const;
   [[nodiscard]] bool collinear_by_edges(const Point& p, const Point& q, const Point& r) const;
   [[nodiscard]] bool leaves_plane(const Carriers::Indices& vertices) const;

@@ -24,7 +24,7 @@ bool is_tight(const BoundedPoint& p) {
 }
 
 /// Coordinates of a point that its carriers agree in: what all vertices of an edge or face have in common is what all
-/// points there have, exactly.
+/// points there have, exactly. Of vertices that are doubles, or sums of two.
 class CommonCoordinates {
  public:
   CommonCoordinates(const Carriers& carriers, const PointName& name) : carriers_(carriers) {
@@ -58,17 +58,22 @@ class CommonCoordinates {
 
  private:
   void add(std::initializer_list<std::uint32_t> vertices) {
-    const auto& first = carriers_.vertex(*vertices.begin());
+    const VertexPlace first = carriers_.place(*vertices.begin());
     std::array<bool, 3> common{true, true, true};
     for (const std::uint32_t v : vertices) {
-      if (!carriers_.has_doubles(v)) return;
-      for (std::size_t i = 0; i < 3; ++i) common[i] = common[i] && carriers_.vertex(v)[i] == first[i];
+      const VertexPlace place = carriers_.place(v);
+      if (!place.has_doubles() && place.remainder == nullptr) return;
+      for (std::size_t i = 0; i < 3; ++i)
+        common[i] = common[i] && (*place.nearest)[i] == (*first.nearest)[i] && rest(place, i) == rest(first, i);
     }
     for (std::size_t i = 0; i < 3; ++i)
       if (common[i]) {
         known_[i] = true;
-        value_[i] = first[i];
+        value_[i] = Twofold((*first.nearest)[i], rest(first, i), 0);
       }
+  }
+  static double rest(const VertexPlace& place, std::size_t axis) {
+    return place.remainder != nullptr ? (*place.remainder)[axis] : 0;
   }
   void add_face(std::uint32_t f) {
     const auto v = carriers_.face(f);
@@ -77,7 +82,7 @@ class CommonCoordinates {
 
   const Carriers& carriers_;
   std::array<bool, 3> known_{};
-  Carriers::Coordinates value_{};
+  RealPoint<Twofold> value_{};
 };
 
 }  // namespace

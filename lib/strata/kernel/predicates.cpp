@@ -74,23 +74,47 @@ Real side_of(const ApproximatePlane<Real>& plane, const RealPoint<Real>& p) {
 
 Point input_point(const Carriers& carriers, std::uint32_t v) { return make_point(carriers, PointName::input(v)); }
 
+/// Certainly equal: doubles, or sums of two that are no more than these.
+bool is_same(double a, double b) { return a == b; }
+bool is_same(const Twofold& a, const Twofold& b) {
+  return a.value == b.value && a.low == b.low && a.error == 0 && b.error == 0;
+}
+template <class Real>
+bool is_same(const std::array<Real, 3>& a, const std::array<Real, 3>& b) {
+  return is_same(a[0], b[0]) && is_same(a[1], b[1]) && is_same(a[2], b[2]);
+}
+
 /// True when ab and cd run along that axis, or are points.
-bool are_along(std::size_t axis, const Carriers::Coordinates& a, const Carriers::Coordinates& b,
-               const Carriers::Coordinates& c, const Carriers::Coordinates& d) {
+template <class Real>
+bool are_along(std::size_t axis, const std::array<Real, 3>& a, const std::array<Real, 3>& b,
+               const std::array<Real, 3>& c, const std::array<Real, 3>& d) {
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-  return a[u] == b[u] && a[v] == b[v] && c[u] == d[u] && c[v] == d[v];
+  return is_same(a[u], b[u]) && is_same(a[v], b[v]) && is_same(c[u], d[u]) && is_same(c[v], d[v]);
+}
+
+/// True for equal points, planes across an axis, and planes along one that show it in two edges.
+template <class Real>
+bool show_common_plane(const std::array<Real, 3>& a, const std::array<Real, 3>& b, const std::array<Real, 3>& c,
+                       const std::array<Real, 3>& d) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (is_same(a[i], b[i]) && is_same(a[i], c[i]) && is_same(a[i], d[i])) return true;
+    if (are_along(i, a, b, c, d) || are_along(i, a, c, b, d) || are_along(i, a, d, b, c)) return true;
+  }
+  return is_same(a, d) || is_same(b, d) || is_same(c, d) || is_same(a, c) || is_same(b, c) || is_same(a, b);
+}
+
+/// True when both products of the turn vanish, or two points are equal.
+template <class Real>
+bool show_common_line(const std::array<Real, 2>& p, const std::array<Real, 2>& q, const std::array<Real, 2>& r) {
+  if ((is_same(q[0], p[0]) || is_same(r[1], p[1])) && (is_same(q[1], p[1]) || is_same(r[0], p[0]))) return true;
+  return is_same(q[0], r[0]) && is_same(q[1], r[1]);
 }
 
 /// FilteredPlane, and the zeros that doubles show.
 std::optional<Sign> filtered_orient3d(const Carriers::Coordinates& a, const Carriers::Coordinates& b,
                                       const Carriers::Coordinates& c, const Carriers::Coordinates& d) {
   if (const int side = FilteredPlane(a, b, c).side(d); side != 0) return side > 0 ? Sign::positive : Sign::negative;
-  // Equal points, planes across an axis, and planes along one that show it in two edges.
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (a[i] == b[i] && a[i] == c[i] && a[i] == d[i]) return Sign::zero;
-    if (are_along(i, a, b, c, d) || are_along(i, a, c, b, d) || are_along(i, a, d, b, c)) return Sign::zero;
-  }
-  if (a == d || b == d || c == d || a == c || b == c || a == b) return Sign::zero;
+  if (show_common_plane(a, b, c, d)) return Sign::zero;
   return std::nullopt;
 }
 
@@ -105,8 +129,7 @@ std::optional<Sign> stepwise_orient3d(const Carriers::Coordinates& a, const Carr
 /// filtered_turn, and the zeros that doubles show.
 std::optional<Sign> turn_in_doubles(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r) {
   if (const int turn = filtered_turn(p, q, r); turn != 0) return static_cast<Sign>(turn);
-  if ((q[0] == p[0] || r[1] == p[1]) && (q[1] == p[1] || r[0] == p[0])) return Sign::zero;
-  if (q == r) return Sign::zero;
+  if (show_common_line(p, q, r)) return Sign::zero;
   return std::nullopt;
 }
 
@@ -149,6 +172,10 @@ bool is_exact(const Point& p) { return p.at[0].error == 0 && p.at[1].error == 0 
 
 /// What is left when doubles do not decide: sums of two of them, then integers.
 Sign refined_orient3d(const Carriers& carriers, const Point& p, const Point& q, const Point& r, const Point& s) {
+  if (show_common_plane(p.fine, q.fine, r.fine, s.fine)) {
+    count(Tier::twofold);
+    return Sign::zero;
+  }
   if (const auto sign = filtered(orient3d_of(p.fine, q.fine, r.fine, s.fine))) return *sign;
   const auto width = [&](int b) {
     return width_of_value(width_of_plane(width_of(p.name, b), width_of(q.name, b), width_of(r.name, b)),
@@ -278,6 +305,13 @@ std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, con
 std::optional<Sign> refined_orient2d(Projection projection, const Point& p, const Point& q, const Point& r) {
   if (is_exact_in(projection, p) && is_exact_in(projection, q) && is_exact_in(projection, r))
     if (const auto sign = differing(seen(projection, p), seen(projection, q), seen(projection, r))) return sign;
+  const auto fine = [&](const Point& x) {
+    return std::array{x.fine[static_cast<std::size_t>(projection.u)], x.fine[static_cast<std::size_t>(projection.v)]};
+  };
+  if (show_common_line(fine(p), fine(q), fine(r))) {
+    count(Tier::twofold);
+    return Sign::zero;
+  }
   return filtered(turn_of(p.fine, q.fine, r.fine, projection.u, projection.v));
 }
 
