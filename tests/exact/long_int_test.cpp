@@ -26,6 +26,7 @@ Integer random_integer(Random& random, int limbs) {
 void require_same(const LongInt& found, const Integer& expected) {
   REQUIRE_FALSE(found.is_lost());
   REQUIRE(to_int(found.sign()) == expected.sign());
+  REQUIRE(Integer(found) == expected);
   REQUIRE((found - LongInt(expected)).sign() == Sign::zero);
   REQUIRE((found * LongInt(expected)).sign() == (expected == 0 ? Sign::zero : Sign::positive));
 }
@@ -81,7 +82,8 @@ TEST_CASE("what does not fit is lost, and so is all that comes of it", "[exact][
   copy = lost;
   for (const LongInt& x : {copy, -lost, lost + top, top - lost, lost * LongInt(0), LongInt(0) * lost, lost << 1}) {
     CHECK(x.is_lost());
-    CHECK(x.sign() == Sign::zero);
+    CHECK_THROWS_AS(x.sign(), LogicError);
+    CHECK_THROWS_AS(Integer(x), LogicError);
   }
 }
 

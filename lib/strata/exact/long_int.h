@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
+#include "strata/exact/failure.h"
 #include "strata/exact/rational.h"
 #include "strata/exact/sign.h"
 
@@ -13,7 +15,7 @@ namespace strata {
 
 /// Signed integer of up to 4096 bits, held in place: its length is that of its value, and nothing is allocated.
 /// A result that does not fit is *lost*: so is everything that is computed from it, and it has no sign. Whoever asks
-/// for a sign asks `is_lost` before, and turns to Integer. Products and sums are GMP's low-level ones.
+/// for a value asks `is_lost` before, and turns to Integer. Products and sums are GMP's low-level ones.
 class LongInt {
  public:
   static constexpr int limb_capacity = 64;
@@ -53,10 +55,18 @@ class LongInt {
   }
 
   [[nodiscard]] bool is_lost() const { return size_ < 0; }
-  /// Requires that the value is not lost; a lost one says zero.
+  /// Throws LogicError where the value is lost.
   [[nodiscard]] Sign sign() const {
-    if (size_ <= 0) return Sign::zero;
+    if (size_ == 0) return Sign::zero;
+    require_value();
     return is_negative_ ? Sign::negative : Sign::positive;
+  }
+  /// Throws LogicError where the value is lost.
+  explicit operator Integer() const {
+    require_value();
+    Integer x;
+    mpz_import(x.backend().data(), static_cast<std::size_t>(size_), -1, sizeof(mp_limb_t), 0, 0, limb_);
+    return is_negative_ ? Integer(-x) : x;
   }
 
   LongInt operator-() const {
@@ -94,6 +104,9 @@ class LongInt {
   }
 
  private:
+  void require_value() const {
+    if (is_lost()) throw LogicError("an integer was asked for that is longer than it may be");
+  }
   LongInt& lose() {
     size_ = -1;
     is_negative_ = false;

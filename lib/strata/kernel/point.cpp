@@ -85,6 +85,14 @@ class CommonCoordinates {
   RealPoint<Twofold> value_{};
 };
 
+/// A point in units of a lattice: by long integers if these hold it.
+HPoint<Integer> exact_in_units(const Carriers& carriers, const Lattice& lattice, const Point& point) {
+  const HPoint<LongInt> p = ExactEvaluation<LongInt>(carriers, lattice).point(point);
+  if (p.x.is_lost() || p.y.is_lost() || p.z.is_lost() || p.w.is_lost())
+    return ExactEvaluation<Integer>(carriers, lattice).point(point);
+  return {Integer(p.x), Integer(p.y), Integer(p.z), Integer(p.w), p.unit};
+}
+
 }  // namespace
 
 bool named_on_face(const PointName& name, std::uint32_t f, const Carriers::Indices& v) {
@@ -169,7 +177,7 @@ Point make_point(const Carriers& carriers, const PointName& name) {
 RationalPoint exact_position(const Carriers& carriers, const Point& point) {
   const Point* const one[] = {&point};
   const Ground ground(carriers, one);
-  const HPoint<Integer> h = ExactEvaluation<Integer>(carriers, ground.lattice()).point(point);
+  const HPoint<Integer> h = exact_in_units(carriers, ground.lattice(), point);
   const int unit = ground.lattice().unit();
   RationalPoint r;
   for (int i = 0; i < 3; ++i) {
