@@ -44,13 +44,6 @@ class Ground {
   bool rational_ = false;
 };
 
-/// True of a LongInt that did not hold its value, and has no sign.
-template <class Int>
-[[nodiscard]] bool is_lost(const Int& x) {
-  if constexpr (std::is_same_v<Int, LongInt>) return x.is_lost();
-  return false;
-}
-
 /// Evaluates points and planes in exact integers, in units of the lattice. Integers of a fixed number of bits hold
 /// vertices that are doubles or sums of two; the others hold all, or say that they are lost.
 template <class Int>

@@ -1,4 +1,6 @@
 #pragma once
+#include <type_traits>
+
 #include "strata/exact/lattice.h"
 #include "strata/exact/sign.h"
 
@@ -56,10 +58,17 @@ template <class Int>
   return plane.a * p.x + plane.b * p.y + plane.c * p.z + weighed(plane.d, p);
 }
 
-/// A homogeneous point with its weight made positive; w = 0 (no single point) stays.
+/// True of a LongInt that did not hold its value, and has no sign.
+template <class Int>
+[[nodiscard]] bool is_lost(const Int& x) {
+  if constexpr (std::is_same_v<Int, LongInt>) return x.is_lost();
+  return false;
+}
+
+/// A homogeneous point with its weight made positive; w = 0 (no single point) stays, and so does what is lost.
 template <class Int>
 [[nodiscard]] HPoint<Int> with_positive_weight(Int x, Int y, Int z, Int w) {
-  if (sign_of_integer(w) == Sign::negative) return {Int(-x), Int(-y), Int(-z), Int(-w), false};
+  if (!is_lost(w) && sign_of_integer(w) == Sign::negative) return {Int(-x), Int(-y), Int(-z), Int(-w), false};
   return {x, y, z, w, false};
 }
 
