@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "strata/convex/convex_solid.h"
+#include "strata/convex/convolution.h"
 #include "strata/convex/membership.h"
+#include "strata/convex/outline.h"
 #include "strata/convex/sum.h"
 #include "strata/csg/check.h"
 #include "support/shapes.h"
@@ -133,6 +135,59 @@ TEST_CASE("a polygon closes the holes of rings in parallel planes", "[convex][mi
     const Polytope slab = polytope(test::box({0, 0, 0}, {side, side, 1}));
     const Polytope up{1, {{0, 0, 0}, {0, 0, 1}}, {}, {}};
     CHECK(minkowski_sum(minkowski_sum(ring, square), up) == minkowski_sum(ring, slab));
+  }
+}
+
+// Catches: a way that is slow for nothing; what is flat taken for a curve on top.
+TEST_CASE("rings count only where something covers their holes", "[convex][minkowski]") {
+  const auto rings = [](const Mesh& a, const Mesh& b) {
+    return convolution(surface_of(test::exact(a)), surface_of(test::exact(b))).has_rings;
+  };
+  const auto cube = [](double side) { return test::box({0, 0, 0}, {side, side, side}); };
+  const Mesh frame = test::box_with_hole();  // the hole is a square of side 1
+  CHECK_FALSE(rings(frame, cube(0.75)));
+  CHECK(rings(frame, cube(1.25)));
+  CHECK(rings(frame, frame));
+  CHECK_FALSE(rings(test::l_shape(), test::l_shape()));
+}
+
+// Catches: a half-space that a vertex is not in whose product is no number.
+TEST_CASE("doubles never miss a point of a triangle, however large", "[convex][property]") {
+  Random random(5);
+  for (int i = 0; i < 20'000; ++i) {
+    CAPTURE(i);
+    const auto size = static_cast<int>(345 + random.below(25)), down = static_cast<int>(25 + random.below(20));
+    const auto vertex = [&](int exponent) {
+      Vertex v;
+      for (double& x : v) x = std::ldexp(2 * random.unit() - 1, exponent);
+      return v;
+    };
+    const std::array<Vertex, 3> t{vertex(size), Vertex{0, 0, 0},
+                                  vertex(size - 20 - static_cast<int>(random.below(28)))};
+    Vertex on_side = t[0];
+    for (double& x : on_side) x = std::ldexp(x, -down);
+    Outline triangle({t[0], t[1], t[2]});
+    triangle.add_facet(t[0], t[1], t[2]);
+    triangle.add_facet(t[0], t[2], t[1]);
+    for (const Vertex& v : {t[0], t[1], t[2], on_side})
+      REQUIRE_FALSE(sum_misses(triangle, Outline({Vertex{0, 0, 0}}), v));
+  }
+}
+
+// Catches: a slice that a notch makes a hole in, however near to the face that it touches with its tip or its ridge.
+TEST_CASE("a polygon along a face that a notch touches from inside", "[convex][minkowski]") {
+  const Mesh block = test::box({0, 0, 0}, {4, 4, 2});
+  const Polytope square{2, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}}, {}, {{0, 2, 3, 1}}};
+  // Wider than the square where they are open: no ring fits.
+  const std::vector<Vertex> tip{{2, 2, 0}, {0.5, 0.5, 2.5}, {3.5, 0.5, 2.5}, {2, 3.5, 2.5}};
+  const std::vector<Vertex> ridge{{2, 1.75, 0},    {2, 2.25, 0},    {0.5, 0.5, 2.5},
+                                  {3.5, 0.5, 2.5}, {0.5, 3.5, 2.5}, {3.5, 3.5, 2.5}};
+  for (const auto& notch : {tip, ridge}) {
+    const Solid both[] = {Solid(block), Solid(test::convex_hull(notch))};
+    const Solid a = subtract(both);
+    CHECK(minkowski_sum(a, square) == by_pieces(a, square));
+    const Polytope cube = polytope(test::box({0, 0, 0}, {1, 1, 1}));
+    CHECK(minkowski_sum(a, cube) == by_pieces(a, cube));
   }
 }
 

@@ -139,6 +139,8 @@ class General {
 
   Solid run() {
     const Monitor monitor(options_.cancel);
+    // A polygon just inside of a face meets the notches that touch this face in a vertex or edge.
+    if (of_b_.dimension == 2 && touches_itself(of_a_)) return by_pieces(monitor);
     Convolution found;
     arena_for(options_, of_a_.faces.size() + of_b_.faces.size()).execute([&] {
       found = convolution(of_a_, of_b_, monitor);

@@ -44,7 +44,11 @@ void Outline::add_facet(const Vertex& p, const Vertex& q, const Vertex& r) {
   const Vertex u{q[0] - p[0], q[1] - p[1], q[2] - p[2]}, v{r[0] - p[0], r[1] - p[1], r[2] - p[2]};
   HalfSpace h{{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]},
               -std::numeric_limits<double>::infinity()};
-  for (const Vertex& b : points_) h.reach = std::max(h.reach, along(h.direction, b).upper());
+  for (const Vertex& b : points_) {
+    const double upper = along(h.direction, b).upper();
+    if (std::isnan(upper)) return;
+    h.reach = std::max(h.reach, upper);
+  }
   half_spaces_.push_back(h);
 }
 

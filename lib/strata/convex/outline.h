@@ -25,6 +25,7 @@ class Outline {
 
   /// The hull of points, given by nearest doubles. Its half-spaces are those of the corners of facets, nearly.
   explicit Outline(std::vector<Vertex> points) : points_(std::move(points)) {}
+  /// Adds nothing where that overflows.
   void add_facet(const Vertex& p, const Vertex& q, const Vertex& r);
 
   /// Is no point of the exact a + b rounded to x? Certain where the answer is yes.

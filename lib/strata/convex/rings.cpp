@@ -103,7 +103,7 @@ class LevelSet {
     for (const std::uint32_t e : level) {
       const SurfaceEdge& edge = surface.edges[e];
       const bool left = is_level(edge.left), right = is_level(edge.right);
-      const bool is_top = own.bend[e] >= 0 && product_sign(normals, m, own.towards, 2 * e) <= 0 &&
+      const bool is_top = own.bend[e] > 0 && product_sign(normals, m, own.towards, 2 * e) <= 0 &&
                           product_sign(normals, m, own.towards, 2 * e + 1) <= 0;
       if (!left && !right && !is_top) continue;
       edges_.push_back(e);
