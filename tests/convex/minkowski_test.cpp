@@ -1,5 +1,6 @@
 #include "strata/convex/minkowski.h"
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -76,6 +77,21 @@ Solid of_pairs(const std::vector<Solid>& a, const std::vector<Solid>& b) {
   for (const Solid& p : a)
     for (const Solid& q : b) sums.push_back(Solid::trusted(mesh_of(sum(polytope(p.mesh()), polytope(q.mesh())))));
   return unite(sums);
+}
+
+/// The same solid, its face at the height 0 without points inside: what touches it there is not told by vertices.
+Solid without_low_points(const Solid& block) {
+  Mesh mesh = block.mesh();
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return mesh.vertices[v][2] == 0; });
+  });
+  const auto corner = [&](double x, double y) {
+    const auto at = std::find(mesh.vertices.begin(), mesh.vertices.end(), Vertex{x, y, 0});
+    return static_cast<std::uint32_t>(at - mesh.vertices.begin());
+  };
+  mesh.triangles.push_back({corner(0, 0), corner(0, 4), corner(4, 4)});
+  mesh.triangles.push_back({corner(0, 0), corner(4, 4), corner(4, 0)});
+  return Solid::trusted({mesh, block.exact_mesh().exact});
 }
 
 void check_sum_of_columns(std::uint64_t seed) {
@@ -188,6 +204,7 @@ TEST_CASE("a polygon along a face that a notch touches from inside", "[convex][m
     CHECK(minkowski_sum(a, square) == by_pieces(a, square));
     const Polytope cube = polytope(test::box({0, 0, 0}, {1, 1, 1}));
     CHECK(minkowski_sum(a, cube) == by_pieces(a, cube));
+    CHECK(minkowski_sum(without_low_points(a), square) == by_pieces(a, square));
   }
 }
 

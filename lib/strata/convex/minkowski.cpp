@@ -146,13 +146,13 @@ class General {
       found = convolution(of_a_, of_b_, monitor);
     });
     if (!found.has_rings)
-      if (auto sum = resolved(std::move(found.surface), monitor)) return Solid::trusted(std::move(*sum));
+      if (auto sum = outer_surface(std::move(found.surface), monitor)) return Solid::trusted(std::move(*sum));
     return by_pieces(monitor);
   }
 
  private:
   /// The surface of the sum, from the convolution.
-  std::optional<ExactMesh> resolved(ExactMesh surface, const Monitor& monitor) const {
+  std::optional<ExactMesh> outer_surface(ExactMesh surface, const Monitor& monitor) const {
     mark_as_checked(surface);
     BooleanResult outer = unite_checked(std::span(&surface, 1), InputClass::overlapping, options_);
     const SumMembership membership(a_.exact_mesh(), of_a_, b_ != nullptr ? &b_->exact_mesh() : nullptr, of_b_,
@@ -201,14 +201,19 @@ Mesh room_around(const Solid& a, const BoundingBox& of_b) {
   return box;
 }
 
-/// What is between a box and the solid within: the box's faces, and those of the solid turned over. Parts of the solid
-/// that touch in faces are united before: their common walls are no part of the rest.
-ExactMesh rest_of(const Mesh& room, const Solid& solid, const Options& options) {
+/// The same solid: parts that touch in faces are one, and where it touches itself it has vertices.
+ExactMesh resolved(const Solid& solid, const Options& options) {
   Options quiet = options;
   quiet.progress = {};
   const ExactMesh given[] = {solid.exact_mesh()};
   BooleanResult united = unite_checked(given, InputClass::overlapping, quiet);
-  ExactMesh rest{std::move(united.mesh), std::move(united.exact)};
+  return {std::move(united.mesh), std::move(united.exact)};
+}
+
+/// What is between a box and the solid within: the box's faces, and those of the solid turned over. Parts of the solid
+/// that touch in faces are united before: their common walls are no part of the rest.
+ExactMesh rest_of(const Mesh& room, const Solid& solid, const Options& options) {
+  ExactMesh rest = resolved(solid, options);
   for (Triangle& t : rest.mesh.triangles) std::swap(t[1], t[2]);
   const auto first = static_cast<std::uint32_t>(rest.mesh.vertices.size());
   rest.mesh.vertices.insert(rest.mesh.vertices.end(), room.vertices.begin(), room.vertices.end());
@@ -253,6 +258,7 @@ Polytope reflected(const Polytope& polytope) {
 Solid minkowski_sum(const Solid& a, const Polytope& b, const Options& options) {
   if (a.is_empty() || b.dimension < 0) return {};
   if (const auto convex = convex_solid(surface_of(a.exact_mesh()))) return solid_of(sum(*convex, b));
+  if (b.dimension == 2) return General(Solid::trusted(resolved(a, options)), nullptr, &b, options).run();
   return General(a, nullptr, &b, options).run();
 }
 
