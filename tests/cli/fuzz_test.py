@@ -55,7 +55,7 @@ class Fuzz(VerifyTest):
         said = self.fuzz("--seed", 1, "--rounds", 200, "--keep", self.path("kept"))
         self.assertIn("0 findings", said)
         self.assertGreater(int(said.split("rounds asked")[0].split()[-1]), 150, said)
-        self.assertLess(time.monotonic() - start, 60)
+        self.assertLess(time.monotonic() - start, 300)
         self.assertEqual(self.kept("kept"), [])
 
     def broken(self, body, check, most_faces, *rounds):

@@ -1,5 +1,6 @@
 #include "strata/layers/visibility.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "layers/rational_rays.h"
@@ -110,6 +111,20 @@ TEST_CASE("an edge seen end on is not drawn", "[layers][visibility][degenerate]"
     drawn += e.seen.empty() ? 0 : 1;
   }
   CHECK(drawn == 4);  // the top
+}
+
+TEST_CASE("an edge that bends less than the crease angle is drawn where it is an outline only",
+          "[layers][visibility]") {
+  const Scene scene = test::scene_of({test::box({0, 0, 0}, {1, 1, 1})});
+  const Visibility visibility{LayerDecomposition(scene, Origin::point({3, 4, 5}))};
+  const auto count = [&](double crease_angle, EdgeKind kind) {
+    const std::vector<SeenEdge> edges = find_seen_edges(visibility, crease_angle);
+    return std::count_if(edges.begin(), edges.end(), [&](const SeenEdge& e) { return e.kind == kind; });
+  };
+  CHECK(count(89, EdgeKind::outline) == 6);
+  CHECK(count(89, EdgeKind::crease) == 3);
+  CHECK(count(91, EdgeKind::outline) == 6);
+  CHECK(count(91, EdgeKind::crease) == 0);
 }
 
 TEST_CASE("edges that coincide as seen are hidden by what lies on their own side", "[layers][degenerate]") {
