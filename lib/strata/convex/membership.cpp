@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "strata/convex/outline.h"
@@ -195,9 +196,11 @@ Side SumMembership::side(const NearPoint& point) const {
   };
   for (std::size_t j = 0; j < pieces_of_b_.boxes.size(); ++j) {
     Polytope of_b;
-    const Outline outline_of_b = b_ == nullptr ? *outline_of_b_ : outline_of(b_->mesh, b_->mesh.triangles[j]);
+    std::optional<Outline> of_triangle;  // of b, when one is near
     for (std::size_t i = 0; i < pieces_of_a_.boxes.size(); ++i) {
       if (!may_cover(pieces_of_a_.boxes[i], pieces_of_b_.boxes[j])) continue;
+      if (b_ != nullptr && !of_triangle) of_triangle = outline_of(b_->mesh, b_->mesh.triangles[j]);
+      const Outline& outline_of_b = b_ == nullptr ? *outline_of_b_ : *of_triangle;
       if (sum_misses(outline_of(a_.mesh, a_.mesh.triangles[i]), outline_of_b, near)) continue;
       if (of_b.dimension < 0)
         of_b = b_ == nullptr ? pieces_of_b_.polytopes[j] : triangle_polytope(*b_, b_->mesh.triangles[j]);

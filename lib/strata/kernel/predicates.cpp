@@ -13,6 +13,7 @@
 #include "strata/kernel/exact_steps.h"
 #include "strata/kernel/filtered_plane.h"
 #include "strata/kernel/filters.h"
+#include "strata/kernel/shown_zeros.h"
 
 namespace strata {
 namespace {
@@ -73,42 +74,6 @@ Real side_of(const ApproximatePlane<Real>& plane, const RealPoint<Real>& p) {
 }
 
 Point input_point(const Carriers& carriers, std::uint32_t v) { return make_point(carriers, PointName::input(v)); }
-
-/// Certainly equal: doubles, or sums of two that are no more than these.
-bool is_same(double a, double b) { return a == b; }
-bool is_same(const Twofold& a, const Twofold& b) {
-  return a.value == b.value && a.low == b.low && a.error == 0 && b.error == 0;
-}
-template <class Real>
-bool is_same(const std::array<Real, 3>& a, const std::array<Real, 3>& b) {
-  return is_same(a[0], b[0]) && is_same(a[1], b[1]) && is_same(a[2], b[2]);
-}
-
-/// True when ab and cd run along that axis, or are points.
-template <class Real>
-bool are_along(std::size_t axis, const std::array<Real, 3>& a, const std::array<Real, 3>& b,
-               const std::array<Real, 3>& c, const std::array<Real, 3>& d) {
-  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-  return is_same(a[u], b[u]) && is_same(a[v], b[v]) && is_same(c[u], d[u]) && is_same(c[v], d[v]);
-}
-
-/// True for equal points, planes across an axis, and planes along one that show it in two edges.
-template <class Real>
-bool show_common_plane(const std::array<Real, 3>& a, const std::array<Real, 3>& b, const std::array<Real, 3>& c,
-                       const std::array<Real, 3>& d) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (is_same(a[i], b[i]) && is_same(a[i], c[i]) && is_same(a[i], d[i])) return true;
-    if (are_along(i, a, b, c, d) || are_along(i, a, c, b, d) || are_along(i, a, d, b, c)) return true;
-  }
-  return is_same(a, d) || is_same(b, d) || is_same(c, d) || is_same(a, c) || is_same(b, c) || is_same(a, b);
-}
-
-/// True when both products of the turn vanish, or two points are equal.
-template <class Real>
-bool show_common_line(const std::array<Real, 2>& p, const std::array<Real, 2>& q, const std::array<Real, 2>& r) {
-  if ((is_same(q[0], p[0]) || is_same(r[1], p[1])) && (is_same(q[1], p[1]) || is_same(r[0], p[0]))) return true;
-  return is_same(q[0], r[0]) && is_same(q[1], r[1]);
-}
 
 /// FilteredPlane, and the zeros that doubles show.
 std::optional<Sign> filtered_orient3d(const Carriers::Coordinates& a, const Carriers::Coordinates& b,
