@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "strata/convex/convex_solid.h"
-#include "strata/convex/convolution.h"
+#include "strata/convex/touching_faces.h"
 #include "strata/convex/membership.h"
 #include "strata/convex/outline.h"
 #include "strata/convex/sum.h"
@@ -152,19 +152,6 @@ TEST_CASE("a polygon closes the holes of rings in parallel planes", "[convex][mi
     const Polytope up{1, {{0, 0, 0}, {0, 0, 1}}, {}, {}};
     CHECK(minkowski_sum(minkowski_sum(ring, square), up) == minkowski_sum(ring, slab));
   }
-}
-
-// Catches: a way that is slow for nothing; what is flat taken for a curve on top.
-TEST_CASE("rings count only where something covers their holes", "[convex][minkowski]") {
-  const auto rings = [](const Mesh& a, const Mesh& b) {
-    return convolution(surface_of(test::exact(a)), surface_of(test::exact(b))).has_rings;
-  };
-  const auto cube = [](double side) { return test::box({0, 0, 0}, {side, side, side}); };
-  const Mesh frame = test::box_with_hole();  // the hole is a square of side 1
-  CHECK_FALSE(rings(frame, cube(0.75)));
-  CHECK(rings(frame, cube(1.25)));
-  CHECK(rings(frame, frame));
-  CHECK_FALSE(rings(test::l_shape(), test::l_shape()));
 }
 
 // Catches: a half-space that a vertex is not in whose product is no number.

@@ -14,7 +14,7 @@
 
 namespace strata {
 
-Evaluated evaluate_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
+Evaluated arrange_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
                           Profile& profile) {
   const TierCounts decided_before = tier_counts_now();
   Stopwatch watch(profile);
@@ -34,8 +34,6 @@ Evaluated evaluate_pieces(Carriers& carriers, const Rule& rule, bool self, Point
   result.whole = judge_whole_faces(carriers, layers, &cells, rule, result.split, self, monitor);
   watch.lap("layers");
   monitor.report(0.85);
-  merge_pieces(carriers, points, result.split, result.pools, monitor);
-  watch.lap("merge");
   std::size_t pieces = 0;
   for (const SplitFace& face : result.split) pieces += face.triangles.size();
   profile.counts = {{"cells", cells.cells().size()},           {"pairs_tested", meetings.pairs_tested},
@@ -44,6 +42,15 @@ Evaluated evaluate_pieces(Carriers& carriers, const Rule& rule, bool self, Point
   const TierCounts decided = tier_counts_now();
   for (std::size_t i = 0; i < decided.size(); ++i)
     if (decided[i] != decided_before[i]) profile.counts.emplace_back(tier_names[i], decided[i] - decided_before[i]);
+  return result;
+}
+
+Evaluated evaluate_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
+                          Profile& profile) {
+  Evaluated result = arrange_pieces(carriers, rule, self, points, monitor, profile);
+  Stopwatch watch(profile);
+  merge_pieces(carriers, points, result.split, result.pools, monitor);
+  watch.lap("merge");
   return result;
 }
 

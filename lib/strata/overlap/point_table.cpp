@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <atomic>
@@ -10,6 +11,7 @@
 
 #include "strata/exact/failure.h"
 #include "strata/kernel/disjoint_sets.h"
+#include "strata/kernel/predicates.h"
 #include "strata/mesh/huge_pages.h"
 
 namespace strata {
@@ -97,6 +99,38 @@ std::vector<PointId> PointTable::add(std::span<const PointName> names, const Mon
       constructed_[known + i] = make_point(carriers_, names[fresh[i]]);
   });
   return numbers;
+}
+
+std::vector<std::pair<PointId, PointId>> PointTable::equal_places(std::vector<PointId> ids,
+                                                                  const Monitor& monitor) const {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  struct Place {
+    Carriers::Coordinates nearest;  ///< equal points have equal ones
+    PointId id;
+    bool operator<(const Place& p) const { return nearest < p.nearest || (nearest == p.nearest && id < p.id); }
+  };
+  std::vector<Place> places(ids.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ids.size(), 256), [&](const auto& range) {
+    monitor.check();
+    for (std::size_t i = range.begin(); i != range.end(); ++i)
+      places[i] = {nearest_doubles(carriers_, point(ids[i])), ids[i]};
+  });
+  tbb::parallel_sort(places.begin(), places.end());
+  std::vector<std::pair<PointId, PointId>> same;
+  std::vector<PointId> distinct;  // of those that look alike
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (i == 0 || places[i].nearest != places[i - 1].nearest) distinct.clear();
+    const Point p = point(places[i].id);
+    const auto twin = std::find_if(distinct.begin(), distinct.end(),
+                                   [&](PointId q) { return equal(carriers_, point(q), p); });
+    if (twin == distinct.end()) {
+      distinct.push_back(places[i].id);
+    } else {
+      same.emplace_back(*twin, places[i].id);
+    }
+  }
+  return same;
 }
 
 void PointTable::identify(std::span<const std::pair<PointId, PointId>> equal) {

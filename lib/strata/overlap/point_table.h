@@ -24,6 +24,9 @@ class PointTable {
 
   /// Points that are one place: from now on one number represents them, an input vertex if there is one, the lowest.
   void identify(std::span<const std::pair<PointId, PointId>> equal);
+  /// Which of these points are one place, as pairs: exact, whatever their names say. O(n log n), in parallel.
+  [[nodiscard]] std::vector<std::pair<PointId, PointId>> equal_places(std::vector<PointId> ids,
+                                                                      const Monitor& monitor) const;
   [[nodiscard]] PointId representative(PointId id) const { return same_.empty() ? id : same_[id]; }
   [[nodiscard]] bool has_identified() const { return !same_.empty(); }
 

@@ -55,7 +55,7 @@ void FaceSplitter::collect_pieces(const std::optional<FreeCorner>& corner, Equal
   remember_corners();
   judge();
   collect();
-  if (!kept_.triangles.empty()) connect_names(simple, equal);
+  if (rule_.looks_around() && !kept_.triangles.empty()) connect_names(simple, equal);
 }
 
 /// Tells other names of the points that stay. `simple`: the constraints are simple paths.
@@ -164,6 +164,7 @@ FaceSplitter::Start FaceSplitter::start_inside() {
 
 /// Winding numbers just above q, of the other operands where operands are solids. `covers`: the other faces through q.
 Windings FaceSplitter::above_at(const PointName& q, const std::vector<std::uint32_t>& covers) {
+  if (!rule_.looks_around()) return {};
   if (!self_)
     if (auto told = covering_.above(covers)) return *std::move(told);
   std::vector<std::uint32_t> covering = covers;
@@ -214,7 +215,7 @@ FaceSplitter::Region FaceSplitter::across(Region region, std::int32_t first_note
     const Constraint& c = constraints_[at(note.constraint)];
     switch (c.kind) {
       case ConstraintKind::crossing:
-        region.above.add(carriers_.operand_of_face(c.other), note.forward ? -1 : 1);
+        if (rule_.looks_around()) region.above.add(carriers_.operand_of_face(c.other), note.forward ? -1 : 1);
         break;
       case ConstraintKind::cover_left:
         cover(region, c.other, !note.forward);
@@ -245,6 +246,10 @@ void FaceSplitter::judge() {
 
 Verdict FaceSplitter::verdict_on(const Region& r) const {
   if (!r.covers.empty() && r.covers.front() < face_) return Verdict::drop;  // that one speaks for all
+  if (!rule_.looks_around()) {
+    const auto looks_back = [&](std::uint32_t g) { return same_orientation(carriers_, face_, g) == Sign::negative; };
+    return std::any_of(r.covers.begin(), r.covers.end(), looks_back) ? Verdict::drop : Verdict::keep;
+  }
   Windings below = r.above;
   below.add(operand_, 1);
   for (const std::uint32_t g : r.covers)

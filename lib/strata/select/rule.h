@@ -18,8 +18,16 @@ class Rule {
   Rule(Operation operation, std::uint32_t operands) : operation_(operation), operands_(operands) {}
   /// Requires that the formula is closed.
   explicit Rule(Formula formula) : operands_(formula.operands()), formula_(std::move(formula)) {}
+  /// Every piece stays, whatever surrounds it: of coinciding pieces one, and none where they look both ways.
+  [[nodiscard]] static Rule every_sheet() {
+    Rule rule(Operation::exclude, 1);
+    rule.looks_around_ = false;
+    return rule;
+  }
 
   [[nodiscard]] std::uint32_t operands() const { return operands_; }
+  /// False when winding numbers do not matter.
+  [[nodiscard]] bool looks_around() const { return looks_around_; }
 
   /// True when this winding number of one operand alone decides, whatever the others are.
   [[nodiscard]] bool settles(std::uint32_t operand, std::int32_t winding) const {
@@ -73,6 +81,7 @@ class Rule {
   Operation operation_{};
   std::uint32_t operands_;
   std::optional<Formula> formula_;  ///< in place of the operation
+  bool looks_around_ = true;
 };
 
 /// What becomes of a piece of surface.

@@ -10,7 +10,7 @@ namespace {
 
 /// Takes the points that were constructed in faces into the table, and identifies points that were found equal.
 void complete(PointTable& points, std::vector<SplitFace>& faces, std::span<const EqualVertices> equal_vertices,
-              const EqualNames& equal, const Monitor& monitor) {
+              const EqualNames& equal, bool by_places, const Monitor& monitor) {
   const PointId end = points.end();
   std::vector<PointName> names;
   std::vector<std::size_t> first;
@@ -29,6 +29,11 @@ void complete(PointTable& points, std::vector<SplitFace>& faces, std::span<const
       for (PointId& p : faces[f].points)
         if (p >= end) p = numbers[first[f] + (p - end)];
     });
+  }
+  if (by_places) {
+    std::vector<PointId> used;
+    for (const SplitFace& f : faces) used.insert(used.end(), f.points.begin(), f.points.end());
+    for (const auto& pair : points.equal_places(std::move(used), monitor)) same.push_back(pair);
   }
   points.identify(same);
   if (!points.has_identified()) return;
@@ -58,7 +63,7 @@ std::vector<SplitFace> split_faces(const Carriers& carriers, const Surroundings&
   });
   EqualNames all_equal;
   for (const auto& e : equal) all_equal.insert(all_equal.end(), e.begin(), e.end());
-  complete(points, faces, meetings.equal, all_equal, monitor);
+  complete(points, faces, meetings.equal, all_equal, !rule.looks_around(), monitor);
   return faces;
 }
 

@@ -93,6 +93,11 @@ std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const Surroundi
                                        const CellTree* cells, const Rule& rule, const std::vector<SplitFace>& split,
                                        bool self, const Monitor& monitor) {
   std::vector<Verdict> verdicts(carriers.face_count(), Verdict::drop);
+  if (!rule.looks_around()) {
+    verdicts.assign(verdicts.size(), Verdict::keep);
+    for (const SplitFace& s : split) verdicts[s.face] = Verdict::drop;
+    return verdicts;
+  }
   const std::vector<FaceBlock> blocks = face_blocks(carriers);
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t n) {
     monitor.check();

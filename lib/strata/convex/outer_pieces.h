@@ -1,0 +1,31 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include "strata/convex/membership.h"
+#include "strata/csg/evaluate.h"
+#include "strata/kernel/carriers.h"
+#include "strata/mesh/monitor.h"
+#include "strata/overlap/point_table.h"
+
+namespace strata::convex {
+
+/// A triangle of a face, by its corners.
+struct PieceOfFace {
+  std::uint32_t face = 0;
+  std::array<PointId, 3> corners{};
+};
+
+/// On which side of a solid a place just in front of a piece is: another place for every number > 0, of which nearly
+/// all are known. Called from several threads.
+using SideInFront = std::function<Side(const PieceOfFace&, int)>;
+
+/// Drops those pieces of an arrangement that are no part of the boundary of a bounded solid, which pieces make up, each
+/// with the solid behind it. Around an edge the boundary has an even number of pieces, so a piece alone at an edge goes,
+/// and two alone at an edge stay both or go both: one question per patch that is connected in this way.
+/// O(n log n) for each time that a patch which goes leaves others alone; in practice less than ten times.
+void keep_outer_pieces(const Carriers& carriers, const PointTable& points, Evaluated& pieces,
+                       const SideInFront& in_front, const Monitor& monitor);
+
+}  // namespace strata::convex
