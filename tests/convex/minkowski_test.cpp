@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "strata/convex/convex_solid.h"
-#include "strata/convex/touching_faces.h"
 #include "strata/convex/membership.h"
 #include "strata/convex/outline.h"
 #include "strata/convex/sum.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "strata/convex/directions.h"
+#include "strata/convex/outline.h"
 #include "strata/kernel/disjoint_sets.h"
 
 namespace strata::convex {
@@ -81,6 +82,14 @@ Polytope in_order(const Surface& surface, std::vector<Loop> loops, const Lattice
   return result;
 }
 
+/// Doubles often tell of an edge that a solid is not convex there.
+bool is_surely_reflex(const Surface& surface, const SurfaceEdge& edge) {
+  const auto& vertices = surface.points.mesh.vertices;
+  const Loop& left = surface.faces[edge.left];
+  return rounded_side(vertices[left[0]], vertices[left[1]], vertices[left[2]], vertices[edge.third[1]]) ==
+         Sign::positive;
+}
+
 template <class N>
 std::optional<Polytope> convex_solid_on(const Surface& surface, const LatticePoints& lattice) {
   const auto bend = directions_of<N>(surface, lattice).bend;
@@ -93,7 +102,8 @@ std::optional<Polytope> convex_solid_on(const Surface& surface, const LatticePoi
 }  // namespace
 
 std::optional<Polytope> convex_solid(const Surface& surface) {
-  if (!is_connected(surface)) return std::nullopt;
+  const auto is_reflex = [&](const SurfaceEdge& edge) { return is_surely_reflex(surface, edge); };
+  if (std::any_of(surface.edges.begin(), surface.edges.end(), is_reflex) || !is_connected(surface)) return std::nullopt;
   const LatticePoints lattice = lattice_points(surface.points);
   const int bits = 3 * lattice.bits + 7;
   if (bits <= 128) return convex_solid_on<__int128>(surface, lattice);

@@ -51,9 +51,7 @@ ExactMesh outer_boundary(const ExactMesh& touching, const Operands& operands, co
                                  operands.polytope_b);
   keep_outer_pieces(
       carriers, points, pieces,
-      [&](const PieceOfFace& piece, int k) {
-        return membership.side(place_in_front(carriers, points, piece, k));
-      },
+      [&](const PieceOfFace& piece, int k) { return membership.side(place_in_front(carriers, points, piece, k)); },
       monitor);
   merge_pieces(carriers, points, pieces.split, pieces.pools, monitor);
   Boundary boundary = gather_boundary(carriers, pieces.whole, pieces.split, points);

@@ -184,6 +184,25 @@ SumMembership::SumMembership(const ExactMesh& a, const Surface& of_a, const Exac
 }
 
 Side SumMembership::side(const NearPoint& point) const {
+  // One operand holds a part of the other, or their boundaries meet. What is deep inside is told by the first alone.
+  bool unknown = false;
+  const auto holds = [&](const ExactMesh& solid, const std::vector<std::vector<RationalPoint>>& parts) {
+    for (const auto& part : parts) {
+      Side side = Side::unknown;
+      for (std::size_t i = 0; i < part.size() && side == Side::unknown; ++i)
+        side = side_of_solid(solid, {minus(point.p, part[i]), point.n});
+      if (side == Side::in) return true;
+      unknown |= side == Side::unknown;
+    }
+    return false;
+  };
+  if (holds(a_, parts_of_b_) || (b_ != nullptr && holds(*b_, parts_of_a_))) return Side::in;
+  const Side boundaries = side_of_boundaries(point);
+  return boundaries == Side::out && unknown ? Side::unknown : boundaries;
+}
+
+/// Does a piece of one boundary meet one of the other?
+Side SumMembership::side_of_boundaries(const NearPoint& point) const {
   const Vertex near = nearest(point.p);
   bool unknown = false;
   const auto may_cover = [&](const Box& s, const Box& t) {
@@ -215,18 +234,6 @@ Side SumMembership::side(const NearPoint& point) const {
       }
     }
   }
-  // No boundaries meet, or they touch from outside: then one operand holds a part of the other, or none does.
-  const auto holds = [&](const ExactMesh& solid, const std::vector<std::vector<RationalPoint>>& parts) {
-    for (const auto& part : parts) {
-      Side side = Side::unknown;
-      for (std::size_t i = 0; i < part.size() && side == Side::unknown; ++i)
-        side = side_of_solid(solid, {minus(point.p, part[i]), point.n});
-      if (side == Side::in) return true;
-      unknown |= side == Side::unknown;
-    }
-    return false;
-  };
-  if (holds(a_, parts_of_b_) || (b_ != nullptr && holds(*b_, parts_of_a_))) return Side::in;
   return unknown ? Side::unknown : Side::out;
 }
 

@@ -47,6 +47,8 @@ class SumMembership {
   [[nodiscard]] Side side(const NearPoint& point) const;
 
  private:
+  [[nodiscard]] Side side_of_boundaries(const NearPoint& point) const;
+
   const ExactMesh& a_;
   const ExactMesh* b_;
   Pieces pieces_of_a_, pieces_of_b_;

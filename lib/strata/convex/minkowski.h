@@ -10,10 +10,9 @@ namespace strata::convex {
 /// The Minkowski sum {x + y : x in a, y in b} of two solids: any genus, cavities, several parts, edges and vertices of
 /// several sheets. Empty if one of them is. Exact; regular as it is, since a solid plus anything is.
 /// Laws: commutative; A + point is a translation; (A + B) + C = A + (B + C); monotone in both.
-/// Two convex solids are added by their Gauss maps; else the convolution of the boundaries, a surface of as many pieces
-/// as there are faces, vertices and pairs of edges with outward directions in common, is resolved, and what it leaves
-/// open inside is filled. Where a flat ring of one may lie on a face of the other, pairs of convex pieces are added and
-/// united. theory.md, "Minkowski sums", has the proof.
+/// Two convex solids are added by their Gauss maps; else the faces in which both may touch, sums of faces, vertices and
+/// pairs of edges with outward directions in common, are arranged, and the pieces on the outside are the boundary.
+/// theory.md, "Minkowski sums", has the proof.
 /// Of the options, the class of input and the engine are ignored. Throws Cancelled, std::overflow_error where a
 /// coordinate is beyond all doubles, std::length_error as `combine` does.
 [[nodiscard]] Solid minkowski_sum(const Solid& a, const Solid& b, const Options& options = {});

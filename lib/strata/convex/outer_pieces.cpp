@@ -80,7 +80,7 @@ class Patches {
   }
 
   DisjointSets<std::uint32_t> sets_;
-  std::vector<bool> gone_;           ///< per patch, at the piece that stands for it
+  std::vector<bool> gone_;          ///< per patch, at the piece that stands for it
   std::vector<SideOfPiece> sides_;  ///< by edges
 };
 

@@ -22,9 +22,9 @@ struct PieceOfFace {
 using SideInFront = std::function<Side(const PieceOfFace&, int)>;
 
 /// Drops those pieces of an arrangement that are no part of the boundary of a bounded solid, which pieces make up, each
-/// with the solid behind it. Around an edge the boundary has an even number of pieces, so a piece alone at an edge goes,
-/// and two alone at an edge stay both or go both: one question per patch that is connected in this way.
-/// O(n log n) for each time that a patch which goes leaves others alone; in practice less than ten times.
+/// with the solid behind it. Around an edge the boundary has an even number of pieces, so a piece alone at an edge
+/// goes, and two alone at an edge stay both or go both: one question per patch that is connected in this way. O(n log
+/// n) for each time that a patch which goes leaves others alone; in practice less than ten times.
 void keep_outer_pieces(const Carriers& carriers, const PointTable& points, Evaluated& pieces,
                        const SideInFront& in_front, const Monitor& monitor);
 

@@ -32,16 +32,27 @@ class SumPoints {
 
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t number) {
     const Vertex &p = a_.mesh.vertices[a], &q = b_.mesh.vertices[b];
-    bool is_exact = !is_rational(a_, a) && !is_rational(b_, b);
-    Vertex sum;
-    for (std::size_t i = 0; i < 3; ++i) {
-      sum[i] = p[i] + q[i];
-      is_exact = is_exact && loss(p[i], q[i], sum[i]) == 0;
-    }
-    if (!is_exact) sum = add_exactly(a_.position(a), b_.position(b), number);
+    const bool are_doubles = !is_rational(a_, a) && !is_rational(b_, b);
+    const Vertex sum = are_doubles ? add_doubles(p, q, number) : add_exactly(a_.position(a), b_.position(b), number);
     for (const double x : sum)
       if (!std::isfinite(x)) throw std::overflow_error("a sum of coordinates is beyond all doubles");
     points_.mesh.vertices.push_back(sum);
+  }
+
+  Vertex add_doubles(const Vertex& p, const Vertex& q, std::uint32_t number) {
+    Vertex sum, rest;
+    for (std::size_t i = 0; i < 3; ++i) {
+      sum[i] = p[i] + q[i];
+      rest[i] = loss(p[i], q[i], sum[i]);
+    }
+    const bool is_finite = std::isfinite(sum[0]) && std::isfinite(sum[1]) && std::isfinite(sum[2]);
+    if (!is_finite || rest == Vertex{0, 0, 0}) return sum;
+    ExactVertex& exact = points_.exact.emplace_back(ExactVertex{number, {}});
+    for (std::size_t i = 0; i < 3; ++i) {
+      exact.position[i] = to_rational(sum[i]);
+      if (rest[i] != 0) exact.position[i] += to_rational(rest[i]);
+    }
+    return sum;
   }
 
   Vertex add_exactly(const RationalPoint& p, const RationalPoint& q, std::uint32_t number) {

@@ -171,16 +171,4 @@ Surface surface_of(const Polytope& polytope) {
   return surface;
 }
 
-bool touches_itself(const Surface& surface) {
-  const auto has_twice = [](auto places) {
-    std::sort(places.begin(), places.end());
-    return std::adjacent_find(places.begin(), places.end()) != places.end();
-  };
-  std::vector<std::uint32_t> vertices;
-  for (const Fan& fan : surface.fans) vertices.push_back(fan.vertex);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (const SurfaceEdge& e : surface.edges) edges.push_back(std::minmax(e.from, e.to));
-  return has_twice(std::move(vertices)) || has_twice(std::move(edges));
-}
-
 }  // namespace strata::convex

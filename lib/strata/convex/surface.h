@@ -49,7 +49,4 @@ struct Surface {
 /// Of a polytope that is not empty. O(n) expected.
 [[nodiscard]] Surface surface_of(const Polytope& polytope);
 
-/// Are there edges of more than two faces, or vertices of several sheets? O(n log n).
-[[nodiscard]] bool touches_itself(const Surface& surface);
-
 }  // namespace strata::convex

@@ -104,9 +104,11 @@ class TouchingFaces {
       if (a_directions_.bend[e] > 0)
         beyond_.differences(a_.edges[e].left, a_.edges[e].right, [&](std::uint32_t g) { add_parallelogram(e, g); });
     monitor_.check();
-    add_faces(a_, b_, [&](std::uint32_t f, std::uint32_t g) { return beyond_.at(f, g); }, false);
+    add_faces(
+        a_, b_, [&](std::uint32_t f, std::uint32_t g) { return beyond_.at(f, g); }, false);
     monitor_.check();
-    add_faces(b_, a_, [&](std::uint32_t f, std::uint32_t e) { return face_of_b_beyond(f, e); }, true);
+    add_faces(
+        b_, a_, [&](std::uint32_t f, std::uint32_t e) { return face_of_b_beyond(f, e); }, true);
     ExactMesh result = std::move(sums_.points());
     result.mesh.triangles = std::move(triangles_);
     return result;

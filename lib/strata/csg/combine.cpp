@@ -112,7 +112,7 @@ BooleanResult combine_in_stages(const Rule& rule, std::span<const Operand> given
 }
 
 /// How many faces of plain solids take as long. Those that are no doubles, or that may cross others of their operand,
-/// as in the convolutions of Minkowski sums, take ten times as long and more.
+/// take ten times as long and more.
 std::size_t worth_in_faces(std::span<const Operand> operands, InputClass input) {
   std::size_t worth = 0;
   for (const Operand& o : operands)

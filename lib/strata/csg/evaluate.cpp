@@ -15,7 +15,7 @@
 namespace strata {
 
 Evaluated arrange_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
-                          Profile& profile) {
+                         Profile& profile) {
   const TierCounts decided_before = tier_counts_now();
   Stopwatch watch(profile);
   const CellTree cells(carriers, {.self = self, .monitor = monitor});

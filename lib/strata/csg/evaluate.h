@@ -15,17 +15,17 @@ struct Evaluated {
   Pools pools;
 };
 
-/// The same before pieces that stay together are merged.
-[[nodiscard]] Evaluated arrange_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points,
-                                       const Monitor& monitor, Profile& profile);
-
 /// The pipeline on operands that are ready: cells -> overlap -> arrange -> layers -> select.
 /// `self`: faces of one operand may meet each other, and winding numbers are whatever they are.
 /// Vertices of different operands at one place are identified; constructed points become points of the table.
 [[nodiscard]] Evaluated evaluate_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points,
                                         const Monitor& monitor, Profile& profile);
 
-/// The same, gathered into one boundary.
+/// The same before pieces that stay together are merged, for callers that drop some of them first.
+[[nodiscard]] Evaluated arrange_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points,
+                                       const Monitor& monitor, Profile& profile);
+
+/// evaluate_pieces, gathered into one boundary.
 [[nodiscard]] Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& points,
                                 const Monitor& monitor, Profile& profile);
 

@@ -11,8 +11,6 @@ namespace strata {
 
 namespace {
 
-constexpr std::uint32_t not_listed = 0xffffffffu;
-
 const RationalPoint* rational_of(const ExactVertex& v) { return &v.position; }
 const RationalPoint* rational_of(const PlacedVertex& v) { return v.rational; }
 

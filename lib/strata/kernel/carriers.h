@@ -98,7 +98,11 @@ class Carriers {
     return has_rationals_ ? listed_place(vertex) : VertexPlace{&this->vertex(vertex)};
   }
   /// True when a vertex is where its doubles say.
-  [[nodiscard]] bool has_doubles(std::uint32_t vertex) const { return !has_rationals_ || place(vertex).has_doubles(); }
+  [[nodiscard]] bool has_doubles(std::uint32_t vertex) const {
+    if (!has_rationals_) return true;
+    const Block& b = blocks_[find<true>(vertex)];
+    return b.listing == nullptr || b.listing->place[vertex - b.first_vertex] == not_listed;
+  }
   [[nodiscard]] bool has_doubles(const Indices& v) const {
     return !has_rationals_ || (has_doubles(v[0]) && has_doubles(v[1]) && has_doubles(v[2]));
   }
@@ -122,6 +126,7 @@ class Carriers {
   [[nodiscard]] bool has_rationals() const { return has_rationals_; }
 
  private:
+  static constexpr std::uint32_t not_listed = 0xffffffffu;
   /// Vertices that are not doubles.
   struct Listing {
     std::vector<std::uint32_t> place;  ///< in `exact` or `placed`, or none, per vertex

@@ -122,8 +122,8 @@ std::vector<std::pair<PointId, PointId>> PointTable::equal_places(std::vector<Po
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (i == 0 || places[i].nearest != places[i - 1].nearest) distinct.clear();
     const Point p = point(places[i].id);
-    const auto twin = std::find_if(distinct.begin(), distinct.end(),
-                                   [&](PointId q) { return equal(carriers_, point(q), p); });
+    const auto twin =
+        std::find_if(distinct.begin(), distinct.end(), [&](PointId q) { return equal(carriers_, point(q), p); });
     if (twin == distinct.end()) {
       distinct.push_back(places[i].id);
     } else {

@@ -1,0 +1,46 @@
+#include "strata/overlap/point_table.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <utility>
+#include <vector>
+
+#include "strata/kernel/carriers.h"
+
+using namespace strata;
+
+namespace {
+
+using Pairs = std::vector<std::pair<PointId, PointId>>;
+
+}  // namespace
+
+// Catches: points taken for one because their nearest doubles are, and points at one place whose names are not related.
+TEST_CASE("points are at one place whatever their names are, and only then", "[overlap]") {
+  const double least = 1e-60;
+  const std::vector<Carriers::Coordinates> points{{0, 0, 0},     {4, 0, 0},     {0, 4, 0},  // z = 0
+                                                  {1, 1, -1},    {1, 1, 1},                 // an edge through (1, 1, 0)
+                                                  {3, 3, 0},     {2, 1, 0},     {0, 2, 0},
+                                                  {2, 0, 0},                                    // through it, in z = 0
+                                                  {1, 1, least}, {5, 1, least}, {1, 5, least},  // z = least
+                                                  {1, 1, 0}};
+  const std::vector<Carriers::Indices> faces{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}, {12, 3, 6}};
+  Carriers carriers;
+  carriers.add(points, faces);
+  PointTable table(carriers);
+  const std::vector<PointName> names{PointName::edge_face(3, 4, 0), PointName::edge_edge(3, 4, 7, 8),
+                                     PointName::edge_edge(0, 5, 7, 8), PointName::edge_face(3, 4, 3)};
+  const auto numbers = table.add(names, {});
+  std::vector<PointId> ids = numbers;
+  ids.push_back(12);
+  ids.push_back(0);
+  std::reverse(ids.begin(), ids.end());
+  // (1, 1, 0) is there four times; (1, 1, 1e-60) and the origin are alone. The lowest stands for all.
+  Pairs same = table.equal_places(ids, {});
+  std::sort(same.begin(), same.end());
+  CHECK(same == Pairs{{12, numbers[0]}, {12, numbers[1]}, {12, numbers[2]}});
+  CHECK(table.equal_places({}, {}).empty());
+  table.identify(same);
+  CHECK(table.representative(numbers[2]) == 12);
+  CHECK(table.representative(numbers[3]) == numbers[3]);
+}
