@@ -197,4 +197,43 @@ TEST_CASE("a decomposition can be cancelled and tells how far it is", "[convex]"
   CHECK_THROWS_AS(decompose(solid, Monitor(&cancel)), Cancelled);
 }
 
+// Catches: a part that is lost where three parts touch without common vertices.
+TEST_CASE("a solid that touches itself away from its vertices is not divided in silence", "[convex]") {
+  const Mesh mesh{{{0, 3, 3},
+                   {2, 3, 3.5},
+                   {0.5, 3.5, 1},
+                   {3, 1, 0},
+                   {2, 2, 4},
+                   {4, 0, 2},
+                   {0, 3, 3},
+                   {1, 1, 3.5},
+                   {1, 3, 7},
+                   {1, 3.5, 5},
+                   {1, 2.25, 4.25},
+                   {1, 3.25, 5.25},
+                   {1, 3.25, 3.25},
+                   {3, 5.25, 2.25}},
+                  {{0, 1, 2},
+                   {0, 2, 3},
+                   {0, 4, 1},
+                   {0, 5, 4},
+                   {0, 3, 5},
+                   {2, 1, 3},
+                   {4, 5, 1},
+                   {1, 5, 3},
+                   {6, 7, 8},
+                   {6, 9, 7},
+                   {6, 8, 9},
+                   {7, 9, 8},
+                   {10, 11, 12},
+                   {10, 12, 13},
+                   {10, 13, 11},
+                   {12, 11, 13}}};
+  const Solid solid(mesh);
+  CHECK_THROWS_AS(decompose(solid), std::invalid_argument);
+  const Solid resolved(mesh, InputClass::overlapping);
+  CHECK(resolved.volume() == solid.volume());
+  checked(resolved);
+}
+
 }  // namespace strata::test

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -43,4 +44,21 @@ TEST_CASE("points are at one place whatever their names are, and only then", "[o
   table.identify(same);
   CHECK(table.representative(numbers[2]) == 12);
   CHECK(table.representative(numbers[3]) == numbers[3]);
+}
+
+// Catches: points of one nearest double compared pair by pair, and taken for equal.
+TEST_CASE("places between the smallest doubles are told apart", "[overlap]") {
+  const double least = std::numeric_limits<double>::denorm_min();
+  std::vector<Carriers::Coordinates> points{{0, 0, 0}, {least, 0, 0}, {0, least, 0}};
+  const std::vector<Carriers::Indices> faces{{0, 1, 2}};
+  Carriers carriers;
+  carriers.add(points, faces);
+  PointTable table(carriers);
+  std::vector<PointName> names;
+  for (std::uint32_t t = 1; t <= 40; ++t) names.push_back(PointName::weighted(0, t));
+  CHECK(table.equal_places(table.add(names, {}), {}).empty());
+  names.assign(1, PointName::edge_edge(0, 1, 0, 2));
+  std::vector<PointId> ids = table.add(names, {});
+  for (PointId v = 0; v < table.end(); ++v) ids.push_back(v);
+  CHECK(table.equal_places(ids, {}) == Pairs{{0, table.end() - 1}});
 }

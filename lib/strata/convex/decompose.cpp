@@ -1,14 +1,17 @@
 #include "strata/convex/decompose.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 
 #include "strata/convex/piece_pool.h"
 #include "strata/convex/point_list.h"
 #include "strata/convex/region.h"
+#include "strata/kernel/filters.h"
 
 namespace strata::convex {
 namespace {
@@ -203,6 +206,39 @@ class Gatherer {
   Decomposition result_;
 };
 
+/// Six times a volume, by the facets that bound it, within bounds.
+class NearVolume {
+ public:
+  template <class Corners>
+  void add(const std::vector<Vertex>& points, const Corners& polygon) {
+    const BoundedPoint a = bounded(points[polygon[0]]);
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      sum_ = sum_ + dot<Bounded>(a, cross<Bounded>(bounded(points[polygon[i - 1]]), bounded(points[polygon[i]])));
+  }
+  [[nodiscard]] Bounded value() const { return sum_; }
+
+ private:
+  /// The exact place behind nearest doubles.
+  static BoundedPoint bounded(const Vertex& v) {
+    BoundedPoint p;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = Bounded(v[i], std::abs(v[i]) * Bounded::rounding + Bounded::underflow);
+    return p;
+  }
+  Bounded sum_ = 0;
+};
+
+/// Pieces of a solid that touches itself away from its vertices and edges may lack a part of it.
+void refuse_loss(const Mesh& solid, const Decomposition& d) {
+  NearVolume of_solid, of_pieces;
+  for (const Triangle& t : solid.triangles) of_solid.add(solid.vertices, t);
+  for (const auto& piece : d.pieces)
+    for (const Decomposition::Polygon& facet : piece) of_pieces.add(d.points, facet);
+  const Bounded lost = of_solid.value() - of_pieces.value();
+  if (std::abs(lost.value) > 2 * lost.error)  // twice, for the rounding of the bound, however many steps it has
+    throw std::invalid_argument(
+        "the solid touches or crosses itself away from common vertices and edges: read it as overlapping input");
+}
+
 }  // namespace
 
 RationalPoint Decomposition::position(std::uint32_t point) const {
@@ -239,6 +275,7 @@ Decomposition decompose(const Solid& solid, const Monitor& monitor) {
   PiecePool pool(maker);
   const std::size_t cuts = Divider(boundary, maker, pool, monitor).run();
   Decomposition result = Gatherer(boundary, maker, pool, monitor).gather();
+  refuse_loss(solid.mesh(), result);
   result.cuts = cuts;
   result.reflex_edges = static_cast<std::size_t>(
       std::count_if(boundary.wedges.begin(), boundary.wedges.end(), [](const Wedge& w) { return w.is_reflex; }));

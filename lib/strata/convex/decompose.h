@@ -49,7 +49,9 @@ struct Decomposition {
 /// r reflex edges take O(r^2) cuts; most solids have about r pieces, and none of the tests has more than r + r^2 / 4
 /// besides one for each part of its inside. A minimum is NP-hard to find. Expected O(n log n) where cuts leave parts of
 /// about one size; O(n^2) where every cut takes off little, as about a cavity with thousands of faces. The same on any
-/// machine. Requires triangles with area (std::invalid_argument), as those of a solid that was checked.
+/// machine. Requires triangles with area, and that the solid touches itself in common vertices and edges only: as
+/// results of Booleans do, and as check() finds. Throws std::invalid_argument where a triangle has no area, or where
+/// pieces certainly lack a part of a solid that touches itself elsewhere.
 /// Source of the problem: Chazelle, Convex partitions of polyhedra, 1984; theory.md, "Decomposition". Throws Cancelled.
 [[nodiscard]] Decomposition decompose(const Solid& solid, const Monitor& monitor = {});
 

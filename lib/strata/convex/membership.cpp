@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -21,19 +20,35 @@ RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Bounds of the exact places behind rounded coordinates.
-void include(Box& box, const Vertex& v) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Bounds of the exact place behind rounded coordinates.
+Box bounds_of(const Vertex& v) {
+  Box box;
   for (std::size_t i = 0; i < 3; ++i) {
-    box.lower[i] = std::min(box.lower[i], std::nextafter(v[i], -infinity));
-    box.upper[i] = std::max(box.upper[i], std::nextafter(v[i], infinity));
+    box.lower[i] = std::nextafter(v[i], -infinity);
+    box.upper[i] = std::nextafter(v[i], infinity);
   }
+  return box;
 }
 
-/// May x be between two doubles? Certain where the answer is no.
-bool may_hold(double lower, double upper, double nearest) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return lower <= std::nextafter(nearest, infinity) && std::nextafter(nearest, -infinity) <= upper;
+/// Bounds of all x - y. The ends of neither box are infinite in the wrong direction.
+Box minus(const Box& x, const Box& y) {
+  Box box;
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.lower[i] = std::nextafter(x.lower[i] - y.upper[i], -infinity);
+    box.upper[i] = std::nextafter(x.upper[i] - y.lower[i], infinity);
+  }
+  return box;
+}
+
+BoxIndex index_of(const Mesh& mesh) {
+  std::vector<Box> boxes;
+  for (const Triangle& t : mesh.triangles) {
+    Box& box = boxes.emplace_back();
+    for (const std::uint32_t v : t) box.include(bounds_of(mesh.vertices[v]));
+  }
+  return BoxIndex(std::move(boxes));
 }
 
 Vertex nearest(const RationalPoint& p) {
@@ -68,31 +83,33 @@ int place_in_triangle(const std::array<RationalPoint, 3>& t, const RationalPoint
 }
 
 /// Counts what is straight above. A point inside faces is in front of them or behind them; on edges it is not decided.
-Side side_of_solid(const ExactMesh& solid, const NearPoint& point) {
+Side side_of_solid(const ExactMesh& solid, const BoxIndex& triangles, const NearPoint& point) {
   const RationalPoint& p = point.p;
-  const Vertex near = nearest(p);
+  Box upwards = bounds_of(nearest(p));
+  upwards.upper[2] = infinity;
   int above = 0;
   bool is_in_front = false;
-  for (const Triangle& t : solid.mesh.triangles) {
-    Box box;
-    for (const std::uint32_t v : t) include(box, solid.mesh.vertices[v]);
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (!may_hold(box.lower[0], box.upper[0], near[0]) || !may_hold(box.lower[1], box.upper[1], near[1]) ||
-        !may_hold(-infinity, box.upper[2], near[2]))
-      continue;
+  std::optional<Side> told;
+  triangles.for_each_overlapping(upwards, [&](std::uint32_t number) {
+    const Triangle& t = solid.mesh.triangles[number];
     const std::array<RationalPoint, 3> c{solid.position(t[0]), solid.position(t[1]), solid.position(t[2])};
     const RationalPoint normal = cross(minus(c[1], c[0]), minus(c[2], c[0]));
     const int height = dot(normal, minus(p, c[0])).sign();
     if (const int place = height == 0 ? place_in_triangle(c, normal, p) : -1; place >= 0) {
       const int slope = dot(normal, point.n).sign();
-      if (place == 0 || slope == 0) return Side::unknown;
-      if (slope < 0) return Side::in;
+      if (place == 0 || slope == 0)
+        told = Side::unknown;
+      else if (slope < 0)
+        told = Side::in;
+      if (told) return false;
       is_in_front = true;
     }
     const int turns = turn(c[0], c[1], p) + turn(c[1], c[2], p) + turn(c[2], c[0], p);
     if (turns == 3 && height < 0) ++above;
     if (turns == -3 && height > 0) --above;
-  }
+    return true;
+  });
+  if (told) return *told;
   return above > 0 && !is_in_front ? Side::in : Side::out;
 }
 
@@ -156,84 +173,71 @@ Polytope triangle_polytope(ExactMeshView mesh, const Triangle& triangle) {
   return result;
 }
 
-Pieces triangles_of(const ExactMesh& solid) {
-  Pieces result;
-  for (const Triangle& t : solid.mesh.triangles) {
-    Box box;
-    for (const std::uint32_t v : t) include(box, solid.mesh.vertices[v]);
-    result.boxes.push_back(box);
-  }
-  return result;
-}
-
-Pieces pieces_of(const Polytope& polytope) {
-  Pieces result{{polytope}, {Box()}};
-  for (const Vertex& v : polytope.vertices) include(result.boxes[0], v);
-  return result;
-}
-
 SumMembership::SumMembership(const ExactMesh& a, const Surface& of_a, const ExactMesh* b, const Surface& of_b,
                              const Polytope* whole_b)
     : a_(a),
       b_(b),
-      pieces_of_a_(triangles_of(a)),
-      pieces_of_b_(b != nullptr ? triangles_of(*b) : pieces_of(*whole_b)),
+      whole_b_(whole_b),
+      triangles_of_a_(index_of(a.mesh)),
       parts_of_a_(parts_of(of_a)),
       parts_of_b_(parts_of(of_b)) {
-  if (whole_b != nullptr) outline_of_b_ = outline_of(*whole_b);
+  if (b != nullptr) {
+    triangles_of_b_ = index_of(b->mesh);
+  } else {
+    outline_of_b_ = outline_of(*whole_b);
+    for (const Vertex& v : whole_b->vertices) bounds_of_b_.include(bounds_of(v));
+  }
 }
 
 Side SumMembership::side(const NearPoint& point) const {
   // One operand holds a part of the other, or their boundaries meet. What is deep inside is told by the first alone.
   bool unknown = false;
-  const auto holds = [&](const ExactMesh& solid, const std::vector<std::vector<RationalPoint>>& parts) {
+  const auto holds = [&](const ExactMesh& solid, const BoxIndex& triangles,
+                         const std::vector<std::vector<RationalPoint>>& parts) {
     for (const auto& part : parts) {
       Side side = Side::unknown;
       for (std::size_t i = 0; i < part.size() && side == Side::unknown; ++i)
-        side = side_of_solid(solid, {minus(point.p, part[i]), point.n});
+        side = side_of_solid(solid, triangles, {minus(point.p, part[i]), point.n});
       if (side == Side::in) return true;
       unknown |= side == Side::unknown;
     }
     return false;
   };
-  if (holds(a_, parts_of_b_) || (b_ != nullptr && holds(*b_, parts_of_a_))) return Side::in;
+  if (holds(a_, triangles_of_a_, parts_of_b_)) return Side::in;
+  if (b_ != nullptr && holds(*b_, triangles_of_b_, parts_of_a_)) return Side::in;
   const Side boundaries = side_of_boundaries(point);
   return boundaries == Side::out && unknown ? Side::unknown : boundaries;
 }
 
-/// Does a piece of one boundary meet one of the other?
 Side SumMembership::side_of_boundaries(const NearPoint& point) const {
   const Vertex near = nearest(point.p);
+  if (b_ == nullptr) return side_of_sums(point, near, bounds_of_b_, *outline_of_b_, [&] { return *whole_b_; });
   bool unknown = false;
-  const auto may_cover = [&](const Box& s, const Box& t) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < 3; ++i)
-      if (!may_hold(std::nextafter(s.lower[i] + t.lower[i], -infinity),
-                    std::nextafter(s.upper[i] + t.upper[i], infinity), near[i]))
-        return false;
-    return true;
-  };
-  for (std::size_t j = 0; j < pieces_of_b_.boxes.size(); ++j) {
-    Polytope of_b;
-    std::optional<Outline> of_triangle;  // of b, when one is near
-    for (std::size_t i = 0; i < pieces_of_a_.boxes.size(); ++i) {
-      if (!may_cover(pieces_of_a_.boxes[i], pieces_of_b_.boxes[j])) continue;
-      if (b_ != nullptr && !of_triangle) of_triangle = outline_of(b_->mesh, b_->mesh.triangles[j]);
-      const Outline& outline_of_b = b_ == nullptr ? *outline_of_b_ : *of_triangle;
-      if (sum_misses(outline_of(a_.mesh, a_.mesh.triangles[i]), outline_of_b, near)) continue;
-      if (of_b.dimension < 0)
-        of_b = b_ == nullptr ? pieces_of_b_.polytopes[j] : triangle_polytope(*b_, b_->mesh.triangles[j]);
-      switch (side_of(sum(triangle_polytope(a_, a_.mesh.triangles[i]), of_b), point)) {
-        case Side::in:
-          return Side::in;
-        case Side::unknown:
-          unknown = true;
-          break;
-        case Side::out:
-          break;
-      }
-    }
+  for (std::size_t j = 0; j < b_->mesh.triangles.size(); ++j) {
+    const Triangle& t = b_->mesh.triangles[j];
+    const Side side = side_of_sums(point, near, triangles_of_b_.boxes()[j], outline_of(b_->mesh, t),
+                                   [&] { return triangle_polytope(*b_, t); });
+    if (side == Side::in) return Side::in;
+    unknown |= side == Side::unknown;
   }
+  return unknown ? Side::unknown : Side::out;
+}
+
+template <class PieceOfB>
+Side SumMembership::side_of_sums(const NearPoint& point, const Vertex& near, const Box& bounds_of_b,
+                                 const Outline& outline_of_b, const PieceOfB& piece_of_b) const {
+  std::optional<Polytope> of_b;  // when it is needed
+  bool unknown = false;
+  const bool is_out =
+      triangles_of_a_.for_each_overlapping(minus(bounds_of(near), bounds_of_b), [&](std::uint32_t number) {
+        const Triangle& t = a_.mesh.triangles[number];
+        if (sum_misses(outline_of(a_.mesh, t), outline_of_b, near)) return true;
+        if (!of_b) of_b = piece_of_b();
+        const Side side = side_of(sum(triangle_polytope(a_, t), *of_b), point);
+        unknown |= side == Side::unknown;
+        return side != Side::in;
+      });
+  if (!is_out) return Side::in;
   return unknown ? Side::unknown : Side::out;
 }
 

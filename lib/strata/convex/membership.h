@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "strata/convex/box_index.h"
 #include "strata/convex/outline.h"
 #include "strata/convex/polytope.h"
 #include "strata/convex/surface.h"
@@ -25,14 +26,6 @@ enum class Side { out, in, unknown };
 /// With respect to a polytope of any dimension; of those below 3, nothing is inside. O(facets), exact.
 [[nodiscard]] Side side_of(const Polytope& polytope, const NearPoint& point);
 
-/// Pieces of an operand that cover its boundary, convex each: triangles of a solid, or one polytope as a whole.
-struct Pieces {
-  std::vector<Polytope> polytopes;
-  std::vector<Box> boxes;
-};
-
-[[nodiscard]] Pieces triangles_of(const ExactMesh& solid);
-[[nodiscard]] Pieces pieces_of(const Polytope& polytope);
 [[nodiscard]] Polytope triangle_polytope(ExactMeshView mesh, const Triangle& triangle);
 
 /// Tells whether points lie in the sum of two solids, or of a solid and a polytope, by its definition: x is in A + B
@@ -43,15 +36,21 @@ class SumMembership {
   SumMembership(const ExactMesh& a, const Surface& of_a, const ExactMesh* b, const Surface& of_b,
                 const Polytope* whole_b);
 
-  /// Exact. O(n + sums of pieces near the point); n m for two solids.
+  /// Exact. Where boxes overlap little, O(m log n + sums of pieces near the point) for m triangles of b, or for m = 1
+  /// where b is a polytope, and as much for every part of an operand.
   [[nodiscard]] Side side(const NearPoint& point) const;
 
  private:
   [[nodiscard]] Side side_of_boundaries(const NearPoint& point) const;
+  template <class PieceOfB>
+  [[nodiscard]] Side side_of_sums(const NearPoint& point, const Vertex& near, const Box& bounds_of_b,
+                                  const Outline& outline_of_b, const PieceOfB& piece_of_b) const;
 
   const ExactMesh& a_;
   const ExactMesh* b_;
-  Pieces pieces_of_a_, pieces_of_b_;
+  const Polytope* whole_b_;
+  BoxIndex triangles_of_a_, triangles_of_b_;
+  Box bounds_of_b_;                                                  ///< of a polytope
   std::optional<Outline> outline_of_b_;                              ///< of a polytope
   std::vector<std::vector<RationalPoint>> parts_of_a_, parts_of_b_;  ///< vertices of every shell
 };

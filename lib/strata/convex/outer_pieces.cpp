@@ -22,10 +22,11 @@ struct SideOfPiece {
 
 bool on_one_edge(const SideOfPiece& a, const SideOfPiece& b) { return a.low == b.low && a.high == b.high; }
 
-/// Pieces that stay or go together, and those known to go.
+/// Pieces that stay or go together, and what is known of them.
 class Patches {
  public:
-  explicit Patches(const std::vector<PieceOfFace>& pieces) : sets_(pieces.size()), gone_(pieces.size(), false) {
+  explicit Patches(const std::vector<PieceOfFace>& pieces)
+      : sets_(pieces.size()), gone_(pieces.size(), false), stays_(pieces.size(), false) {
     sides_.reserve(3 * pieces.size());
     for (std::uint32_t p = 0; p < pieces.size(); ++p)
       for (std::size_t i = 0; i < 3; ++i) {
@@ -35,23 +36,42 @@ class Patches {
     std::sort(sides_.begin(), sides_.end(), [](const SideOfPiece& a, const SideOfPiece& b) {
       return std::pair(std::pair(a.low, a.high), a.piece) < std::pair(std::pair(b.low, b.high), b.piece);
     });
+    spread();
+  }
+
+  [[nodiscard]] bool is_gone(std::uint32_t piece) { return gone_[sets_.find(piece)]; }
+  /// What is known of a piece is known of its patch.
+  void drop(std::uint32_t piece) {
+    if (stays_[sets_.find(piece)]) throw LogicError("a piece of a boundary is alone at an edge");
+    gone_[sets_.find(piece)] = true;
+  }
+  void keep(std::uint32_t piece) { stays_[sets_.find(piece)] = true; }
+  /// Finds what follows for others.
+  void spread() {
     while (look_at_edges()) {
     }
   }
 
-  [[nodiscard]] bool is_gone(std::uint32_t piece) { return gone_[sets_.find(piece)]; }
-  void drop(std::uint32_t piece) { gone_[sets_.find(piece)] = true; }
-
-  /// The patches of which nothing is known.
-  [[nodiscard]] std::vector<std::vector<std::uint32_t>> remaining() {
-    std::vector<std::vector<std::uint32_t>> patches(gone_.size());
-    for (std::uint32_t p = 0; p < gone_.size(); ++p)
-      if (!is_gone(p)) patches[sets_.find(p)].push_back(p);
-    std::erase_if(patches, [](const auto& patch) { return patch.empty(); });
+  /// The patches of which nothing is known, the largest first.
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> unknown() {
+    std::vector<std::uint32_t> number(gone_.size(), none);
+    std::vector<std::vector<std::uint32_t>> patches;
+    for (std::uint32_t p = 0; p < gone_.size(); ++p) {
+      const std::uint32_t root = sets_.find(p);
+      if (gone_[root] || stays_[root]) continue;
+      if (number[root] == none) {
+        number[root] = static_cast<std::uint32_t>(patches.size());
+        patches.emplace_back();
+      }
+      patches[number[root]].push_back(p);
+    }
+    std::stable_sort(patches.begin(), patches.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
     return patches;
   }
 
  private:
+  static constexpr std::uint32_t none = 0xffffffffu;
+
   /// Looks at all edges that may tell more, and forgets those that have told all. True if one told something.
   bool look_at_edges() {
     bool changed = false;
@@ -72,7 +92,9 @@ class Patches {
   /// Two pieces alone at an edge have the solid behind both only if they run along it in opposite directions.
   void connect(const SideOfPiece& a, const SideOfPiece& b) {
     if (a.forward != b.forward) {
+      const bool stays = stays_[sets_.find(a.piece)] || stays_[sets_.find(b.piece)];
       sets_.unite(a.piece, b.piece);
+      stays_[sets_.find(a.piece)] = stays;
     } else {
       drop(a.piece);
       drop(b.piece);
@@ -80,7 +102,7 @@ class Patches {
   }
 
   DisjointSets<std::uint32_t> sets_;
-  std::vector<bool> gone_;          ///< per patch, at the piece that stands for it
+  std::vector<bool> gone_, stays_;  ///< per patch, at the piece that stands for it
   std::vector<SideOfPiece> sides_;  ///< by edges
 };
 
@@ -134,11 +156,13 @@ std::size_t farthest(const std::vector<std::vector<std::uint32_t>>& patches, con
 /// Asks at one place of a patch after the other until one is known: those that are not lie on finitely many lines, and
 /// none of these has more than two of the places in one piece.
 Side side_in_front(const std::vector<std::uint32_t>& patch, const std::vector<PieceOfFace>& pieces,
-                   const SideInFront& ask) {
+                   const SideInFront& ask, const Monitor& monitor) {
   constexpr int limit = 1 << 20;
-  for (int k = 0; k < limit; ++k)
+  for (int k = 0; k < limit; ++k) {
+    monitor.check();
     if (const Side side = ask(pieces[patch[static_cast<std::size_t>(k) % patch.size()]], k + 1); side != Side::unknown)
       return side;
+  }
   fail("no place in front of a piece is known", pieces[patch.front()].face);
 }
 
@@ -207,15 +231,23 @@ void keep_outer_pieces(const Carriers& carriers, const PointTable& points, Evalu
                        const SideInFront& in_front, const Monitor& monitor) {
   const std::vector<PieceOfFace> all = list_pieces(carriers, points, pieces);
   Patches patches(all);
-  const auto remaining = patches.remaining();
-  const std::size_t known = farthest(remaining, all, points);
-  std::vector<Side> sides(remaining.size(), Side::out);
-  tbb::parallel_for(std::size_t{0}, remaining.size(), [&](std::size_t i) {
-    monitor.check();
-    if (i != known) sides[i] = side_in_front(remaining[i], all, in_front);
-  });
-  for (std::size_t i = 0; i < remaining.size(); ++i)
-    if (sides[i] == Side::in) patches.drop(remaining[i].front());
+  auto unknown = patches.unknown();
+  if (const std::size_t outside = farthest(unknown, all, points); outside < unknown.size()) {
+    patches.keep(unknown[outside].front());
+    unknown.erase(unknown.begin() + static_cast<std::ptrdiff_t>(outside));
+  }
+  // What some patches tell answers for many others.
+  constexpr std::size_t least = 16, share = 8;
+  while (!unknown.empty()) {
+    unknown.resize(std::min(unknown.size(), std::max(least, unknown.size() / share)));
+    std::vector<Side> sides(unknown.size());
+    tbb::parallel_for(std::size_t{0}, unknown.size(),
+                      [&](std::size_t i) { sides[i] = side_in_front(unknown[i], all, in_front, monitor); });
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+      sides[i] == Side::in ? patches.drop(unknown[i].front()) : patches.keep(unknown[i].front());
+    patches.spread();
+    unknown = patches.unknown();
+  }
   drop_gone(pieces, patches);
 }
 

@@ -96,17 +96,17 @@ class TouchingFaces {
 
   ExactMesh run() {
     tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(a_.faces.size()), [&](std::uint32_t f) {
+      monitor_.check();
       for (std::uint32_t g = 0; g < b_.edges.size(); ++g)
         if (face_of_a_beyond(f, g)) beyond_.set(f, g);
     });
-    monitor_.check();
-    for (std::uint32_t e = 0; e < a_.edges.size(); ++e)
+    for (std::uint32_t e = 0; e < a_.edges.size(); ++e) {
+      monitor_.check();
       if (a_directions_.bend[e] > 0)
         beyond_.differences(a_.edges[e].left, a_.edges[e].right, [&](std::uint32_t g) { add_parallelogram(e, g); });
-    monitor_.check();
+    }
     add_faces(
         a_, b_, [&](std::uint32_t f, std::uint32_t g) { return beyond_.at(f, g); }, false);
-    monitor_.check();
     add_faces(
         b_, a_, [&](std::uint32_t f, std::uint32_t e) { return face_of_b_beyond(f, e); }, true);
     ExactMesh result = std::move(sums_.points());
@@ -168,10 +168,12 @@ class TouchingFaces {
   template <class Beyond>
   void add_faces(const Surface& surface, const Surface& other, Beyond beyond, bool vertices_of_a) {
     const VertexEdges ends(other);
-    for (std::uint32_t f = 0; f < surface.faces.size(); ++f)
+    for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
+      monitor_.check();
       for (const std::uint32_t v : ends.vertices())
         if (ends.none_leads(v, [&](std::uint32_t edge) { return beyond(f, edge); }))
           add_face(surface.faces[f], v, vertices_of_a);
+    }
   }
 
   void add_face(const std::vector<std::uint32_t>& loop, std::uint32_t vertex, bool vertex_of_a) {

@@ -16,7 +16,6 @@ namespace strata {
 
 Evaluated arrange_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
                          Profile& profile) {
-  const TierCounts decided_before = tier_counts_now();
   Stopwatch watch(profile);
   const CellTree cells(carriers, {.self = self, .monitor = monitor});
   watch.lap("cells");
@@ -34,23 +33,27 @@ Evaluated arrange_pieces(Carriers& carriers, const Rule& rule, bool self, PointT
   result.whole = judge_whole_faces(carriers, layers, &cells, rule, result.split, self, monitor);
   watch.lap("layers");
   monitor.report(0.85);
-  std::size_t pieces = 0;
-  for (const SplitFace& face : result.split) pieces += face.triangles.size();
-  profile.counts = {{"cells", cells.cells().size()},           {"pairs_tested", meetings.pairs_tested},
-                    {"pairs_meeting", meetings.pairs_meeting}, {"points", points.end() - points.first()},
-                    {"split_faces", result.split.size()},      {"pieces", pieces}};
-  const TierCounts decided = tier_counts_now();
-  for (std::size_t i = 0; i < decided.size(); ++i)
-    if (decided[i] != decided_before[i]) profile.counts.emplace_back(tier_names[i], decided[i] - decided_before[i]);
+  profile.counts = {{"cells", cells.cells().size()},
+                    {"pairs_tested", meetings.pairs_tested},
+                    {"pairs_meeting", meetings.pairs_meeting}};
   return result;
 }
 
 Evaluated evaluate_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
                           Profile& profile) {
+  const TierCounts decided_before = tier_counts_now();
   Evaluated result = arrange_pieces(carriers, rule, self, points, monitor, profile);
   Stopwatch watch(profile);
   merge_pieces(carriers, points, result.split, result.pools, monitor);
   watch.lap("merge");
+  std::size_t pieces = 0;
+  for (const SplitFace& face : result.split) pieces += face.triangles.size();
+  for (const auto& [name, count] : {std::pair("points", std::size_t{points.end() - points.first()}),
+                                    std::pair("split_faces", result.split.size()), std::pair("pieces", pieces)})
+    profile.counts.emplace_back(name, count);
+  const TierCounts decided = tier_counts_now();
+  for (std::size_t i = 0; i < decided.size(); ++i)
+    if (decided[i] != decided_before[i]) profile.counts.emplace_back(tier_names[i], decided[i] - decided_before[i]);
   return result;
 }
 

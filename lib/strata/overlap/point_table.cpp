@@ -118,16 +118,26 @@ std::vector<std::pair<PointId, PointId>> PointTable::equal_places(std::vector<Po
   });
   tbb::parallel_sort(places.begin(), places.end());
   std::vector<std::pair<PointId, PointId>> same;
-  std::vector<PointId> distinct;  // of those that look alike
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (i == 0 || places[i].nearest != places[i - 1].nearest) distinct.clear();
-    const Point p = point(places[i].id);
-    const auto twin =
-        std::find_if(distinct.begin(), distinct.end(), [&](PointId q) { return equal(carriers_, point(q), p); });
-    if (twin == distinct.end()) {
-      distinct.push_back(places[i].id);
-    } else {
-      same.emplace_back(*twin, places[i].id);
+  for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
+    while (last < places.size() && places[last].nearest == places[first].nearest) ++last;
+    monitor.check();
+    constexpr std::size_t few = 8;
+    if (last - first <= few) {
+      for (std::size_t i = first + 1; i < last; ++i) {
+        const Point p = point(places[i].id);
+        for (std::size_t k = first; k < i; ++k) {
+          if (!equal(carriers_, point(places[k].id), p)) continue;
+          same.emplace_back(places[k].id, places[i].id);
+          break;
+        }
+      }
+    } else {  // as where doubles are far apart: near zero
+      std::vector<std::pair<RationalPoint, PointId>> exact;
+      for (std::size_t i = first; i < last; ++i)
+        exact.emplace_back(exact_position(carriers_, point(places[i].id)), places[i].id);
+      std::sort(exact.begin(), exact.end());
+      for (std::size_t i = 1; i < exact.size(); ++i)
+        if (exact[i].first == exact[i - 1].first) same.emplace_back(exact[i - 1].second, exact[i].second);
     }
   }
   return same;
