@@ -23,8 +23,9 @@ using SideInFront = std::function<Side(const PieceOfFace&, int)>;
 
 /// Drops those pieces of an arrangement that are no part of the boundary of a bounded solid, which pieces make up, each
 /// with the solid behind it. Around an edge the boundary has an even number of pieces, so a piece alone at an edge
-/// goes, and two alone at an edge stay both or go both: one question per patch that is connected in this way. O(n log
-/// n) for each time that a patch which goes leaves others alone; in practice less than ten times.
+/// goes, and two alone at an edge stay both or go both: one question per patch that is connected in this way.
+/// O(n log n), and as much as there are edges of three pieces and more for each time that pieces leave others alone.
+/// Throws Cancelled.
 void keep_outer_pieces(const Carriers& carriers, const PointTable& points, Evaluated& pieces,
                        const SideInFront& in_front, const Monitor& monitor);
 
