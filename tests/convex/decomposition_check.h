@@ -14,10 +14,10 @@ namespace strata::test {
 
 using Positions = std::vector<RationalPoint>;
 
-inline Positions positions_of(const convex::Decomposition& d) {
+inline Positions positions_of(const std::vector<Vertex>& points, const std::vector<ExactVertex>& exact) {
   Positions at;
-  for (const Vertex& v : d.points) at.push_back({to_rational(v[0]), to_rational(v[1]), to_rational(v[2])});
-  for (const ExactVertex& e : d.exact) at[e.vertex] = e.position;
+  for (const Vertex& v : points) at.push_back({to_rational(v[0]), to_rational(v[1]), to_rational(v[2])});
+  for (const ExactVertex& e : exact) at[e.vertex] = e.position;
   return at;
 }
 
@@ -75,7 +75,7 @@ inline AreaSums boundary_areas(const ExactMesh& mesh) {
 /// Every piece convex, volumes add up, boundaries cancel to that of the solid (so pieces are apart and fill it), and
 /// walls are all that is left of their facets. Empty: all is right.
 inline std::string fault_of(const convex::Decomposition& d, const Solid& solid) {
-  const Positions at = positions_of(d);
+  const Positions at = positions_of(d.points, d.exact());
   Rational volume = 0;
   std::vector<ExactFacet> facets;
   AreaSums areas;

@@ -18,10 +18,7 @@ VolumeComplex volumes_of(const Solid& solid) { return convex::volumes_of(solid, 
 /// The signed volume that the shells of a volume bound, seen from inside it: negative for the outside.
 Rational measure(const VolumeComplex& complex, std::uint32_t v) {
   Rational sum = 0;
-  convex::Decomposition points;
-  points.points = complex.points;
-  points.exact = complex.exact;
-  const Positions at = positions_of(points);
+  const Positions at = positions_of(complex.points, complex.exact);
   for (const convex::Shell& shell : complex.volumes[v].shells)
     for (const std::uint32_t i : shell) {
       const convex::Interface& face = complex.interfaces[i];

@@ -78,11 +78,17 @@ Piece<3> part_on(const Piece<3>& piece, std::uint32_t hyperplane, const Signs& s
   return part;
 }
 
-/// The rectangle that four sides of the frame cut out of a plane, counter-clockwise as seen from where `axis` looks to.
-Piece<3> rectangle(const HyperplaneTable<3>& table, std::uint32_t plane, std::size_t axis) {
+constexpr BoxPlanes frame_planes() {
+  BoxPlanes frame{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    frame[axis] = {HyperplaneTable<3>::frame(axis, false), HyperplaneTable<3>::frame(axis, true)};
+  return frame;
+}
+
+/// The rectangle that four sides of a box cut out of a plane, counter-clockwise as seen from where `axis` looks to.
+Piece<3> rectangle(const HyperplaneTable<3>& table, std::uint32_t plane, std::size_t axis, const BoxPlanes& box) {
   const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
-  constexpr auto frame = HyperplaneTable<3>::frame;
-  const std::array<std::uint32_t, 4> around{frame(j, false), frame(i, true), frame(j, true), frame(i, false)};
+  const std::array<std::uint32_t, 4> around{box[j][0], box[i][1], box[j][1], box[i][0]};
   Piece<3> piece;
   piece.hyperplane = plane;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -130,9 +136,13 @@ Piece<2> whole(const HyperplaneTable<2>& table, std::uint32_t hyperplane) {
 
 template <>
 Piece<3> whole(const HyperplaneTable<3>& table, std::uint32_t hyperplane) {
-  const std::size_t axis = table[hyperplane].longest_axis();
-  Piece<3> piece = rectangle(table, hyperplane, axis);
-  if (table[hyperplane].exact()[axis] < 0) turn_round(piece);
+  return whole_between(table, hyperplane, frame_planes());
+}
+
+Piece<3> whole_between(const HyperplaneTable<3>& table, std::uint32_t plane, const BoxPlanes& box) {
+  const std::size_t axis = table[plane].longest_axis();
+  Piece<3> piece = rectangle(table, plane, axis, box);
+  if (table[plane].exact()[axis] < 0) turn_round(piece);
   return piece;
 }
 
@@ -148,7 +158,7 @@ Piece<2> side_of_frame(const HyperplaneTable<2>& table, std::size_t axis, bool i
 
 template <>
 Piece<3> side_of_frame(const HyperplaneTable<3>& table, std::size_t axis, bool is_upper) {
-  return rectangle(table, HyperplaneTable<3>::frame(axis, is_upper), axis);
+  return rectangle(table, HyperplaneTable<3>::frame(axis, is_upper), axis, frame_planes());
 }
 
 template <int D>

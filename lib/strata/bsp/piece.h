@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <span>
@@ -60,6 +61,13 @@ template <int D>
 /// A side of the frame: the part of x_axis = W or -W between the others. Whatever is not bounded reaches such a side.
 template <int D>
 [[nodiscard]] Piece<D> side_of_frame(const HyperplaneTable<D>& table, std::size_t axis, bool is_upper);
+
+/// Two planes of space for each axis, the lower one first, both looking to larger coordinates.
+using BoxPlanes = std::array<std::array<std::uint32_t, 2>, 3>;
+
+/// The part of a plane between the planes of a box along the two axes that are farther from its normal, or the same
+/// for a side of the box itself. It may reach out of the box along the third.
+[[nodiscard]] Piece<3> whole_between(const HyperplaneTable<3>& table, std::uint32_t plane, const BoxPlanes& box);
 
 /// On which sides of a hyperplane a piece lies; it may touch it.
 template <int D>

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "strata/bsp/build.h"
-#include "strata/mesh/exact_mesh.h"
+#include "strata/bsp/mesh_planes.h"
 
 namespace strata::bsp {
 
@@ -10,5 +10,6 @@ namespace strata::bsp {
 /// table, and through every side a plane along the axis nearest to the normal, as a wall. Corners of a facet follow
 /// those of its triangle: (0, 1, 2), or (0, 2, 1) where it does not face plus. Expected O(n).
 [[nodiscard]] std::vector<Facet<3>> triangle_facets(HyperplaneTable<3>& table, ExactMeshView mesh);
+[[nodiscard]] std::vector<Facet<3>> triangle_facets(MeshPlanes& planes);
 
 }  // namespace strata::bsp

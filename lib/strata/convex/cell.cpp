@@ -79,18 +79,17 @@ bool CellMaker::are_boxes_apart(const CellFacet& f, const CellFacet& g) const {
   return false;
 }
 
-Cell CellMaker::space() {
+Cell CellMaker::box() {
   Cell cell;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const bool is_upper : {false, true}) {
-      bsp::Piece<3> side = bsp::side_of_frame(table_, axis, is_upper);
-      CellFacet facet{side.hyperplane, is_upper, {}, {}};
-      for (const Corner<3>& c : side.corners) facet.corners.push_back(add(c));
-      facet.walls.assign(side.walls.begin(), side.walls.end());
-      if (!is_upper) turn_round(facet);
-      cell.facets.push_back(std::move(facet));
-    }
+  for (const auto& [lower, upper] : box_) {
+    cell.facets.push_back(facet_of(whole(lower), false));
+    cell.facets.push_back(facet_of(whole(upper), true));
+  }
   return cell;
+}
+
+bool CellMaker::is_of_box(std::uint32_t plane) const {
+  return std::any_of(box_.begin(), box_.end(), [&](const auto& two) { return two[0] == plane || two[1] == plane; });
 }
 
 CellFacet CellMaker::facet_of(const bsp::Piece<3>& polygon, bool faces_plus) {

@@ -19,23 +19,26 @@ struct CellFacet {
   boost::container::small_vector<std::uint32_t, 6> walls;    ///< walls[i]: the other plane at the side from corner i
 };
 
-/// A convex cell of space, bounded or reaching to the frame (`Corner`): one facet per plane, every corner a vertex.
+/// A convex cell of space: one facet per plane, every corner a vertex.
 struct Cell {
   std::vector<CellFacet> facets;
 
   [[nodiscard]] const CellFacet* facet_in(std::uint32_t plane) const;
 };
 
-/// Makes cells and keeps their corners, each once where cells were made by dividing one another. All decisions are
-/// exact signs of the table. The table must outlive it.
+/// Makes cells within a box and keeps their corners, each once where cells were made by dividing one another. All
+/// decisions are exact signs of the table. The table must outlive it.
 class CellMaker {
  public:
-  explicit CellMaker(const HyperplaneTable<3>& table) : table_(table) {}
+  CellMaker(const HyperplaneTable<3>& table, const bsp::BoxPlanes& box) : table_(table), box_(box) {}
 
   [[nodiscard]] const Corner<3>& corner(std::uint32_t number) const { return corners_[number]; }
 
-  /// All of space, up to the frame.
-  [[nodiscard]] Cell space();
+  /// The whole box.
+  [[nodiscard]] Cell box();
+  /// A polygon in a plane that holds all of its part of the box.
+  [[nodiscard]] bsp::Piece<3> whole(std::uint32_t plane) const { return bsp::whole_between(table_, plane, box_); }
+  [[nodiscard]] bool is_of_box(std::uint32_t plane) const;
 
   /// A polygon as a facet, and back.
   [[nodiscard]] CellFacet facet_of(const bsp::Piece<3>& polygon, bool faces_plus);
@@ -71,6 +74,7 @@ class CellMaker {
   std::uint32_t add(Corner<3> corner);
 
   const HyperplaneTable<3>& table_;
+  bsp::BoxPlanes box_;
   std::vector<Corner<3>> corners_;
   std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, NamesHash> numbers_;  ///< by names, rising
   std::vector<std::pair<std::uint32_t, Sign>> signs_;  ///< of corners, and in which division that was

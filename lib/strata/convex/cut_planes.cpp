@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <unordered_map>
+#include <tuple>
 #include <utility>
 
 namespace strata::convex {
@@ -15,14 +14,11 @@ constexpr double nearly = 0x1p-30;  ///< of an estimate; what is parallel is dec
 
 class CutPlanes {
  public:
-  CutPlanes(HyperplaneTable<3>& table, std::span<const bsp::Facet<3>> facets, std::span<const Wedge> wedges,
+  CutPlanes(bsp::MeshPlanes& mesh_planes, std::span<const bsp::Facet<3>> facets, std::span<const Wedge> wedges,
             const Monitor& monitor)
-      : monitor_(monitor), table_(table), facets_(facets), wedges_(wedges), through_(wedges.size()) {
+      : monitor_(monitor), mesh_planes_(mesh_planes), facets_(facets), wedges_(wedges), through_(wedges.size()) {
     for (std::uint32_t w = 0; w < wedges.size(); ++w)
-      if (wedges[w].is_reflex) {
-        reflex_.push_back(w);
-        ends_[w] = {table.position(wedges[w].ends[0]), table.position(wedges[w].ends[1])};
-      }
+      if (wedges[w].is_reflex) reflex_.push_back(w);
   }
 
   std::vector<std::vector<std::uint32_t>> all() {
@@ -39,32 +35,36 @@ class CutPlanes {
     if (std::find(planes.begin(), planes.end(), plane) == planes.end()) planes.push_back(plane);
   }
 
-  [[nodiscard]] const RationalPoint& end(std::uint32_t wedge, std::size_t i) const { return ends_.at(wedge)[i]; }
-  /// Notes the plane through edge v and a point of edge w for both, unless one has enough or the point is on v's line.
-  void pair(std::uint32_t v, std::uint32_t w, const RationalPoint& apex) {
+  /// Notes the plane through edge v and a vertex of edge w for both, unless one has enough or the vertex is on v's line.
+  void pair(std::uint32_t v, std::uint32_t w, std::uint32_t apex) {
     if (through_[v].size() >= 2 + most_partners || through_[w].size() >= 2 + most_partners) return;
-    const RationalPoint &p = end(v, 0), &q = end(v, 1);
-    if (are_collinear(p, q, apex)) return;
-    const std::uint32_t plane = table_.add(plane_through(p, q, apex).hyperplane);
-    note(v, plane);
-    note(w, plane);
-  }
-  static bool are_collinear(const RationalPoint& p, const RationalPoint& q, const RationalPoint& r) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      if ((q[i] - p[i]) * (r[j] - p[j]) != (q[j] - p[j]) * (r[i] - p[i])) return false;
-    }
-    return true;
+    const auto [p, q] = wedges_[v].vertices;
+    const auto plane = mesh_planes_.through({p, q, apex});
+    if (!plane) return;
+    for (const std::uint32_t end : wedges_[w].vertices) mesh_planes_.note(plane->number, end);
+    note(v, plane->number);
+    note(w, plane->number);
   }
 
+  /// In lexicographic order of the vertices, so that little depends on how they are numbered.
   void pair_at_ends() {
-    std::map<RationalPoint, std::vector<std::pair<std::uint32_t, std::size_t>>> at;  // edges and which end
-    for (const std::uint32_t w : reflex_)
-      for (std::size_t i = 0; i < 2; ++i) at[end(w, i)].emplace_back(w, i);
-    for (const auto& [place, edges] : at)
-      for (std::size_t i = 0; i < edges.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-          pair(edges[i].first, edges[j].first, end(edges[j].first, 1 - edges[j].second));
+    struct End {
+      std::uint32_t vertex, other, wedge;
+    };
+    std::vector<End> ends;
+    for (const std::uint32_t w : reflex_) {
+      const auto [p, q] = wedges_[w].vertices;
+      ends.push_back({p, q, w});
+      ends.push_back({q, p, w});
+    }
+    const auto vertices = mesh_planes_.mesh().mesh.vertices;
+    std::stable_sort(ends.begin(), ends.end(), [&](const End& a, const End& b) {
+      return std::tie(vertices[a.vertex], a.vertex) < std::tie(vertices[b.vertex], b.vertex);
+    });
+    for (std::size_t first = 0, i = 0; i < ends.size(); ++i) {
+      if (ends[i].vertex != ends[first].vertex) first = i;
+      for (std::size_t j = first; j < i; ++j) pair(ends[i].wedge, ends[j].wedge, ends[j].other);
+    }
   }
 
   /// Edges by estimated direction; each with those of the nearest middles.
@@ -103,32 +103,28 @@ class CutPlanes {
       }
       const std::size_t count = std::min(parallel.size(), nearest_parallel);
       std::partial_sort(parallel.begin(), parallel.begin() + static_cast<std::ptrdiff_t>(count), parallel.end());
-      for (std::size_t i = 0; i < count; ++i)
-        if (are_parallel(line.wedge, parallel[i].second))
-          pair(line.wedge, parallel[i].second, end(parallel[i].second, 0));
+      for (std::size_t i = 0; i < count; ++i) {
+        const Wedge &of_line = wedges_[line.wedge], &other = wedges_[parallel[i].second];
+        if (mesh_planes_.are_parallel(of_line.vertices, other.vertices))
+          pair(line.wedge, parallel[i].second, other.vertices[0]);
+      }
     }
-  }
-  [[nodiscard]] bool are_parallel(std::uint32_t v, std::uint32_t w) const {
-    const RationalPoint &a = end(v, 0), &b = end(v, 1), &c = end(w, 0);
-    RationalPoint d = end(w, 1);
-    for (std::size_t i = 0; i < 3; ++i) d[i] += a[i] - c[i];
-    return are_collinear(a, b, d);
   }
 
   const Monitor& monitor_;
-  HyperplaneTable<3>& table_;
+  bsp::MeshPlanes& mesh_planes_;
   std::span<const bsp::Facet<3>> facets_;
   std::span<const Wedge> wedges_;
   std::vector<std::vector<std::uint32_t>> through_;
   std::vector<std::uint32_t> reflex_;
-  std::unordered_map<std::uint32_t, std::array<RationalPoint, 2>> ends_;  ///< of reflex edges
 };
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> cut_planes(HyperplaneTable<3>& table, std::span<const bsp::Facet<3>> facets,
+std::vector<std::vector<std::uint32_t>> cut_planes(bsp::MeshPlanes& mesh_planes,
+                                                   std::span<const bsp::Facet<3>> facets,
                                                    std::span<const Wedge> wedges, const Monitor& monitor) {
-  return CutPlanes(table, facets, wedges, monitor).all();
+  return CutPlanes(mesh_planes, facets, wedges, monitor).all();
 }
 
 }  // namespace strata::convex

@@ -187,7 +187,7 @@ class Gatherer {
   }
 
   void sort_points() {
-    const std::vector<std::uint32_t> point_of = list_.sorted(result_.points, result_.exact);
+    const std::vector<std::uint32_t> point_of = list_.sorted(result_.points, result_.meets);
     const auto renumber = [&](std::vector<std::uint32_t>& polygon) {
       for (std::uint32_t& point : polygon) point = point_of[point];
     };
@@ -242,7 +242,17 @@ void refuse_loss(const Mesh& solid, const Decomposition& d) {
 }  // namespace
 
 RationalPoint Decomposition::position(std::uint32_t point) const {
-  return ExactMeshView(MeshView(points, {}), exact).position(point);
+  const auto at = std::lower_bound(meets.begin(), meets.end(), point,
+                                   [](const MeetOfThree& m, std::uint32_t p) { return m.point < p; });
+  if (at != meets.end() && at->point == point) return planes->position(at->planes);
+  const Vertex& v = points[point];
+  return {to_rational(v[0]), to_rational(v[1]), to_rational(v[2])};
+}
+
+std::vector<ExactVertex> Decomposition::exact() const {
+  std::vector<ExactVertex> all;
+  for (const MeetOfThree& m : meets) all.push_back({m.point, planes->position(m.planes)});
+  return all;
 }
 
 Polytope Decomposition::polytope(std::uint32_t piece) const {
@@ -251,13 +261,13 @@ Polytope Decomposition::polytope(std::uint32_t piece) const {
   std::map<std::uint32_t, std::uint32_t> number;  // points are in order already
   for (const Polygon& facet : pieces[piece])
     for (const std::uint32_t point : facet) number.emplace(point, 0);
-  auto rational = exact.begin();
+  auto meet = meets.begin();
   for (auto& [point, n] : number) {
     n = static_cast<std::uint32_t>(polytope.vertices.size());
     polytope.vertices.push_back(points[point]);
-    rational = std::lower_bound(rational, exact.end(), point,
-                                [](const ExactVertex& e, std::uint32_t p) { return e.vertex < p; });
-    if (rational != exact.end() && rational->vertex == point) polytope.exact.push_back({n, rational->position});
+    meet = std::lower_bound(meet, meets.end(), point,
+                            [](const MeetOfThree& m, std::uint32_t p) { return m.point < p; });
+    if (meet != meets.end() && meet->point == point) polytope.exact.push_back({n, planes->position(meet->planes)});
   }
   for (const Polygon& facet : pieces[piece]) {
     std::vector<std::uint32_t>& loop = polytope.facets.emplace_back();
@@ -270,12 +280,13 @@ Polytope Decomposition::polytope(std::uint32_t piece) const {
 
 Decomposition decompose(const Solid& solid, const Monitor& monitor) {
   if (solid.is_empty()) return {};
-  const PreparedBoundary boundary(solid.exact_mesh(), monitor);
-  CellMaker maker(boundary.table);
+  PreparedBoundary boundary(solid.exact_mesh(), monitor);
+  CellMaker maker(boundary.table, boundary.box);
   PiecePool pool(maker);
   const std::size_t cuts = Divider(boundary, maker, pool, monitor).run();
   Decomposition result = Gatherer(boundary, maker, pool, monitor).gather();
   refuse_loss(solid.mesh(), result);
+  result.planes = std::make_shared<const HyperplaneTable<3>>(std::move(boundary.table));
   result.cuts = cuts;
   result.reflex_edges = static_cast<std::size_t>(
       std::count_if(boundary.wedges.begin(), boundary.wedges.end(), [](const Wedge& w) { return w.is_reflex; }));

@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "strata/convex/point_list.h"
 #include "strata/convex/polytope.h"
 #include "strata/csg/solid.h"
 #include "strata/mesh/monitor.h"
@@ -28,15 +30,17 @@ struct Decomposition {
   using Polygon = std::vector<std::uint32_t>;
 
   std::vector<Vertex> points;      ///< corners of pieces, walls and boundary parts, by exact places; nearest doubles
-  std::vector<ExactVertex> exact;  ///< those for which rounding changed something
+  std::vector<MeetOfThree> meets;  ///< those for which rounding changed something, rising
+  std::shared_ptr<const HyperplaneTable<3>> planes;  ///< that meet there, each through three vertices of the solid
   std::vector<std::vector<Polygon>> pieces;  ///< by their facets, one per plane
   std::vector<Wall> walls;                   ///< by pieces
   std::vector<BoundaryPart> boundary;        ///< by triangles, then pieces; all of the boundary
   std::size_t reflex_edges = 0;  ///< of the solid: angles of more than 180 degrees, non-manifold edges may have several
   std::size_t cuts = 0;          ///< divisions of a region by a plane, before pieces were joined
 
-  [[nodiscard]] RationalPoint position(std::uint32_t point) const;
-  [[nodiscard]] Polytope polytope(std::uint32_t piece) const;  ///< O(size of the piece)
+  [[nodiscard]] RationalPoint position(std::uint32_t point) const;  ///< exact; made when asked for
+  [[nodiscard]] std::vector<ExactVertex> exact() const;             ///< the places of all `meets`
+  [[nodiscard]] Polytope polytope(std::uint32_t piece) const;       ///< O(size of the piece)
 };
 
 /// Divides a solid into convex pieces: their interiors are apart, and together they are the solid.

@@ -1,49 +1,65 @@
 #include "strata/convex/point_list.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <compare>
 #include <numeric>
 #include <optional>
-#include <utility>
+#include <span>
 
 namespace strata::convex {
 namespace {
 
-struct Place {
-  Vertex nearest{};
-  std::optional<RationalPoint> exact;  ///< where these doubles are not exact
+/// Orders corners by their exact places.
+class Places {
+ public:
+  Places(const HyperplaneTable<3>& table, const CellMaker& maker, std::span<const std::uint32_t> corners)
+      : table_(table), maker_(maker), corners_(corners), rounded_(corners.size()), exact_(corners.size()) {
+    constexpr std::size_t at_once = 128;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, corners.size(), at_once), [&](const auto& range) {
+      for (std::size_t k = range.begin(); k < range.end(); ++k) rounded_[k] = table_.rounded(corner(k));
+    });
+  }
+
+  [[nodiscard]] const RoundedPlace<3>& operator[](std::size_t k) const { return rounded_[k]; }
+  [[nodiscard]] const Corner<3>& corner(std::size_t k) const { return maker_.corner(corners_[k]); }
+
+  /// Rounding keeps the order, so exact places decide only between equal doubles that were rounded the same way.
+  [[nodiscard]] std::strong_ordering compare(std::size_t a, std::size_t b) {
+    const RoundedPlace<3>&p = rounded_[a], &q = rounded_[b];
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (p.nearest[i] != q.nearest[i]) return less_if(p.nearest[i] < q.nearest[i]);
+      if (p.rest[i] != q.rest[i]) return less_if(p.rest[i] < q.rest[i]);
+      if (p.rest[i] == Sign::zero) continue;
+      if (p.nearest == q.nearest && p.rest == q.rest && are_equal(a, b)) return std::strong_ordering::equal;
+      const Rational &x = exact(a)[i], &y = exact(b)[i];
+      if (x != y) return less_if(x < y);
+    }
+    return std::strong_ordering::equal;
+  }
+
+ private:
+  static std::strong_ordering less_if(bool is_less) {
+    return is_less ? std::strong_ordering::less : std::strong_ordering::greater;
+  }
+  [[nodiscard]] bool are_equal(std::size_t a, std::size_t b) const {
+    const std::array<std::uint32_t, 3>& names = corner(b).names;
+    return std::all_of(names.begin(), names.end(),
+                       [&](std::uint32_t plane) { return table_.side(plane, corner(a)) == Sign::zero; });
+  }
+  const RationalPoint& exact(std::size_t k) {
+    if (!exact_[k]) exact_[k] = table_.position(corner(k));
+    return *exact_[k];
+  }
+
+  const HyperplaneTable<3>& table_;
+  const CellMaker& maker_;
+  std::span<const std::uint32_t> corners_;
+  std::vector<RoundedPlace<3>> rounded_;
+  std::vector<std::optional<RationalPoint>> exact_;  ///< those that were needed
 };
-
-Place place_of(const HyperplaneTable<3>& table, const Corner<3>& corner) {
-  Place place;
-  if (corner.is_given()) {
-    for (std::size_t i = 0; i < 3; ++i) place.nearest[i] = corner.at[i].value + 0.0;  // -0 is 0
-    return place;
-  }
-  RationalPoint p = table.position(corner);
-  bool is_exact = true;
-  for (std::size_t i = 0; i < 3; ++i) {
-    place.nearest[i] = to_nearest_double(p[i]);
-    is_exact &= to_rational(place.nearest[i]) == p[i];
-  }
-  if (!is_exact) place.exact = std::move(p);
-  return place;
-}
-
-/// By exact places. Rounding to nearest keeps the order, so rationals decide only between equal doubles.
-std::strong_ordering compare(const Place& a, const Place& b) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (a.nearest[i] != b.nearest[i])
-      return a.nearest[i] < b.nearest[i] ? std::strong_ordering::less : std::strong_ordering::greater;
-    if (!a.exact && !b.exact) continue;
-    const Rational x = a.exact ? (*a.exact)[i] : to_rational(a.nearest[i]);
-    const Rational y = b.exact ? (*b.exact)[i] : to_rational(b.nearest[i]);
-    if (x != y) return x < y ? std::strong_ordering::less : std::strong_ordering::greater;
-  }
-  return std::strong_ordering::equal;
-}
 
 }  // namespace
 
@@ -54,20 +70,19 @@ std::uint32_t PointList::number_of(std::uint32_t corner) {
   return known->second;
 }
 
-std::vector<std::uint32_t> PointList::sorted(std::vector<Vertex>& points, std::vector<ExactVertex>& exact) const {
-  std::vector<Place> places(corners_.size());
-  tbb::parallel_for(std::size_t{0}, places.size(),
-                    [&](std::size_t k) { places[k] = place_of(table_, maker_.corner(corners_[k])); });
-  std::vector<std::uint32_t> order(places.size()), point_of(places.size());
+std::vector<std::uint32_t> PointList::sorted(std::vector<Vertex>& points, std::vector<MeetOfThree>& meets) const {
+  Places places(table_, maker_, corners_);
+  std::vector<std::uint32_t> order(corners_.size()), point_of(corners_.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return compare(places[a], places[b]) == std::strong_ordering::less;
+    return places.compare(a, b) == std::strong_ordering::less;
   });
   for (std::size_t k = 0; k < order.size(); ++k) {
-    Place& place = places[order[k]];
-    if (k == 0 || compare(places[order[k - 1]], place) != std::strong_ordering::equal) {
+    if (k == 0 || places.compare(order[k - 1], order[k]) != std::strong_ordering::equal) {
+      const RoundedPlace<3>& place = places[order[k]];
+      if (!place.is_exact())
+        meets.push_back({static_cast<std::uint32_t>(points.size()), places.corner(order[k]).names});
       points.push_back(place.nearest);
-      if (place.exact) exact.push_back({static_cast<std::uint32_t>(points.size() - 1), *place.exact});
     }
     point_of[order[k]] = static_cast<std::uint32_t>(points.size() - 1);
   }

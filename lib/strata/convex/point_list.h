@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -8,6 +9,12 @@
 
 namespace strata::convex {
 
+/// A point, by number, where three planes of a table meet.
+struct MeetOfThree {
+  std::uint32_t point = 0;
+  std::array<std::uint32_t, 3> planes{};
+};
+
 /// Gathers corners and tells their places in the end: corners at one place are one point.
 class PointList {
  public:
@@ -16,9 +23,9 @@ class PointList {
   /// A number for a corner; corners at one place may have several.
   [[nodiscard]] std::uint32_t number_of(std::uint32_t corner);
 
-  /// All points in lexicographic order of their places, as doubles and, where these are not exact, rationals. Returns
-  /// the point of each number. O(n log n), places found on all threads.
-  [[nodiscard]] std::vector<std::uint32_t> sorted(std::vector<Vertex>& points, std::vector<ExactVertex>& exact) const;
+  /// All points in lexicographic order of their exact places, as nearest doubles and, where these are not exact, by
+  /// their planes. Returns the point of each number. O(n log n), places found on all threads.
+  [[nodiscard]] std::vector<std::uint32_t> sorted(std::vector<Vertex>& points, std::vector<MeetOfThree>& meets) const;
 
  private:
   const HyperplaneTable<3>& table_;

@@ -1,6 +1,8 @@
 #include "strata/convex/region.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <unordered_map>
@@ -8,6 +10,7 @@
 
 #include "strata/bsp/triangle_facets.h"
 #include "strata/convex/cut_planes.h"
+#include "strata/kernel/box.h"
 #include "strata/mesh/defect.h"
 
 namespace strata::convex {
@@ -100,19 +103,42 @@ bool clip_facet(const HyperplaneTable<3>& table, bsp::Piece<3>& polygon, const b
   return true;
 }
 
+/// About as far from the vertices as these are from one another, so numbers do not become much larger, and beyond what
+/// rounding of vertices hides.
+bsp::BoxPlanes box_about(HyperplaneTable<3>& table, const MeshView& mesh) {
+  constexpr double share_of_coordinate = 0x1p-40;
+  Box box;
+  for (const Vertex& v : mesh.vertices) box.include(v);
+  double size = std::numeric_limits<double>::denorm_min();
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const double x : {box.upper[i] / 2 - box.lower[i] / 2, box.lower[i] * share_of_coordinate,
+                           box.upper[i] * share_of_coordinate})
+      size = std::max(size, std::abs(x));
+  int exponent = 0;
+  static_cast<void>(std::frexp(size, &exponent));
+  const Integer two = 2;
+  const Rational margin = exponent > 0 ? Rational(two << exponent) : Rational(two, Integer(1) << -exponent);
+  bsp::BoxPlanes planes{};
+  for (std::size_t i = 0; i < 3; ++i)
+    planes[i] = {table.add(axis_hyperplane<3>(i, to_rational(box.lower[i]) - margin)),
+                 table.add(axis_hyperplane<3>(i, to_rational(box.upper[i]) + margin))};
+  return planes;
+}
+
 }  // namespace
 
-PreparedBoundary::PreparedBoundary(ExactMeshView mesh, const Monitor& monitor)
-    : facets(bsp::triangle_facets(table, mesh)) {
+PreparedBoundary::PreparedBoundary(ExactMeshView mesh, const Monitor& monitor) : box(box_about(table, mesh.mesh)) {
+  bsp::MeshPlanes planes(table, mesh);
+  facets = bsp::triangle_facets(planes);
   if (facets.size() != mesh.mesh.triangles.size()) throw std::invalid_argument("a triangle of a solid has no area");
   monitor.check();
   wedges = wedges_of(table, facets, mesh);
   monitor.check();
-  cut_planes = convex::cut_planes(table, facets, wedges, monitor);
+  cut_planes = convex::cut_planes(planes, facets, wedges, monitor);
 }
 
 Region whole_region(const PreparedBoundary& boundary, CellMaker& maker) {
-  Region all{maker.space(), {}, {}};
+  Region all{maker.box(), {}, {}};
   for (std::uint32_t t = 0; t < boundary.facets.size(); ++t) all.faces.push_back({t, boundary.facets[t].piece});
   for (std::uint32_t w = 0; w < boundary.wedges.size(); ++w) all.edges.push_back({w, boundary.wedges[w].ends});
   return all;
@@ -137,7 +163,7 @@ Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region&
   const BoundsByPlane bounds = bounds_of(boundary, region);
   Cell inside;
   for (const CellFacet& f : region.cell.facets) {
-    if (HyperplaneTable<3>::is_frame(f.plane)) continue;
+    if (maker.is_of_box(f.plane)) continue;
     bsp::Piece<3> polygon = maker.piece_of(f);
     const bool is_left = std::all_of(bounds.begin(), bounds.end(), [&](const auto& of_plane) {
       return clip_facet(boundary.table, polygon, behind(of_plane.first, of_plane.second.faces_plus));
@@ -147,7 +173,7 @@ Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region&
   std::vector<bsp::HalfSpace> of_region;
   for (const CellFacet& f : inside.facets) of_region.push_back(behind(f.plane, f.faces_plus));
   for (const auto& [plane, of_plane] : bounds) {
-    bsp::Piece<3> polygon = bsp::whole(boundary.table, plane);
+    bsp::Piece<3> polygon = maker.whole(plane);
     for (const std::vector<bsp::HalfSpace>* by :
          {&of_plane.by, static_cast<const std::vector<bsp::HalfSpace>*>(&of_region)})
       for (const bsp::HalfSpace& h : *by)

@@ -16,6 +16,7 @@ struct PreparedBoundary {
   PreparedBoundary(ExactMeshView mesh, const Monitor& monitor);
 
   HyperplaneTable<3> table;
+  bsp::BoxPlanes box;                 ///< the solid is strictly within
   std::vector<bsp::Facet<3>> facets;  ///< the triangles
   std::vector<Wedge> wedges;
   std::vector<std::vector<std::uint32_t>> cut_planes;  ///< by wedge (`cut_planes`)
@@ -42,7 +43,7 @@ struct Region {
   std::vector<Edge> edges;
 };
 
-/// All of space.
+/// The whole box about the solid.
 [[nodiscard]] Region whole_region(const PreparedBoundary& boundary, CellMaker& maker);
 
 /// Both sides of a plane through a region. Where a side has no faces it is inside or outside as a whole.

@@ -158,7 +158,7 @@ void add_neighbours(VolumeComplex& complex) {
 VolumeComplex volumes_of(const Solid& solid, const Decomposition& decomposition) {
   VolumeComplex complex;
   complex.points = decomposition.points;
-  complex.exact = decomposition.exact;
+  complex.exact = decomposition.exact();
   std::vector<OuterShell> shells = outer_shells(turned(solid.exact_mesh()));
   complex.first_piece = assign_volumes(shells);
   complex.volumes.resize(complex.first_piece + decomposition.pieces.size());

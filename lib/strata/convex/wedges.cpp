@@ -17,10 +17,10 @@ class WedgeFinder {
 
   std::vector<Wedge> all() {
     const std::vector<std::uint32_t> first = equal_vertices(mesh_);
-    std::vector<Triangle> triangles(mesh_.mesh.triangles.begin(), mesh_.mesh.triangles.end());
-    for (Triangle& t : triangles)
+    triangles_.assign(mesh_.mesh.triangles.begin(), mesh_.mesh.triangles.end());
+    for (Triangle& t : triangles_)
       for (std::uint32_t& v : t) v = first[v];
-    const std::vector<EdgeUse> uses = edge_table(triangles, mesh_.mesh.vertices.size());
+    const std::vector<EdgeUse> uses = edge_table(triangles_, mesh_.mesh.vertices.size());
     std::vector<Wedge> wedges;
     for_each_edge(uses, [&](std::span<const EdgeUse> around) {
       for (const EdgeUse& f : around)
@@ -73,6 +73,7 @@ class WedgeFinder {
     const std::uint32_t side = facet.faces_plus ? f.corner : 2U - f.corner;
     Wedge w{{f.triangle, g.triangle},
             {plane, plane == other ? facet.piece.walls[side] : other},
+            {triangles_[f.triangle][begin], triangles_[f.triangle][end]},
             {facet.piece.corners[corner(begin)], facet.piece.corners[corner(end)]},
             turn(f, g) == Turn::more};
     return w;
@@ -82,6 +83,7 @@ class WedgeFinder {
   std::span<const bsp::Facet<3>> facets_;
   ExactMeshView mesh_;
   std::vector<bool> is_given_;
+  std::vector<Triangle> triangles_;  ///< with one number for equal vertices
 };
 
 }  // namespace

@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <utility>
 
 #include "strata/exact/failure.h"
 #include "strata/exact/rational.h"
 #include "strata/exact/sign.h"
+#include "strata/exact/wide_int.h"
 
 namespace strata {
 
@@ -32,6 +34,12 @@ class LongInt {
       lose();
     else
       take(mpz_limbs_read(z), static_cast<int>(mpz_size(z)));
+  }
+  template <int Limbs>
+  explicit LongInt(const WideInt<Limbs>& x) : is_negative_(x.sign() == Sign::negative) {
+    const auto limbs = (is_negative_ ? -x : x).limbs();
+    take(limbs.data(), Limbs);
+    trim();
   }
   LongInt(const LongInt& other) : size_(other.size_), is_negative_(other.is_negative_) {
     if (!is_lost()) std::copy_n(other.limb_, size_, limb_);
@@ -65,8 +73,10 @@ class LongInt {
   explicit operator Integer() const {
     require_value();
     Integer x;
-    mpz_import(x.backend().data(), static_cast<std::size_t>(size_), -1, sizeof(mp_limb_t), 0, 0, limb_);
-    return is_negative_ ? Integer(-x) : x;
+    if (size_ == 0) return x;
+    std::copy_n(limb_, size_, mpz_limbs_write(x.backend().data(), size_));
+    mpz_limbs_finish(x.backend().data(), is_negative_ ? -size_ : size_);
+    return x;
   }
 
   LongInt operator-() const {
@@ -101,6 +111,57 @@ class LongInt {
     r.size_ = limbs + a.size_ + 1;
     r.is_negative_ = a.is_negative_;
     return r.trim();
+  }
+  /// The magnitude divided by 2^shift, rounded down.
+  friend LongInt operator>>(const LongInt& a, int shift) {
+    LongInt r;
+    const int limbs = shift / 64, rest = shift % 64;
+    if (a.is_lost()) return r.lose();
+    if (a.size_ <= limbs) return r;
+    if (rest == 0)
+      std::copy_n(a.limb_ + limbs, a.size_ - limbs, r.limb_);
+    else
+      mpn_rshift(r.limb_, a.limb_ + limbs, a.size_ - limbs, static_cast<unsigned>(rest));
+    r.size_ = a.size_ - limbs;
+    r.is_negative_ = a.is_negative_;
+    return r.trim();
+  }
+
+  /// Bits of the magnitude; 0 for zero. Throws LogicError where the value is lost.
+  [[nodiscard]] int bit_length() const {
+    require_value();
+    return size_ == 0 ? 0 : 64 * size_ - std::countl_zero(std::uint64_t{limb_[size_ - 1]});
+  }
+  /// The number of times that 2 divides it, which is not zero. Throws LogicError where the value is lost.
+  [[nodiscard]] int trailing_zeros() const {
+    require_value();
+    return static_cast<int>(mpn_scan1(limb_, 0));
+  }
+  /// The greatest common divisor, not negative; that of zero and a number is the number's magnitude. Throws LogicError
+  /// where a value is lost.
+  friend LongInt gcd(const LongInt& a, const LongInt& b) {
+    if (a.sign() == Sign::zero || b.sign() == Sign::zero) {
+      LongInt r = a.size_ == 0 ? b : a;
+      r.is_negative_ = false;
+      return r;
+    }
+    const int of_a = a.trailing_zeros(), of_b = b.trailing_zeros();
+    LongInt x = a >> of_a, y = b >> of_b, r;
+    if (x.size_ < y.size_) std::swap(x, y);
+    r.size_ = static_cast<int>(mpn_gcd(r.limb_, x.limb_, x.size_, y.limb_, y.size_));
+    return r << std::min(of_a, of_b);
+  }
+  /// Requires that b divides a. Throws LogicError where a value is lost.
+  friend LongInt exact_quotient(const LongInt& a, const LongInt& b) {
+    a.require_value();
+    b.require_value();
+    LongInt quotient;
+    if (a.size_ == 0) return quotient;
+    mp_limb_t rest[limb_capacity];  // NOLINT
+    mpn_tdiv_qr(quotient.limb_, rest, 0, a.limb_, a.size_, b.limb_, b.size_);
+    quotient.size_ = a.size_ - b.size_ + 1;
+    quotient.is_negative_ = a.is_negative_ != b.is_negative_;
+    return quotient.trim();
   }
 
  private:

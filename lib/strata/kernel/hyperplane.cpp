@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "strata/exact/sign.h"
+#include "strata/exact/lattice.h"
 
 namespace strata {
 namespace {
@@ -51,27 +52,44 @@ Twofold scaled(const Integer& x, int exponent) {
   return r;
 }
 
-/// Divided by all common factors. Powers of two first: coefficients that come from a lattice have many.
-template <std::size_t N>
-void make_coprime(std::array<Integer, N>& x) {
-  mp_bitcnt_t zeros = ~mp_bitcnt_t{0};
-  for (const Integer& k : x)
-    if (k != 0) zeros = std::min(zeros, mpz_scan1(k.backend().data(), 0));
-  if (zeros != 0)
-    for (Integer& k : x) k >>= zeros;
-  Integer factor = 0;
-  for (const Integer& k : x) {
-    factor = gcd(factor, k);
-    if (factor == 1) return;
-  }
-  for (Integer& k : x) k /= factor;
+int trailing_zeros(const Integer& x) { return static_cast<int>(mpz_scan1(x.backend().data(), 0)); }
+int trailing_zeros(const LongInt& x) { return x.trailing_zeros(); }
+Integer exact_quotient(const Integer& x, const Integer& divisor) { return x / divisor; }
+
+template <class Int>
+bool is_zero(const Int& x) {
+  return sign_of_integer(x) == Sign::zero;
 }
 
-template <int D>
-bool looks_to_plus(const std::array<Integer, D + 1>& coefficients) {
+/// Divided by all common factors. Powers of two first: coefficients that come from a lattice have many.
+template <class Int, std::size_t N>
+void make_coprime(std::array<Int, N>& x) {
+  int zeros = std::numeric_limits<int>::max();
+  for (const Int& k : x)
+    if (!is_zero(k)) zeros = std::min(zeros, trailing_zeros(k));
+  if (zeros != 0)
+    for (Int& k : x) k = k >> zeros;
+  const Int one = 1;
+  Int factor = 0;
+  for (const Int& k : x) {
+    factor = gcd(factor, k);
+    if (is_zero<Int>(factor - one)) return;
+  }
+  for (Int& k : x) k = exact_quotient(k, factor);
+}
+
+template <int D, class Int>
+bool looks_to_plus(const std::array<Int, D + 1>& coefficients) {
   for (std::size_t i = 0; i < D; ++i)
-    if (coefficients[i] != 0) return coefficients[i] > 0;
+    if (const Sign sign = sign_of_integer(coefficients[i]); sign != Sign::zero) return sign == Sign::positive;
   return true;
+}
+
+template <int D, class Int>
+void make_canonical(std::array<Int, D + 1>& coefficients) {
+  make_coprime(coefficients);
+  if (!looks_to_plus<D>(coefficients))
+    for (Int& x : coefficients) x = -x;
 }
 
 template <std::size_t N>
@@ -87,9 +105,19 @@ std::array<Integer, N> integers(const std::array<Rational, N>& x) {
 
 template <int D>
 Hyperplane<D>::Hyperplane(Coefficients coefficients) : exact_(std::move(coefficients)) {
-  make_coprime(exact_);
-  if (!looks_to_plus<D>(exact_))
-    for (Integer& x : exact_) x.backend().negate();
+  make_canonical<D>(exact_);
+  approximate();
+}
+
+template <int D>
+Hyperplane<D>::Hyperplane(std::array<LongInt, D + 1> coefficients) {
+  make_canonical<D>(coefficients);
+  for (std::size_t i = 0; i <= D; ++i) exact_[i] = Integer(coefficients[i]);
+  approximate();
+}
+
+template <int D>
+void Hyperplane<D>::approximate() {
   int largest = 0;
   for (std::size_t i = 0; i < D; ++i) largest = std::max(largest, leading(exact_[i]).size);
   for (std::size_t i = 0; i <= D; ++i) {
@@ -119,6 +147,11 @@ std::size_t Hyperplane<D>::hash() const {
 
 template <int D>
 OrientedHyperplane<D> oriented_hyperplane(const std::array<Integer, D + 1>& coefficients) {
+  return {Hyperplane<D>(coefficients), !looks_to_plus<D>(coefficients)};
+}
+
+template <int D>
+OrientedHyperplane<D> oriented_hyperplane(const std::array<LongInt, D + 1>& coefficients) {
   return {Hyperplane<D>(coefficients), !looks_to_plus<D>(coefficients)};
 }
 
@@ -158,6 +191,7 @@ template class Hyperplane<2>;
 template class Hyperplane<3>;
 #define STRATA_INSTANTIATE(D)                                                                \
   template OrientedHyperplane<D> oriented_hyperplane<D>(const std::array<Integer, D + 1>&);  \
+  template OrientedHyperplane<D> oriented_hyperplane<D>(const std::array<LongInt, D + 1>&);  \
   template OrientedHyperplane<D> oriented_hyperplane<D>(const std::array<Rational, D + 1>&); \
   template Hyperplane<D> axis_hyperplane<D>(std::size_t, const Rational&);
 STRATA_INSTANTIATE(1)

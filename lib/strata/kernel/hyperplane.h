@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 
+#include "strata/exact/long_int.h"
 #include "strata/exact/rational.h"
 #include "strata/exact/twofold.h"
 
@@ -21,6 +22,8 @@ class Hyperplane {
 
   /// Any multiple of n and c, not zero. Requires n != 0.
   explicit Hyperplane(Coefficients coefficients);
+  /// The same, several times as fast; none may be lost.
+  explicit Hyperplane(std::array<LongInt, D + 1> coefficients);
 
   [[nodiscard]] const Coefficients& exact() const { return exact_; }
   /// Within bounds, divided by a power of two: the longest component of n is between 1/2 and 1.
@@ -33,6 +36,8 @@ class Hyperplane {
   friend bool operator==(const Hyperplane& a, const Hyperplane& b) { return a.exact_ == b.exact_; }
 
  private:
+  void approximate();
+
   Coefficients exact_;
   std::array<Twofold, D + 1> fine_;
   std::array<Bounded, D + 1> bounded_;
@@ -48,6 +53,8 @@ struct OrientedHyperplane {
 /// The hyperplane with these coefficients, and which way they look. Requires n != 0.
 template <int D>
 [[nodiscard]] OrientedHyperplane<D> oriented_hyperplane(const std::array<Integer, D + 1>& coefficients);
+template <int D>
+[[nodiscard]] OrientedHyperplane<D> oriented_hyperplane(const std::array<LongInt, D + 1>& coefficients);
 
 /// The same for rational coefficients.
 template <int D>

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
-#include "strata/exact/lattice.h"
+#include "strata/kernel/homogeneous.h"
 #include "strata/kernel/nearest.h"
 
 namespace strata {
@@ -43,6 +45,39 @@ Number linear(const Number* form, const Number* x) {
   Number sum = form[0] * x[0];
   for (int i = 1; i < D; ++i) sum = sum + form[i] * x[i];
   return sum;
+}
+
+template <class Number>
+constexpr bool is_exact = std::is_same_v<Number, Integer> || std::is_same_v<Number, LongInt>;
+
+/// Nothing where the integer did not fit.
+template <class Int>
+std::optional<Sign> exact_sign(const Int& x) {
+  if (is_lost(x)) return std::nullopt;
+  return sign_of_integer(x);
+}
+
+/// n . p + c times a power of two.
+template <class Int, int D>
+Int value_at(const Hyperplane<D>& plane, const std::array<double, D>& p) {
+  int unit = 0;
+  for (const double x : p) unit = std::min(unit, DoubleParts(x).exponent);
+  Int sum = Int(plane.exact()[D]) << -unit;
+  for (std::size_t i = 0; i < D; ++i) {
+    const DoubleParts x(p[i]);
+    const Int term = Int(plane.exact()[i]) * Int(static_cast<std::int64_t>(x.magnitude)) << x.exponent - unit;
+    sum = x.negative ? Int(sum - term) : Int(sum + term);
+  }
+  return sum;
+}
+
+/// The sign of n / w - x; nothing where integers do not fit.
+std::optional<Sign> compared(const LongInt& n, const LongInt& w, double x) {
+  const DoubleParts parts(x);
+  LongInt product = w * LongInt::shifted(parts.magnitude, std::max(0, parts.exponent), parts.negative);
+  const auto difference = exact_sign((n << std::max(0, -parts.exponent)) - product), weight = exact_sign(w);
+  if (!difference || !weight) return std::nullopt;
+  return *difference * *weight;
 }
 
 /// The quotients, or nothing where they are not known to some forty bits.
@@ -181,21 +216,21 @@ std::array<Number, D + 1> HyperplaneTable<D>::row(std::uint32_t h, bool is_far) 
   std::array<Number, D + 1> r{};
   if (is_frame(h)) {
     const std::uint32_t k = h - first_of_frame;
-    r[k / 2] = Number(k % 2 == 1 ? 1.0 : -1.0);
-    r[D] = Number(is_far ? -1.0 : 0.0);
+    r[k / 2] = Number(k % 2 == 1 ? 1 : -1);
+    r[D] = Number(is_far ? -1 : 0);
     return r;
   }
   const Hyperplane<D>& plane = *hyperplanes_[h];
   for (std::size_t i = 0; i <= D; ++i) {
-    if constexpr (std::is_same_v<Number, Integer>) {
-      r[i] = plane.exact()[i];
+    if constexpr (is_exact<Number>) {
+      r[i] = Number(plane.exact()[i]);
     } else if constexpr (std::is_same_v<Number, Twofold>) {
       r[i] = plane.fine()[i];
     } else {
       r[i] = Sized(plane.bounded()[i].value);
     }
   }
-  if (is_far) r[D] = Number(0.0);
+  if (is_far) r[D] = Number(0);
   return r;
 }
 
@@ -269,21 +304,8 @@ Sign HyperplaneTable<D>::side(std::uint32_t h, const RationalVector<D>& p) const
 
 template <int D>
 Sign HyperplaneTable<D>::exact_side(std::uint32_t h, const Point& p) const {
-  int unit = 0;
-  for (const double x : p) unit = std::min(unit, DoubleParts(x).exponent);
-  const auto& plane = hyperplanes_[h]->exact();
-  Integer sum = plane[D] << static_cast<unsigned>(-unit), term;
-  for (std::size_t i = 0; i < D; ++i) {
-    const DoubleParts x(p[i]);
-    term = plane[i] * x.magnitude;
-    term <<= static_cast<unsigned>(x.exponent - unit);
-    if (x.negative) {
-      sum -= term;
-    } else {
-      sum += term;
-    }
-  }
-  return sign_of_integer(sum);
+  if (const auto sign = exact_sign(value_at<LongInt, D>(*hyperplanes_[h], p))) return *sign;
+  return *exact_sign(value_at<Integer, D>(*hyperplanes_[h], p));
 }
 
 template <int D>
@@ -293,26 +315,72 @@ Sign HyperplaneTable<D>::exact_side(std::uint32_t h, const Corner<D>& corner) co
     for (std::size_t i = 0; i < D; ++i) p[i] = corner.at[i].value;
     return exact_side(h, p);
   }
-  const auto& plane = hyperplanes_[h]->exact();
-  if (corner.is_far) {
-    const std::array<Integer, D + 1> far = part<Integer>(corner.names, true);
-    const Sign sign = sign_of_integer(linear<D>(plane.data(), far.data()));
-    if (sign != Sign::zero) return sign * sign_of_integer(far[D]);
-  }
-  const std::array<Integer, D + 1> near = part<Integer>(corner.names, false);
-  return sign_of_integer(Integer(linear<D>(plane.data(), near.data()) + plane[D] * near[D])) * sign_of_integer(near[D]);
+  if (const auto sign = exact_side_of_meet<LongInt>(h, corner)) return *sign;
+  return *exact_side_of_meet<Integer>(h, corner);
+}
+
+template <int D>
+template <class Int>
+std::optional<Sign> HyperplaneTable<D>::exact_side_of_meet(std::uint32_t h, const Corner<D>& corner) const {
+  const std::array<Int, D + 1> plane = row<Int>(h, false);
+  const auto sign_at = [&](bool is_far) -> std::optional<Sign> {
+    const std::array<Int, D + 1> x = part<Int>(corner.names, is_far);
+    Int value = linear<D>(plane.data(), x.data());
+    if (!is_far) value = value + plane[D] * x[D];
+    const auto sign = exact_sign(value), weight = exact_sign(x[D]);
+    if (!sign || !weight) return std::nullopt;
+    return *sign * *weight;
+  };
+  if (corner.is_far)
+    if (const auto sign = sign_at(true); sign != Sign::zero) return sign;
+  return sign_at(false);
 }
 
 template <int D>
 RationalVector<D> HyperplaneTable<D>::position(const Corner<D>& corner) const {
+  if (!corner.is_given()) return position(corner.names);
   RationalVector<D> r;
-  if (corner.is_given()) {
-    for (std::size_t i = 0; i < D; ++i) r[i] = to_rational(corner.at[i].value);
-    return r;
-  }
-  const std::array<Integer, D + 1> place = part<Integer>(corner.names, false);
+  for (std::size_t i = 0; i < D; ++i) r[i] = to_rational(corner.at[i].value);
+  return r;
+}
+
+template <int D>
+RationalVector<D> HyperplaneTable<D>::position(const std::array<std::uint32_t, D>& names) const {
+  const std::array<Integer, D + 1> place = part<Integer>(names, false);
+  RationalVector<D> r;
   for (std::size_t i = 0; i < D; ++i) r[i] = quotient(place[i], place[D]);
   return r;
+}
+
+template <int D>
+RoundedPlace<D> HyperplaneTable<D>::rounded(const Corner<D>& corner) const {
+  RoundedPlace<D> place;
+  if (corner.is_given()) {
+    for (std::size_t i = 0; i < D; ++i) place.nearest[i] = corner.at[i].value + 0.0;  // -0 is 0
+    return place;
+  }
+  const std::array<Twofold, D + 1> fine = part<Twofold>(corner.names, false);
+  std::optional<std::array<LongInt, D + 1>> exact;
+  for (std::size_t i = 0; i < D; ++i) {
+    const Twofold q = fine[i] / fine[D];
+    const bool is_nearest = std::isfinite(q.value) && q.rounds_to_value();
+    place.nearest[i] = is_nearest ? q.value + 0.0 : 0.0;
+    if (is_nearest && std::abs(q.low) > q.error) {
+      place.rest[i] = q.low > 0 ? Sign::positive : Sign::negative;
+      continue;
+    }
+    if (!exact) exact = part<LongInt>(corner.names, false);
+    const auto rest = compared((*exact)[i], (*exact)[D], place.nearest[i]);
+    if (rest && (is_nearest || *rest == Sign::zero)) {
+      place.rest[i] = *rest;
+      continue;
+    }
+    const std::array<Integer, D + 1> any_size = part<Integer>(corner.names, false);
+    const Rational x = quotient(any_size[i], any_size[D]);
+    place.nearest[i] = to_nearest_double(x) + 0.0;
+    place.rest[i] = sign_of(Rational(x - to_rational(place.nearest[i])));
+  }
+  return place;
 }
 
 template <int D>

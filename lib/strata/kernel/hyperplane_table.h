@@ -33,6 +33,19 @@ struct Corner {
   }
 };
 
+/// A place as nearest doubles, and whether rounding them took away (positive) or added (negative) something.
+template <int D>
+struct RoundedPlace {
+  std::array<double, D> nearest{};  ///< never -0
+  std::array<Sign, D> rest{};
+
+  [[nodiscard]] bool is_exact() const {
+    for (const Sign s : rest)
+      if (s != Sign::zero) return false;
+    return true;
+  }
+};
+
 /// Hyperplanes by number, each once, and what is decided about them. Every answer is the sign of a determinant of
 /// coefficients of at most D + 1 of them, exact: first in doubles with bounds, then by points that are known to lie
 /// in them, in pairs of doubles, and in integers. kernel/theory.md, "Hyperplanes".
@@ -77,6 +90,10 @@ class HyperplaneTable {
 
   /// The place of a corner that is not far.
   [[nodiscard]] RationalVector<D> position(const Corner<D>& corner) const;
+  /// Where hyperplanes meet that meet in one point.
+  [[nodiscard]] RationalVector<D> position(const std::array<std::uint32_t, D>& names) const;
+  /// The place of a corner that is not far, rounded; several times as fast as its position.
+  [[nodiscard]] RoundedPlace<D> rounded(const Corner<D>& corner) const;
 
   /// Bytes held, roughly.
   [[nodiscard]] std::size_t bytes() const;
@@ -102,6 +119,9 @@ class HyperplaneTable {
   [[nodiscard]] std::array<Number, D + 1> part(const std::array<std::uint32_t, D>& names, bool is_far) const;
   [[nodiscard]] Sign exact_side(std::uint32_t h, const Corner<D>& corner) const;
   [[nodiscard]] Sign exact_side(std::uint32_t h, const Point& p) const;
+  /// Nothing where integers of this type do not fit.
+  template <class Int>
+  [[nodiscard]] std::optional<Sign> exact_side_of_meet(std::uint32_t h, const Corner<D>& corner) const;
 
   std::vector<Shared> hyperplanes_;
   std::vector<Points> noted_;                                    ///< by hyperplane
