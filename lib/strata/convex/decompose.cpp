@@ -22,7 +22,7 @@ constexpr double share_of_division = 0.8;  ///< of the time, an estimate; the re
 class Divider {
  public:
   Divider(const PreparedBoundary& boundary, CellMaker& maker, PiecePool& pool, const Monitor& monitor)
-      : boundary_(boundary), maker_(maker), pool_(pool), monitor_(monitor) {}
+      : boundary_(boundary), maker_(maker), pool_(pool), monitor_(monitor), workspace_(boundary) {}
 
   /// Returns the number of cuts.
   std::size_t run() {
@@ -32,7 +32,7 @@ class Divider {
       Task task = std::move(tasks_.back());
       tasks_.pop_back();
       if (task.region)
-        divide(std::move(*task.region), task.share);
+        divide(*task.region, task.share);
       else
         pool_.join(task.first, task.plane);
     }
@@ -48,15 +48,15 @@ class Divider {
     double share = 0;  ///< of the whole work, an estimate
   };
 
-  void divide(Region region, double share) {
-    const std::optional<std::uint32_t> cut = choose_cut(boundary_, region);
+  void divide(const Region& region, double share) {
+    const std::optional<std::uint32_t> cut = choose_cut(boundary_, workspace_, region);
     if (!cut) {
       pool_.add(inside_of(boundary_, maker_, region));
       done_ += share;
       return monitor_.report(share_of_division * done_);
     }
     ++cuts_;
-    RegionSides sides = split(boundary_, maker_, std::move(region), *cut);
+    RegionSides sides = split(boundary_, maker_, workspace_, region, *cut);
     const auto minus = static_cast<double>(sides.minus.faces.size()),
                plus = static_cast<double>(sides.plus.faces.size());
     const double of_minus = minus + plus > 0 ? minus / (minus + plus) : 0.5;
@@ -76,6 +76,7 @@ class Divider {
   CellMaker& maker_;
   PiecePool& pool_;
   const Monitor& monitor_;
+  Workspace workspace_;
   std::vector<Task> tasks_;  ///< the last one is next: both sides of a plane come before their pieces are joined
   std::size_t cuts_ = 0;
   double done_ = 0;

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <stdexcept>
-#include <unordered_map>
 #include <utility>
 
 #include "strata/bsp/triangle_facets.h"
@@ -16,72 +14,87 @@
 namespace strata::convex {
 namespace {
 
-/// Where the faces of a region lie, by triangle.
-using Lies = std::unordered_map<std::uint32_t, bsp::Lie>;
+/// Divides what is in a region. Where its faces lie is noted in the workspace.
+class Splitter {
+ public:
+  Splitter(const PreparedBoundary& boundary, Workspace& workspace, std::uint32_t plane, RegionSides& sides)
+      : boundary_(boundary), workspace_(workspace), plane_(plane), sides_(sides) {}
 
-Lies split_faces(const PreparedBoundary& boundary, std::vector<Face>& faces, std::uint32_t plane, RegionSides& sides) {
-  Lies lies;
-  for (Face& f : faces) {
-    bsp::Split<3> parts = bsp::split(boundary.table, f.part, plane);
-    lies.emplace(f.triangle, parts.lie);
+  void add(const Face& f) {
+    bsp::Split<3> parts = bsp::split(boundary_.table, *f.part, plane_);
+    workspace_.lies[f.triangle] = parts.lie;
     switch (parts.lie) {
       case bsp::Lie::on:
-        sides.is_minus_inside = boundary.facets[f.triangle].faces_plus;
-        sides.is_plus_inside = !sides.is_minus_inside;
+        sides_.is_minus_inside = boundary_.facets[f.triangle].faces_plus;
+        sides_.is_plus_inside = !sides_.is_minus_inside;
         break;
       case bsp::Lie::minus:
-        sides.minus.faces.push_back(std::move(f));
+        sides_.minus.faces.push_back(f);
         break;
       case bsp::Lie::plus:
-        sides.plus.faces.push_back(std::move(f));
+        sides_.plus.faces.push_back(f);
         break;
       case bsp::Lie::both:
-        sides.minus.faces.push_back({f.triangle, std::move(parts.minus)});
-        sides.plus.faces.push_back({f.triangle, std::move(parts.plus)});
+        sides_.minus.faces.push_back({f.triangle, keep(std::move(parts.minus))});
+        sides_.plus.faces.push_back({f.triangle, keep(std::move(parts.plus))});
         break;
     }
   }
-  return lies;
-}
 
-void split_edge(const PreparedBoundary& boundary, const Edge& e, std::uint32_t plane, const Lies& lies,
-                RegionSides& sides) {
-  const Wedge& w = boundary.wedges[e.wedge];
-  const Sign from = boundary.table.side(plane, e.ends[0]), to = boundary.table.side(plane, e.ends[1]);
-  const auto edges_on = [&](Sign side) -> std::vector<Edge>& {
-    return (side == Sign::negative ? sides.minus : sides.plus).edges;
-  };
-  if (from == Sign::zero && to == Sign::zero) {
-    const bsp::Lie lie = lies.at(w.faces[0]);
-    if (w.is_reflex || lie != lies.at(w.faces[1])) return;
-    if (lie == bsp::Lie::minus) sides.minus.edges.push_back(e);
-    if (lie == bsp::Lie::plus) sides.plus.edges.push_back(e);
-  } else if (from * to == Sign::negative) {
-    const Corner<3> middle = boundary.table.meet({w.planes[0], w.planes[1], plane});
-    edges_on(from).push_back({e.wedge, {e.ends[0], middle}});
-    edges_on(to).push_back({e.wedge, {middle, e.ends[1]}});
-  } else {
-    edges_on(from == Sign::zero ? to : from).push_back(e);
+  /// Faces come first.
+  void add(const Edge& e) {
+    const Wedge& w = boundary_.wedges[e.wedge];
+    const Sign from = boundary_.table.side(plane_, e.ends[0]), to = boundary_.table.side(plane_, e.ends[1]);
+    if (from == Sign::zero && to == Sign::zero) {
+      const bsp::Lie lie = workspace_.lies[w.faces[0]];
+      if (w.is_reflex || lie != workspace_.lies[w.faces[1]]) return;
+      if (lie == bsp::Lie::minus) sides_.minus.edges.push_back(e);
+      if (lie == bsp::Lie::plus) sides_.plus.edges.push_back(e);
+    } else if (from * to == Sign::negative) {
+      const Corner<3> middle = boundary_.table.meet({w.planes[0], w.planes[1], plane_});
+      edges_on(from).push_back({e.wedge, {e.ends[0], middle}});
+      edges_on(to).push_back({e.wedge, {middle, e.ends[1]}});
+    } else {
+      edges_on(from == Sign::zero ? to : from).push_back(e);
+    }
   }
-}
 
-/// What bounds the facet of a convex part in one plane: the half-spaces of the facets beside it.
-struct Bounds {
-  bool faces_plus = false;
-  std::vector<bsp::HalfSpace> by;
+ private:
+  const bsp::Piece<3>* keep(bsp::Piece<3> part) { return &workspace_.parts.emplace_back(std::move(part)); }
+  std::vector<Edge>& edges_on(Sign side) { return (side == Sign::negative ? sides_.minus : sides_.plus).edges; }
+
+  const PreparedBoundary& boundary_;
+  Workspace& workspace_;
+  std::uint32_t plane_;
+  RegionSides& sides_;
 };
-using BoundsByPlane = std::map<std::uint32_t, Bounds>;
 
 bsp::HalfSpace behind(std::uint32_t plane, bool faces_plus) {
   return {plane, faces_plus ? Sign::negative : Sign::positive};
 }
 
-BoundsByPlane bounds_of(const PreparedBoundary& boundary, const Region& region) {
-  BoundsByPlane bounds;
+/// A facet of a convex part in a plane of the solid, and the half-spaces of the faces beside it.
+struct OwnFacet {
+  std::uint32_t plane = 0;
+  bool faces_plus = false;
+  std::vector<bsp::HalfSpace> by;
+};
+
+/// By plane, rising.
+std::vector<OwnFacet> own_facets(const PreparedBoundary& boundary, const Region& region) {
+  std::vector<OwnFacet> facets;
   for (const Face& f : region.faces)
-    bounds[boundary.plane_of(f.triangle)].faces_plus = boundary.facets[f.triangle].faces_plus;
+    facets.push_back({boundary.plane_of(f.triangle), boundary.facets[f.triangle].faces_plus, {}});
+  const auto less = [](const OwnFacet& a, const OwnFacet& b) { return a.plane < b.plane; };
+  std::sort(facets.begin(), facets.end(), less);
+  facets.erase(std::unique(facets.begin(), facets.end(),
+                           [](const OwnFacet& a, const OwnFacet& b) { return a.plane == b.plane; }),
+               facets.end());
   const auto add = [&](std::uint32_t of, std::uint32_t by) {
-    bounds[boundary.plane_of(of)].by.push_back(behind(boundary.plane_of(by), boundary.facets[by].faces_plus));
+    const bsp::HalfSpace h = behind(boundary.plane_of(by), boundary.facets[by].faces_plus);
+    auto& list = std::lower_bound(facets.begin(), facets.end(), OwnFacet{boundary.plane_of(of), false, {}}, less)->by;
+    const auto is_known = [&](const bsp::HalfSpace& k) { return k.hyperplane == h.hyperplane; };
+    if (std::none_of(list.begin(), list.end(), is_known)) list.push_back(h);
   };
   for (const Edge& e : region.edges) {
     const auto [f, g] = boundary.wedges[e.wedge].faces;
@@ -89,7 +102,7 @@ BoundsByPlane bounds_of(const PreparedBoundary& boundary, const Region& region) 
     add(f, g);
     add(g, f);
   }
-  return bounds;
+  return facets;
 }
 
 /// Clips a facet by the plane of another one. A side in that plane has it as its wall then: what was beyond it is cut
@@ -137,9 +150,12 @@ PreparedBoundary::PreparedBoundary(ExactMeshView mesh, const Monitor& monitor) :
   cut_planes = convex::cut_planes(planes, facets, wedges, monitor);
 }
 
+Workspace::Workspace(const PreparedBoundary& boundary)
+    : lies(boundary.facets.size()), parents(boundary.facets.size()), of_planes(boundary.table.size()) {}
+
 Region whole_region(const PreparedBoundary& boundary, CellMaker& maker) {
   Region all{maker.box(), {}, {}};
-  for (std::uint32_t t = 0; t < boundary.facets.size(); ++t) all.faces.push_back({t, boundary.facets[t].piece});
+  for (std::uint32_t t = 0; t < boundary.facets.size(); ++t) all.faces.push_back({t, &boundary.facets[t].piece});
   for (std::uint32_t w = 0; w < boundary.wedges.size(); ++w) all.edges.push_back({w, boundary.wedges[w].ends});
   return all;
 }
@@ -147,38 +163,39 @@ Region whole_region(const PreparedBoundary& boundary, CellMaker& maker) {
 // A side without faces is outside or inside as a whole. If the region has faces in the plane, they tell which. If not,
 // the plane goes through a reflex edge, beside which the outside takes less than half of the way round: so it is
 // inside.
-RegionSides split(const PreparedBoundary& boundary, CellMaker& maker, Region region, std::uint32_t plane) {
+RegionSides split(const PreparedBoundary& boundary, CellMaker& maker, Workspace& workspace, const Region& region,
+                  std::uint32_t plane) {
   RegionSides sides;
   CellMaker::Halves halves = maker.split(region.cell, plane);
   if (!halves.minus || !halves.plus) throw LogicError("a plane through a region does not divide it");
   sides.minus.cell = std::move(*halves.minus);
   sides.plus.cell = std::move(*halves.plus);
-  const Lies lies = split_faces(boundary, region.faces, plane, sides);
-  for (const Edge& e : region.edges) split_edge(boundary, e, plane, lies, sides);
+  Splitter splitter(boundary, workspace, plane, sides);
+  for (const Face& f : region.faces) splitter.add(f);
+  for (const Edge& e : region.edges) splitter.add(e);
   return sides;
 }
 
 // The region's own facets come first: of these only the ones that are left bound the others.
 Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region& region) {
-  const BoundsByPlane bounds = bounds_of(boundary, region);
+  const std::vector<OwnFacet> own = own_facets(boundary, region);
   Cell inside;
   for (const CellFacet& f : region.cell.facets) {
     if (maker.is_of_box(f.plane)) continue;
     bsp::Piece<3> polygon = maker.piece_of(f);
-    const bool is_left = std::all_of(bounds.begin(), bounds.end(), [&](const auto& of_plane) {
-      return clip_facet(boundary.table, polygon, behind(of_plane.first, of_plane.second.faces_plus));
+    const bool is_left = std::all_of(own.begin(), own.end(), [&](const OwnFacet& facet) {
+      return clip_facet(boundary.table, polygon, behind(facet.plane, facet.faces_plus));
     });
     if (is_left) inside.facets.push_back(maker.facet_of(polygon, f.faces_plus));
   }
   std::vector<bsp::HalfSpace> of_region;
   for (const CellFacet& f : inside.facets) of_region.push_back(behind(f.plane, f.faces_plus));
-  for (const auto& [plane, of_plane] : bounds) {
-    bsp::Piece<3> polygon = maker.whole(plane);
-    for (const std::vector<bsp::HalfSpace>* by :
-         {&of_plane.by, static_cast<const std::vector<bsp::HalfSpace>*>(&of_region)})
+  for (const OwnFacet& facet : own) {
+    bsp::Piece<3> polygon = maker.whole(facet.plane);
+    for (const std::vector<bsp::HalfSpace>* by : {&facet.by, static_cast<const std::vector<bsp::HalfSpace>*>(&of_region)})
       for (const bsp::HalfSpace& h : *by)
         if (!bsp::clip(boundary.table, polygon, h)) throw LogicError("a facet of a convex piece has no area");
-    inside.facets.push_back(maker.facet_of(polygon, of_plane.faces_plus));
+    inside.facets.push_back(maker.facet_of(polygon, facet.faces_plus));
   }
   return inside;
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -27,7 +28,7 @@ struct PreparedBoundary {
 /// A triangle of the boundary, as far as it is in a region.
 struct Face {
   std::uint32_t triangle = 0;
-  bsp::Piece<3> part;
+  const bsp::Piece<3>* part = nullptr;  ///< the facet of the boundary, or of a workspace
 };
 
 /// A wedge, as far as its edge goes through a region or along its walls with both faces inside.
@@ -43,6 +44,17 @@ struct Region {
   std::vector<Edge> edges;
 };
 
+/// What regions of one boundary share while they are divided: parts of faces, and memory for marks, which is used again
+/// from call to call. Regions are valid as long as it is. For one thread.
+struct Workspace {
+  explicit Workspace(const PreparedBoundary& boundary);
+
+  std::deque<bsp::Piece<3>> parts;
+  std::vector<bsp::Lie> lies;            ///< by triangle
+  std::vector<std::uint32_t> parents;    ///< by triangle
+  std::vector<std::uint32_t> of_planes;  ///< by plane; zeros between calls
+};
+
 /// The whole box about the solid.
 [[nodiscard]] Region whole_region(const PreparedBoundary& boundary, CellMaker& maker);
 
@@ -54,13 +66,15 @@ struct RegionSides {
 
 /// Divides a region by a plane through one of its reflex edges or in which it has faces. Edges in the plane are
 /// resolved, and left out, unless their wedge is on one side as a whole. O(size).
-[[nodiscard]] RegionSides split(const PreparedBoundary& boundary, CellMaker& maker, Region region, std::uint32_t plane);
+[[nodiscard]] RegionSides split(const PreparedBoundary& boundary, CellMaker& maker, Workspace& workspace,
+                                const Region& region, std::uint32_t plane);
 
 /// A plane that divides a region well: among some planes through its reflex edges the one that resolves most of them
 /// and divides few edges and faces; without reflex edges, a plane of a face between connected parts of the boundary.
 /// Nothing if the boundary is one part without reflex edges: then the part of the region inside the solid is convex.
 /// O(size * candidates), of which there are at most 128.
-[[nodiscard]] std::optional<std::uint32_t> choose_cut(const PreparedBoundary& boundary, const Region& region);
+[[nodiscard]] std::optional<std::uint32_t> choose_cut(const PreparedBoundary& boundary, Workspace& workspace,
+                                                      const Region& region);
 
 /// The part of a region inside the solid, where `choose_cut` finds nothing to divide. O(faces * facets of
 /// the cell + squares of sides of facets).

@@ -123,19 +123,24 @@ std::array<Bounded, N> bounded(const std::array<Sized, N>& x) {
   return r;
 }
 
-/// The side of a point, zero where doubles do not tell. theory.md, "Hyperplanes", derives the bound.
+/// theory.md, "Hyperplanes".
+constexpr double bound_of_value(double size, double reach, double error) {
+  return size * 0x1p-48 + reach * 0x1p-110 + error * Bounded::slack + 0x1p-990;
+}
+
+/// The side of a point, zero where doubles do not tell.
 template <int D, class Number>
-Sign side_in_doubles(const Hyperplane<D>& plane, const std::array<Number, D>& p) {
-  double value = plane.bounded()[D].value, size = std::abs(value), reach = 0, error = 0;
+Sign side_in_doubles(const std::array<double, D + 1>& form, const std::array<Number, D>& p) {
+  double value = form[D], size = std::abs(value), reach = 0, error = 0;
   for (std::size_t i = 0; i < D; ++i) {
     const Bounded x = p[i];
-    const double product = plane.bounded()[i].value * x.value;
+    const double product = form[i] * x.value;
     value += product;
     size += std::abs(product);
     reach += std::abs(x.value);
     error += x.error;
   }
-  const double bound = size * 0x1p-48 + reach * 0x1p-110 + error * Bounded::slack + 0x1p-990;
+  const double bound = bound_of_value(size, reach, error);
   return value > bound ? Sign::positive : -value > bound ? Sign::negative : Sign::zero;
 }
 
@@ -152,6 +157,8 @@ std::uint32_t HyperplaneTable<D>::add_shared(Shared hyperplane) {
   if (const auto known = find(*hyperplane)) return *known;
   const std::uint32_t number = size();
   numbers_.emplace(hyperplane->hash(), number);
+  std::array<double, D + 1>& form = forms_.emplace_back();
+  for (std::size_t i = 0; i <= D; ++i) form[i] = hyperplane->bounded()[i].value;
   hyperplanes_.push_back(std::move(hyperplane));
   noted_.emplace_back();
   return number;
@@ -227,7 +234,7 @@ std::array<Number, D + 1> HyperplaneTable<D>::row(std::uint32_t h, bool is_far) 
     } else if constexpr (std::is_same_v<Number, Twofold>) {
       r[i] = plane.fine()[i];
     } else {
-      r[i] = Sized(plane.bounded()[i].value);
+      r[i] = Sized(forms_[h][i]);
     }
   }
   if (is_far) r[D] = Number(0);
@@ -267,13 +274,31 @@ Corner<D> HyperplaneTable<D>::given(const std::array<std::uint32_t, D>& names, c
 template <int D>
 Sign HyperplaneTable<D>::side(std::uint32_t h, const Corner<D>& corner) const {
   if (std::find(corner.names.begin(), corner.names.end(), h) != corner.names.end()) return Sign::zero;
+  if (!corner.is_far)
+    if (const Sign sign = side_in_doubles<D>(forms_[h], corner.at); sign != Sign::zero) return sign;
+  return side_beyond_doubles(h, corner);
+}
+
+template <int D>
+auto HyperplaneTable<D>::form_within(std::uint32_t h, const std::array<Bounded, D>& largest) const -> FormWithin {
+  const std::array<double, D + 1>& form = forms_[h];
+  double size = std::abs(form[D]), reach = 0, error = 0;
+  for (std::size_t i = 0; i < D; ++i) {
+    size += std::abs(form[i]) * std::abs(largest[i].value);
+    reach += std::abs(largest[i].value);
+    error += largest[i].error;
+  }
+  return {form, bound_of_value(size, reach, error)};
+}
+
+template <int D>
+Sign HyperplaneTable<D>::side_beyond_doubles(std::uint32_t h, const Corner<D>& corner) const {
   const Hyperplane<D>& plane = *hyperplanes_[h];
   if (corner.is_far) {
     if (const auto sign = linear<D>(plane.bounded().data(), corner.at.data()).sign(); sign && *sign != Sign::zero)
       return *sign;
     return exact_side(h, corner);
   }
-  if (const Sign sign = side_in_doubles<D>(plane, corner.at); sign != Sign::zero) return sign;
   if (lies_in(h, corner)) return Sign::zero;
   if (!corner.is_given()) {
     const std::array<Twofold, D + 1> fine = part<Twofold>(corner.names, false);
@@ -286,11 +311,11 @@ Sign HyperplaneTable<D>::side(std::uint32_t h, const Corner<D>& corner) const {
 
 template <int D>
 Sign HyperplaneTable<D>::side(std::uint32_t h, const Point& p) const {
-  const Hyperplane<D>& plane = *hyperplanes_[h];
-  if (const Sign sign = side_in_doubles<D>(plane, p); sign != Sign::zero) return sign;
+  if (const Sign sign = side_in_doubles<D>(forms_[h], p); sign != Sign::zero) return sign;
   std::array<Twofold, D> x;
   std::copy(p.begin(), p.end(), x.begin());
-  if (const auto sign = sign_of_bounded(linear<D>(plane.fine().data(), x.data()) + plane.fine()[D])) return *sign;
+  const auto& fine = hyperplanes_[h]->fine();
+  if (const auto sign = sign_of_bounded(linear<D>(fine.data(), x.data()) + fine[D])) return *sign;
   return exact_side(h, p);
 }
 

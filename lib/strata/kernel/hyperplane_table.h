@@ -88,6 +88,14 @@ class HyperplaneTable {
   [[nodiscard]] Sign side(std::uint32_t h, const Point& p) const;
   [[nodiscard]] Sign side(std::uint32_t h, const RationalVector<D>& p) const;
 
+  /// A form in doubles, for many points: where the value of |form| at rounded coordinates, in any order of summation, is
+  /// larger than the bound, its sign is the side. `largest` are the largest sizes and errors of their coordinates.
+  struct FormWithin {
+    std::array<double, D + 1> form{};
+    double bound = 0;
+  };
+  [[nodiscard]] FormWithin form_within(std::uint32_t h, const std::array<Bounded, D>& largest) const;
+
   /// The place of a corner that is not far.
   [[nodiscard]] RationalVector<D> position(const Corner<D>& corner) const;
   /// Where hyperplanes meet that meet in one point.
@@ -117,6 +125,7 @@ class HyperplaneTable {
   /// Homogeneous coordinates, w last, of the near or the far part of a meet: the place is (near + W far) / w.
   template <class Number>
   [[nodiscard]] std::array<Number, D + 1> part(const std::array<std::uint32_t, D>& names, bool is_far) const;
+  [[nodiscard]] Sign side_beyond_doubles(std::uint32_t h, const Corner<D>& corner) const;
   [[nodiscard]] Sign exact_side(std::uint32_t h, const Corner<D>& corner) const;
   [[nodiscard]] Sign exact_side(std::uint32_t h, const Point& p) const;
   /// Nothing where integers of this type do not fit.
@@ -124,6 +133,7 @@ class HyperplaneTable {
   [[nodiscard]] std::optional<Sign> exact_side_of_meet(std::uint32_t h, const Corner<D>& corner) const;
 
   std::vector<Shared> hyperplanes_;
+  std::vector<std::array<double, D + 1>> forms_;  ///< their coefficients as doubles, together in memory
   std::vector<Points> noted_;                                    ///< by hyperplane
   std::unordered_multimap<std::size_t, std::uint32_t> numbers_;  ///< by hash
 };
