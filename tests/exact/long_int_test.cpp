@@ -39,6 +39,11 @@ void check_pair(const Integer& x, const Integer& y, int shift) {
   require_same(a * b, x * y);
   require_same(-a, -x);
   require_same(a << shift, Integer(x * (Integer(1) << static_cast<unsigned>(shift))));
+  const Integer whole = abs(x) >> static_cast<unsigned>(shift);
+  require_same(a >> shift, x < 0 ? Integer(-whole) : whole);
+  require_same(gcd(a, b), gcd(x, y));
+  if (y != 0) require_same(exact_quotient(a * b, b), x);
+  if (x != 0) REQUIRE(a.trailing_zeros() == static_cast<int>(lsb(abs(x))));
   LongInt c = a;
   c = b;
   require_same(c, y);
@@ -48,7 +53,8 @@ LongInt power_of_two(int exponent) { return LongInt::shifted(1, exponent, false)
 
 }  // namespace
 
-// Catches: a carry, borrow or limb lost, a wrong sign of a difference, a zero that is negative.
+// Catches: a carry, borrow or limb lost, a wrong sign of a difference, a zero that is negative, a divisor that is
+// not the greatest.
 TEST_CASE("long integers agree with unbounded ones", "[exact][property]") {
   Random random(77);
   for (int i = 0; i < 20'000; ++i) {

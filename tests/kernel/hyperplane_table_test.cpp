@@ -12,18 +12,18 @@ namespace {
 
 using test::Random;
 
-/// Small integers, so that hyperplanes love to meet in one point; seldom doubles of any size.
-Rational number(Random& random) {
+/// Small integers, so that hyperplanes love to meet in one point; seldom doubles of many sizes.
+Rational number(Random& random, int largest_exponent) {
   if (!random.once_in(12)) return random.between(-2, 2);
-  return to_rational(std::ldexp(random.unit() - 0.5, random.between(-200, 200)));
+  return to_rational(std::ldexp(random.unit() - 0.5, random.between(-largest_exponent, largest_exponent)));
 }
 
 template <int D>
-std::optional<std::uint32_t> random_hyperplane(Random& random, HyperplaneTable<D>& table) {
+std::optional<std::uint32_t> random_hyperplane(Random& random, HyperplaneTable<D>& table, int largest_exponent) {
   std::array<Rational, D + 1> form;
   bool has_normal = false;
   for (std::size_t i = 0; i <= D; ++i) {
-    form[i] = number(random);
+    form[i] = number(random, largest_exponent);
     has_normal |= i < D && form[i] != 0;
   }
   if (!has_normal) return std::nullopt;
@@ -81,8 +81,30 @@ void note_points(Random& random, HyperplaneTable<D>& table) {
   } while (next());
 }
 
+/// Rounding to the nearest double, and the sign of what that left out.
 template <int D>
-void check_random_meets(bool with_frame, int fewest_zeros, bool is_noted = false) {
+void check_rounded(const RoundedPlace<D>& rounded, const RationalVector<D>& place) {
+  for (std::size_t i = 0; i < D; ++i) {
+    REQUIRE(rounded.nearest[i] == to_nearest_double(place[i]));
+    REQUIRE_FALSE((rounded.nearest[i] == 0 && std::signbit(rounded.nearest[i])));
+    REQUIRE(rounded.rest[i] == sign_of(Rational(place[i] - to_rational(rounded.nearest[i]))));
+  }
+}
+
+/// Where the form is certain, it is right; where coordinates are doubles and the value is large, it is certain.
+template <int D>
+void check_form(const HyperplaneTable<D>& table, std::uint32_t h, const Corner<D>& corner) {
+  std::array<Bounded, D> largest;
+  for (std::size_t i = 0; i < D; ++i) largest[i] = Bounded(std::abs(corner.at[i].value), corner.at[i].error);
+  const auto [form, bound] = table.form_within(h, largest);
+  double value = form[D];
+  for (std::size_t i = 0; i < D; ++i) value += form[i] * corner.at[i].value;
+  if (std::abs(value) > bound) REQUIRE(table.side(h, corner) == (value > 0 ? Sign::positive : Sign::negative));
+  if (corner.is_given() && std::abs(value) > 1e-3 && std::abs(value) < 10) REQUIRE(bound < 1e-3);
+}
+
+template <int D>
+void check_random_meets(bool with_frame, int fewest_zeros, bool is_noted = false, int largest_exponent = 200) {
   int asked = 0, zeros = 0;
   for (std::uint64_t seed = 0; seed < 4000; ++seed) {
     CAPTURE(D, seed);
@@ -90,12 +112,12 @@ void check_random_meets(bool with_frame, int fewest_zeros, bool is_noted = false
     HyperplaneTable<D> table;
     std::array<std::uint32_t, D> names{};
     for (std::size_t i = 0; i < D; ++i) {
-      const auto h = random_hyperplane<D>(random, table);
+      const auto h = random_hyperplane<D>(random, table, largest_exponent);
       names[i] = h ? *h : HyperplaneTable<D>::frame(0, false);
       if (with_frame && random.once_in(2)) names[i] = HyperplaneTable<D>::frame(random.below(D), random.once_in(2));
       if (!with_frame && !h) names[i] = table.add(axis_hyperplane<D>(i, 1));
     }
-    const auto h = random_hyperplane<D>(random, table);
+    const auto h = random_hyperplane<D>(random, table, largest_exponent);
     const auto place = solved<D>(table, names);
     if (!h || !place) continue;
     if (is_noted) note_points(random, table);
@@ -106,6 +128,10 @@ void check_random_meets(bool with_frame, int fewest_zeros, bool is_noted = false
     zeros += side == Sign::zero ? 1 : 0;
     if (corner.is_far) continue;
     CHECK(table.position(corner) == *place);
+    check_form<D>(table, *h, corner);
+    const auto is_finite = [](const Rational& x) { return std::isfinite(to_nearest_double(x)); };
+    if (!std::all_of(place->begin(), place->end(), is_finite)) continue;
+    check_rounded<D>(table.rounded(corner), *place);
     for (std::size_t i = 0; i < D; ++i) {
       const Rational off = abs(to_rational(corner.at[i].value) - (*place)[i]);
       CHECK(off <= to_rational(corner.at[i].error * Bounded::slack));
@@ -121,6 +147,12 @@ TEST_CASE("corners of hyperplanes are on the sides that elimination in rationals
   check_random_meets<1>(false, 300);
   check_random_meets<2>(false, 100);
   check_random_meets<3>(false, 50);
+}
+
+// Integers of more than 4096 bits: the long ones do not hold these.
+TEST_CASE("corners of hyperplanes of very different sizes are on the right sides", "[kernel][property]") {
+  check_random_meets<2>(false, 100, false, 1020);
+  check_random_meets<3>(false, 50, true, 1020);
 }
 
 TEST_CASE("noted points change no answer", "[kernel][property]") {

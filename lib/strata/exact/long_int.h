@@ -127,11 +127,6 @@ class LongInt {
     return r.trim();
   }
 
-  /// Bits of the magnitude; 0 for zero. Throws LogicError where the value is lost.
-  [[nodiscard]] int bit_length() const {
-    require_value();
-    return size_ == 0 ? 0 : 64 * size_ - std::countl_zero(std::uint64_t{limb_[size_ - 1]});
-  }
   /// The number of times that 2 divides it, which is not zero. Throws LogicError where the value is lost.
   [[nodiscard]] int trailing_zeros() const {
     require_value();
