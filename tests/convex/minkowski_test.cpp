@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "strata/convex/convex_solid.h"
+#include "strata/convex/decompose.h"
+#include "strata/convex/hull.h"
 #include "strata/convex/membership.h"
 #include "strata/convex/outline.h"
 #include "strata/convex/sum.h"
@@ -76,6 +78,29 @@ Solid of_pairs(const std::vector<Solid>& a, const std::vector<Solid>& b) {
   for (const Solid& p : a)
     for (const Solid& q : b) sums.push_back(Solid::trusted(mesh_of(sum(polytope(p.mesh()), polytope(q.mesh())))));
   return unite(sums);
+}
+
+Solid by_convex_pieces(const Solid& a, const Solid& b) {
+  const Decomposition of_a = decompose(a), of_b = decompose(b);
+  std::vector<Solid> sums;
+  for (std::uint32_t p = 0; p < of_a.pieces.size(); ++p)
+    for (std::uint32_t q = 0; q < of_b.pieces.size(); ++q)
+      sums.push_back(solid_of(sum(of_a.polytope(p), of_b.polytope(q))));
+  return unite(sums);
+}
+
+/// The sum is that of all pairs of convex pieces, in either order, sound, and the same for any number of threads.
+void check_sum_of_pieces(const Solid& a, const Solid& b) {
+  Options options;
+  options.threads = 1;
+  const Solid whole = minkowski_sum(a, b, options);
+  options.threads = 2;
+  const Solid again = minkowski_sum(a, b, options);
+  REQUIRE(again.mesh().triangles == whole.mesh().triangles);
+  REQUIRE(again.mesh().vertices == whole.mesh().vertices);
+  REQUIRE(check(whole.exact_mesh()).empty());
+  REQUIRE(minkowski_sum(b, a) == whole);
+  REQUIRE(by_convex_pieces(a, b) == whole);
 }
 
 /// The same solid, its face at the height 0 without points inside: what touches it there is not told by vertices.
@@ -192,6 +217,31 @@ TEST_CASE("a polygon along a face that a notch touches from inside", "[convex][m
     CHECK(minkowski_sum(a, cube) == by_pieces(a, cube));
     CHECK(minkowski_sum(without_low_points(a), square) == by_pieces(a, square));
   }
+}
+
+// The sum closes everywhere at once, or by one step of doubles nowhere.
+TEST_CASE("a cross-shaped key in its cross-shaped slot, a step of doubles less and more", "[convex][minkowski]") {
+  const Solid slot = box({-4, -4, 0}, {4, 4, 1}) - (box({-2, -1, -1}, {2, 1, 2}) | box({-1, -2, -1}, {1, 2, 2}));
+  for (const double u : {1.0, std::nextafter(1.0, 0.0), std::nextafter(1.0, 2.0)}) {
+    CAPTURE(u);
+    const Solid key = box({-2 * u, -u, 0}, {2 * u, u, 1}) | box({-u, -2 * u, 0}, {u, 2 * u, 1});
+    check_sum_of_pieces(slot, key);
+  }
+}
+
+TEST_CASE("nested shells plus two cubes that meet in a corner", "[convex][minkowski]") {
+  Solid shells = box({0, 0, 0}, {9, 9, 9}) - box({1, 1, 1}, {8, 8, 8});
+  shells = shells | (box({2, 2, 2}, {7, 7, 7}) - box({3, 3, 3}, {6, 6, 6})) | box({4, 4, 4}, {5, 5, 5});
+  check_sum_of_pieces(shells, box({0, 0, 0}, {.5, .5, .5}) | box({.5, .5, .5}, {1, 1, 1}));
+}
+
+TEST_CASE("what is left of sums of sums is an operand like others", "[convex][minkowski]") {
+  const Solid ring = (box({0, 0, 0}, {3, 3, 1}) - box({1, 1, -1}, {2, 2, 2})) | box({3, 3, 0}, {4, 4, 1});
+  const Solid grown = minkowski_sum(ring, box({0, 0, 0}, {0.1, 0.2, 0.3}));
+  const Solid rest = minkowski_sum(grown, ring) - minkowski_sum(ring, box({0, 0, 0}, {0.7, 0.1, 0.1}));
+  REQUIRE_FALSE(rest.is_empty());
+  check_sum_of_pieces(rest, ring);
+  check_sum_of_pieces(grown, grown);
 }
 
 TEST_CASE("random solids plus convex ones are what their pieces are", "[convex][minkowski][property]") {

@@ -17,9 +17,8 @@ Facet<3> facet(MeshPlanes& planes, Triangle t, MeshPlanes::Plane plane) {
   for (std::size_t i = 0; i < 3; ++i) piece.walls.push_back(planes.along_axis(t[i], t[(i + 1) % 3], axis));
   for (std::size_t i = 0; i < 3; ++i) {
     const std::array<std::uint32_t, 3> names{piece.hyperplane, piece.walls[(i + 2) % 3], piece.walls[i]};
-    piece.corners.push_back(planes.is_given(t[i])
-                                ? HyperplaneTable<3>::given(names, planes.mesh().mesh.vertices[t[i]])
-                                : table.meet(names));
+    piece.corners.push_back(planes.is_given(t[i]) ? HyperplaneTable<3>::given(names, planes.mesh().mesh.vertices[t[i]])
+                                                  : table.meet(names));
   }
   return {std::move(piece), !plane.is_turned};
 }

@@ -57,7 +57,7 @@ class ReflexEdges {
 
   const HyperplaneTable<3>& table_;
   std::vector<const Edge*> edges_;
-  std::vector<Point> ends_;  ///< two for each
+  std::vector<Point> ends_;           ///< two for each
   std::array<Bounded, 3> largest_{};  ///< coordinates and errors
 };
 

@@ -35,7 +35,8 @@ class CutPlanes {
     if (std::find(planes.begin(), planes.end(), plane) == planes.end()) planes.push_back(plane);
   }
 
-  /// Notes the plane through edge v and a vertex of edge w for both, unless one has enough or the vertex is on v's line.
+  /// Notes the plane through edge v and a vertex of edge w for both, unless one has enough or the vertex is on v's
+  /// line.
   void pair(std::uint32_t v, std::uint32_t w, std::uint32_t apex) {
     if (through_[v].size() >= 2 + most_partners || through_[w].size() >= 2 + most_partners) return;
     const auto [p, q] = wedges_[v].vertices;
@@ -121,8 +122,7 @@ class CutPlanes {
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> cut_planes(bsp::MeshPlanes& mesh_planes,
-                                                   std::span<const bsp::Facet<3>> facets,
+std::vector<std::vector<std::uint32_t>> cut_planes(bsp::MeshPlanes& mesh_planes, std::span<const bsp::Facet<3>> facets,
                                                    std::span<const Wedge> wedges, const Monitor& monitor) {
   return CutPlanes(mesh_planes, facets, wedges, monitor).all();
 }

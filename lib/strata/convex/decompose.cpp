@@ -266,8 +266,8 @@ Polytope Decomposition::polytope(std::uint32_t piece) const {
   for (auto& [point, n] : number) {
     n = static_cast<std::uint32_t>(polytope.vertices.size());
     polytope.vertices.push_back(points[point]);
-    meet = std::lower_bound(meet, meets.end(), point,
-                            [](const MeetOfThree& m, std::uint32_t p) { return m.point < p; });
+    meet =
+        std::lower_bound(meet, meets.end(), point, [](const MeetOfThree& m, std::uint32_t p) { return m.point < p; });
     if (meet != meets.end() && meet->point == point) polytope.exact.push_back({n, planes->position(meet->planes)});
   }
   for (const Polygon& facet : pieces[piece]) {

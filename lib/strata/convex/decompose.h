@@ -32,9 +32,9 @@ struct Decomposition {
   std::vector<Vertex> points;      ///< corners of pieces, walls and boundary parts, by exact places; nearest doubles
   std::vector<MeetOfThree> meets;  ///< those for which rounding changed something, rising
   std::shared_ptr<const HyperplaneTable<3>> planes;  ///< that meet there, each through three vertices of the solid
-  std::vector<std::vector<Polygon>> pieces;  ///< by their facets, one per plane
-  std::vector<Wall> walls;                   ///< by pieces
-  std::vector<BoundaryPart> boundary;        ///< by triangles, then pieces; all of the boundary
+  std::vector<std::vector<Polygon>> pieces;          ///< by their facets, one per plane
+  std::vector<Wall> walls;                           ///< by pieces
+  std::vector<BoundaryPart> boundary;                ///< by triangles, then pieces; all of the boundary
   std::size_t reflex_edges = 0;  ///< of the solid: angles of more than 180 degrees, non-manifold edges may have several
   std::size_t cuts = 0;          ///< divisions of a region by a plane, before pieces were joined
 

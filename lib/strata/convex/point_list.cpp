@@ -74,9 +74,8 @@ std::vector<std::uint32_t> PointList::sorted(std::vector<Vertex>& points, std::v
   Places places(table_, maker_, corners_);
   std::vector<std::uint32_t> order(corners_.size()), point_of(corners_.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return places.compare(a, b) == std::strong_ordering::less;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return places.compare(a, b) == std::strong_ordering::less; });
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (k == 0 || places.compare(order[k - 1], order[k]) != std::strong_ordering::equal) {
       const RoundedPlace<3>& place = places[order[k]];

@@ -124,8 +124,8 @@ bsp::BoxPlanes box_about(HyperplaneTable<3>& table, const MeshView& mesh) {
   for (const Vertex& v : mesh.vertices) box.include(v);
   double size = std::numeric_limits<double>::denorm_min();
   for (std::size_t i = 0; i < 3; ++i)
-    for (const double x : {box.upper[i] / 2 - box.lower[i] / 2, box.lower[i] * share_of_coordinate,
-                           box.upper[i] * share_of_coordinate})
+    for (const double x :
+         {box.upper[i] / 2 - box.lower[i] / 2, box.lower[i] * share_of_coordinate, box.upper[i] * share_of_coordinate})
       size = std::max(size, std::abs(x));
   int exponent = 0;
   static_cast<void>(std::frexp(size, &exponent));
@@ -192,7 +192,8 @@ Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region&
   for (const CellFacet& f : inside.facets) of_region.push_back(behind(f.plane, f.faces_plus));
   for (const OwnFacet& facet : own) {
     bsp::Piece<3> polygon = maker.whole(facet.plane);
-    for (const std::vector<bsp::HalfSpace>* by : {&facet.by, static_cast<const std::vector<bsp::HalfSpace>*>(&of_region)})
+    for (const std::vector<bsp::HalfSpace>* by :
+         {&facet.by, static_cast<const std::vector<bsp::HalfSpace>*>(&of_region)})
       for (const bsp::HalfSpace& h : *by)
         if (!bsp::clip(boundary.table, polygon, h)) throw LogicError("a facet of a convex piece has no area");
     inside.facets.push_back(maker.facet_of(polygon, facet.faces_plus));

@@ -88,8 +88,8 @@ class HyperplaneTable {
   [[nodiscard]] Sign side(std::uint32_t h, const Point& p) const;
   [[nodiscard]] Sign side(std::uint32_t h, const RationalVector<D>& p) const;
 
-  /// A form in doubles, for many points: where the value of |form| at rounded coordinates, in any order of summation, is
-  /// larger than the bound, its sign is the side. `largest` are the largest sizes and errors of their coordinates.
+  /// A form in doubles, for many points: where the value of |form| at rounded coordinates, in any order of summation,
+  /// is larger than the bound, its sign is the side. `largest` are the largest sizes and errors of their coordinates.
   struct FormWithin {
     std::array<double, D + 1> form{};
     double bound = 0;
@@ -133,7 +133,7 @@ class HyperplaneTable {
   [[nodiscard]] std::optional<Sign> exact_side_of_meet(std::uint32_t h, const Corner<D>& corner) const;
 
   std::vector<Shared> hyperplanes_;
-  std::vector<std::array<double, D + 1>> forms_;  ///< their coefficients as doubles, together in memory
+  std::vector<std::array<double, D + 1>> forms_;                 ///< their coefficients as doubles, together in memory
   std::vector<Points> noted_;                                    ///< by hyperplane
   std::unordered_multimap<std::size_t, std::uint32_t> numbers_;  ///< by hash
 };
