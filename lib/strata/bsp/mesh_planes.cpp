@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <type_traits>
 #include <utility>
 
 namespace strata::bsp {
@@ -35,9 +36,8 @@ MeshPlanes::MeshPlanes(HyperplaneTable<3>& table, ExactMeshView mesh) : table_(t
 }
 
 std::optional<MeshPlanes::Plane> MeshPlanes::through(const Triangle& vertices) {
-  const auto [a, b, c] = vertices;
   std::optional<OrientedHyperplane<3>> plane = found([&](const auto& at) -> std::optional<OrientedHyperplane<3>> {
-    const auto p = strata::plane_through(at[a], at[b], at[c]);
+    const auto p = strata::plane_through(at[vertices[0]], at[vertices[1]], at[vertices[2]]);
     if (is_zero(p.a) && is_zero(p.b) && is_zero(p.c)) return std::nullopt;
     return oriented(p);
   });
@@ -96,7 +96,8 @@ HPoint<Integer> MeshPlanes::place_of(const RationalPoint& p) const {
   return {n[0], n[1], n[2], w, w == 1};
 }
 
-/// From units of the lattice to units of the mesh.
+/// From units of the lattice to units of the mesh. Narrow forms are at most 1,100 bits longer then: a LongInt holds
+/// them.
 template <class Int>
 OrientedHyperplane<3> MeshPlanes::oriented(const HPlane<Int>& plane) const {
   using Form = std::conditional_t<std::is_same_v<Int, Narrow>, LongInt, Int>;
