@@ -1,13 +1,24 @@
-# Install rules: headers, one archive per room, the CMake package, the pkg-config file.
+# Install rules: public headers, one archive per module, the CMake package, the pkg-config file.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
-get_property(room_targets GLOBAL PROPERTY strata_rooms)
-list(REVERSE room_targets)  # in the order in which a linker wants archives
+get_property(module_targets GLOBAL PROPERTY strata_modules)
+list(REVERSE module_targets)  # in the order in which a linker wants archives
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/strata)
 
-install(TARGETS strata ${room_targets} EXPORT strata ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY lib/strata DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.h" PATTERN "*_internal.h" EXCLUDE PATTERN "internal" EXCLUDE)
+install(TARGETS strata ${module_targets} EXPORT strata ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# The headers of the core, and those of the extensions that are built.
+set(public_headers strata check combine errors expression formula io measure mesh options rational solid transform version)
+get_property(built_extensions GLOBAL PROPERTY strata_extensions)
+foreach(extension ${built_extensions})
+  if(extension STREQUAL scene)
+    list(APPEND public_headers query)
+  else()
+    list(APPEND public_headers ${extension})
+  endif()
+endforeach()
+list(TRANSFORM public_headers PREPEND include/strata/)
+list(TRANSFORM public_headers APPEND .h)
+install(FILES ${public_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/strata)
 install(EXPORT strata NAMESPACE strata:: FILE strataTargets.cmake DESTINATION ${package_dir})
 
 configure_package_config_file(cmake/strataConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/strataConfig.cmake
@@ -17,8 +28,8 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/strataConfig.cmake ${CMAKE_CURRENT_BIN
   cmake/FindGMP.cmake DESTINATION ${package_dir})
 
 # pkg-config: the prefix is found from the file's own place, so that the tree can be moved.
-list(TRANSFORM room_targets PREPEND -l OUTPUT_VARIABLE pc_rooms)
-list(JOIN pc_rooms " " pc_rooms)
+list(TRANSFORM module_targets PREPEND -l OUTPUT_VARIABLE pc_modules)
+list(JOIN pc_modules " " pc_modules)
 set(pc_assimp "")
 if(STRATA_WITH_ASSIMP)
   set(pc_assimp -lassimp)

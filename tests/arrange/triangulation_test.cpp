@@ -1,9 +1,9 @@
-#include "strata/arrange/triangulation.h"
+#include "core/arrange/triangulation.h"
 
 #include <catch2/catch.hpp>
 
+#include "core/overlap/meeting.h"
 #include "kernel/tiers.h"
-#include "strata/overlap/meeting.h"
 #include "support/random.h"
 #include "support/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "strata/bsp/dump.h"
+#include "extensions/bsp/dump.h"
 
 #include <catch2/catch.hpp>
 #include <stdexcept>

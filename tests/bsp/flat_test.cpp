@@ -6,9 +6,9 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "strata/bsp/line.h"
-#include "strata/bsp/measure.h"
-#include "strata/bsp/polygon.h"
+#include "extensions/bsp/line.h"
+#include "extensions/bsp/measure.h"
+#include "extensions/bsp/polygon.h"
 #include "support/random.h"
 #include "support/rounds.h"
 

@@ -1,8 +1,8 @@
-#include "strata/bsp/locator.h"
+#include "extensions/bsp/locator.h"
 
 #include <catch2/catch.hpp>
 
-#include "strata/layers/locator.h"
+#include "extensions/scene/locator.h"
 #include "support/random.h"
 #include "support/rounds.h"
 #include "support/touching.h"

@@ -1,11 +1,11 @@
-#include "strata/bsp/nearest.h"
+#include "extensions/bsp/nearest.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "strata/bsp/line.h"
-#include "strata/bsp/mesh.h"
-#include "strata/bsp/polygon.h"
+#include "extensions/bsp/line.h"
+#include "extensions/bsp/mesh.h"
+#include "extensions/bsp/polygon.h"
 #include "support/random.h"
 #include "support/rounds.h"
 #include "support/shapes.h"

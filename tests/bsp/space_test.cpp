@@ -1,11 +1,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "strata/bsp/line.h"
-#include "strata/bsp/measure.h"
-#include "strata/bsp/mesh.h"
-#include "strata/bsp/transform.h"
-#include "strata/mesh/measure.h"
+#include "extensions/bsp/line.h"
+#include "extensions/bsp/measure.h"
+#include "extensions/bsp/mesh.h"
+#include "extensions/bsp/transform.h"
+#include "strata/measure.h"
 #include "support/random.h"
 #include "support/rounds.h"
 #include "support/shapes.h"

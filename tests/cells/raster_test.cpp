@@ -1,4 +1,4 @@
-#include "strata/cells/raster.h"
+#include "core/cells/raster.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

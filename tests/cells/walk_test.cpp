@@ -1,11 +1,11 @@
-#include "strata/cells/walk.h"
+#include "core/cells/walk.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "strata/cells/cell_tree.h"
-#include "strata/mesh/mesh.h"
+#include "core/cells/cell_tree.h"
+#include "strata/mesh.h"
 #include "support/random.h"
 #include "support/shapes.h"
 

@@ -3,7 +3,7 @@ import json
 import os
 import unittest
 
-from tool import NOT_CERTIFIED, ToolTest, cube, two_cubes
+from tool import INTERNAL, NOT_CERTIFIED, ToolTest, cube, two_cubes
 
 
 class Reproduction(ToolTest):
@@ -14,7 +14,7 @@ class Reproduction(ToolTest):
 
     def fails(self, *arguments, **variables):
         environment = {**os.environ, "STRATA_TEST_LOGIC_ERROR": "1", **variables}
-        done = self.run_tool(*arguments, "-o", "out.off", expect=NOT_CERTIFIED, env=environment)
+        done = self.run_tool(*arguments, "-o", "out.off", expect=INTERNAL, env=environment)
         self.assertFalse(self.path("out.off").exists())
         return done.stderr.decode()
 

@@ -7,6 +7,7 @@ import tempfile
 import unittest
 
 OK, NEGATIVE, USAGE, FILE, INVALID, NOT_CERTIFIED, STOPPED = range(7)
+INTERNAL = 70  # EX_SOFTWARE
 DATA = pathlib.Path(os.environ["STRATA_DATA_DIR"])
 TOOL = os.environ["STRATA_TOOL"]
 

@@ -1,8 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "random_complex.h"
-#include "strata/complex/evaluate.h"
-#include "strata/complex/locate.h"
+#include "strata/complex.h"
 #include "support/rounds.h"
 
 namespace strata::complex {

@@ -1,11 +1,11 @@
-#include "strata/complex/file.h"
+#include "strata/complex.h"
 
 #include <catch2/catch.hpp>
 #include <random>
 #include <sstream>
 
 #include "random_complex.h"
-#include "strata/io/io_error.h"
+#include "strata/errors.h"
 #include "support/rounds.h"
 
 namespace strata::complex {

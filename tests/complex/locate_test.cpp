@@ -1,4 +1,4 @@
-#include "strata/complex/locate.h"
+#include "strata/complex.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "random_complex.h"
-#include "strata/complex/topology.h"
+#include "strata/complex.h"
 #include "support/rounds.h"
 
 namespace strata::complex {

@@ -4,10 +4,8 @@
 #include <random>
 #include <vector>
 
-#include "strata/complex/make.h"
-#include "strata/complex/operators.h"
-#include "strata/complex/selective_complex.h"
-#include "strata/mesh/defect.h"
+#include "strata/complex.h"
+#include "strata/errors.h"
 
 namespace strata::complex {
 

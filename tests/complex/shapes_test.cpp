@@ -1,13 +1,8 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "strata/complex/locate.h"
-#include "strata/complex/make.h"
-#include "strata/complex/manifold.h"
-#include "strata/complex/measure.h"
-#include "strata/complex/operators.h"
-#include "strata/complex/topology.h"
-#include "strata/mesh/defect.h"
+#include "strata/complex.h"
+#include "strata/errors.h"
 
 namespace strata::complex {
 namespace {

@@ -1,9 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "strata/complex/make.h"
-#include "strata/complex/measure.h"
-#include "strata/complex/operators.h"
-#include "strata/complex/topology.h"
+#include "strata/complex.h"
 #include "support/rounds.h"
 #include "support/shapes.h"
 #include "support/touching.h"

@@ -1,4 +1,4 @@
-#include "strata/contact/assembly.h"
+#include "strata/contact.h"
 
 #include <tbb/global_control.h>
 
@@ -9,8 +9,8 @@
 #include <map>
 
 #include "contact/parts.h"
-#include "strata/contact/box_pairs.h"
-#include "strata/kernel/disjoint_sets.h"
+#include "core/kernel/disjoint_sets.h"
+#include "extensions/contact/box_pairs.h"
 #include "support/random.h"
 #include "support/touching.h"
 

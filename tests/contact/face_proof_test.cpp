@@ -1,8 +1,8 @@
-#include "strata/contact/face_proof.h"
+#include "extensions/contact/face_proof.h"
 
 #include <catch2/catch.hpp>
 
-#include "strata/overlap/meeting.h"
+#include "core/overlap/meeting.h"
 
 namespace strata::contact {
 namespace {

@@ -1,4 +1,4 @@
-#include "strata/contact/nearest.h"
+#include "extensions/contact/nearest.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

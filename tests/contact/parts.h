@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "strata/contact/assembly.h"
+#include "strata/contact.h"
 #include "support/shapes.h"
 #include "support/transform.h"
 

@@ -1,4 +1,4 @@
-#include "strata/contact/region.h"
+#include "extensions/contact/region.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "strata/contact/relation.h"
+#include "extensions/contact/relation.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "strata/contact/twins.h"
+#include "extensions/contact/twins.h"
 
 #include <catch2/catch.hpp>
 

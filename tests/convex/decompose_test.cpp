@@ -1,4 +1,4 @@
-#include "strata/convex/decompose.h"
+#include "strata/convex.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "convex/decomposition_check.h"
-#include "strata/csg/transform.h"
+#include "strata/transform.h"
 #include "support/random.h"
 #include "support/rounds.h"
 #include "support/shapes.h"

@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "strata/convex/decompose.h"
-#include "strata/csg/solid.h"
-#include "strata/mesh/canonical.h"
-#include "strata/mesh/measure.h"
+#include "strata/convex.h"
+#include "strata/measure.h"
+#include "strata/solid.h"
 
 /// Says what is wrong with a decomposition, by rationals and by code that made none of it.
 namespace strata::test {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "strata/convex/polytope.h"
+#include "strata/convex.h"
 
 // Is a polytope the convex hull of some points? By definition, in rationals.
 namespace strata::test {

@@ -1,4 +1,4 @@
-#include "strata/convex/hull.h"
+#include "strata/convex.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-#include "strata/mesh/measure.h"
+#include "strata/measure.h"
 #include "support/random.h"
 #include "support/rounds.h"
 

@@ -1,17 +1,15 @@
-#include "strata/convex/minkowski.h"
+#include "strata/convex.h"
 
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "strata/convex/convex_solid.h"
-#include "strata/convex/decompose.h"
-#include "strata/convex/hull.h"
-#include "strata/convex/membership.h"
-#include "strata/convex/outline.h"
-#include "strata/convex/sum.h"
-#include "strata/csg/check.h"
+#include "extensions/convex/convex_solid.h"
+#include "extensions/convex/membership.h"
+#include "extensions/convex/outline.h"
+#include "strata/check.h"
+#include "strata/convex.h"
 #include "support/shapes.h"
 #include "support/touching.h"
 #include "support/transform.h"

@@ -1,9 +1,9 @@
-#include "strata/convex/offset.h"
+#include "strata/convex.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "strata/convex/minkowski.h"
+#include "strata/convex.h"
 #include "support/shapes.h"
 
 namespace strata::convex {
@@ -37,11 +37,11 @@ TEST_CASE("offsets grow, shrink, close what is narrow and end at nothing", "[con
   CHECK(offset(cube, 0).solid == cube);
   const Offset grown = offset(cube, 0.5, 80);
   const double exact = 64 + 6 * 16 * 0.5 + 12 * 4 * 0.25 * M_PI * 0.25 + 4 * M_PI / 3 * 0.125;
-  const double volume = static_cast<double>(grown.solid.volume());
+  const double volume = to_nearest_double(grown.solid.volume());
   CHECK(volume > exact);
   CHECK(volume < exact * (1 + grown.excess));
   const Solid shrunk = offset(cube, -0.5, 80).solid;
-  const double side = std::cbrt(static_cast<double>(shrunk.volume()));
+  const double side = std::cbrt(to_nearest_double(shrunk.volume()));
   CHECK(side <= 3);
   CHECK(side > 3 - 2 * 0.5 * grown.excess);
   CHECK(offset(cube, -2.5, 80).solid.is_empty());

@@ -1,11 +1,11 @@
-#include "strata/convex/sum.h"
+#include "strata/convex.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "convex/hull_check.h"
-#include "strata/convex/convex_solid.h"
-#include "strata/mesh/canonical.h"
+#include "extensions/convex/convex_solid.h"
+#include "strata/measure.h"
 #include "support/shapes.h"
 #include "support/transform.h"
 

@@ -1,13 +1,13 @@
-#include "strata/convex/touching_faces.h"
+#include "extensions/convex/touching_faces.h"
 
 #include <catch2/catch.hpp>
 #include <optional>
 
-#include "strata/convex/convex_solid.h"
-#include "strata/convex/membership.h"
-#include "strata/convex/surface.h"
-#include "strata/csg/check.h"
-#include "strata/mesh/prepare.h"
+#include "core/mesh/prepare.h"
+#include "extensions/convex/convex_solid.h"
+#include "extensions/convex/membership.h"
+#include "extensions/convex/surface.h"
+#include "strata/check.h"
 #include "support/shapes.h"
 #include "support/touching.h"
 #include "support/transform.h"

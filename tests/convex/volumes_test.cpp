@@ -1,4 +1,4 @@
-#include "strata/convex/volumes.h"
+#include "strata/convex.h"
 
 #include <catch2/catch.hpp>
 

@@ -2,8 +2,8 @@
 #include <iostream>
 
 #include "corpus/corpus.h"
-#include "strata/mesh/defect.h"
-#include "strata/mesh/measure.h"
+#include "strata/errors.h"
+#include "strata/measure.h"
 
 namespace strata::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "strata/io/mesh_file.h"
+#include "strata/io.h"
 #include "support/transform.h"
 
 namespace strata::test {
@@ -27,7 +27,7 @@ Rational decimal(std::string_view text) {
   const bool negative = !digits.empty() && digits[0] == '-';
   digits.erase(0, std::min(digits.find_first_not_of("+-0"), digits.size()));  // a leading 0 would mean octal
   const Rational mantissa(Integer(digits.empty() ? "0" : digits));
-  const Rational power(boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(exponent))));
+  const Rational power(pow(Integer(10), static_cast<unsigned>(std::abs(exponent))));
   const Rational value = exponent < 0 ? Rational(mantissa / power) : Rational(mantissa * power);
   return negative ? Rational(-value) : value;
 }

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "corpus/csv.h"
-#include "strata/csg/options.h"
-#include "strata/csg/solid.h"
-#include "strata/exact/rational.h"
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
+#include "strata/options.h"
+#include "strata/rational.h"
+#include "strata/solid.h"
 
 /// The corpus of real meshes and expected values, in the directory that STRATA_CORPUS names.
 namespace strata::test {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "corpus/corpus.h"
-#include "strata/openscad/csg_file.h"
+#include "strata/openscad.h"
 
 namespace strata::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "corpus/corpus.h"
-#include "strata/bsp/mesh.h"
-#include "strata/mesh/measure.h"
+#include "extensions/bsp/mesh.h"
+#include "strata/measure.h"
 #include "support/shapes.h"
 #include "support/transform.h"
 

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "strata/csg/solid.h"
-#include "strata/mesh/measure.h"
+#include "strata/measure.h"
+#include "strata/solid.h"
 #include "support/shapes.h"
 
 namespace strata::test {

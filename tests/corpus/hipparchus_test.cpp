@@ -4,12 +4,12 @@
 #include <sstream>
 
 #include "corpus/corpus.h"
-#include "strata/bsp/dump.h"
-#include "strata/bsp/line.h"
-#include "strata/bsp/measure.h"
-#include "strata/bsp/mesh.h"
-#include "strata/csg/check.h"
-#include "strata/io/mesh_file.h"
+#include "extensions/bsp/dump.h"
+#include "extensions/bsp/line.h"
+#include "extensions/bsp/measure.h"
+#include "extensions/bsp/mesh.h"
+#include "strata/check.h"
+#include "strata/io.h"
 #include "support/random.h"
 
 namespace strata::test {

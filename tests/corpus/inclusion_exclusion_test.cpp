@@ -41,7 +41,7 @@ void check_scaled(const std::string& name, const MeshPair& pair, int exponent) {
   const Solid a(scaled(pair.a, exponent));
   const Solid b(scaled(pair.b, exponent));
   check_laws(name, a, b);
-  const Integer power = boost::multiprecision::pow(Integer(2), static_cast<unsigned>(3 * std::abs(exponent)));
+  const Integer power = pow(Integer(2), static_cast<unsigned>(3 * std::abs(exponent)));
   const Rational factor = exponent < 0 ? Rational(1, power) : Rational(power);
   CHECK((a & b).volume() == factor * (Solid(pair.a) & Solid(pair.b)).volume());
 }

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "corpus/corpus.h"
-#include "strata/io/io_error.h"
-#include "strata/mesh/defect.h"
+#include "strata/errors.h"
 
 namespace strata::test {
 namespace {

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 
 namespace strata::test {
 

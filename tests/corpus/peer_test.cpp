@@ -6,7 +6,7 @@
 
 #include "corpus/corpus.h"
 #include "corpus/operands.h"
-#include "strata/mesh/measure.h"
+#include "strata/measure.h"
 #include "support/transform.h"
 
 namespace strata::test {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "strata/csg/combine.h"
+#include "strata/combine.h"
 #include "support/shapes.h"
 #include "support/touching.h"
 #include "support/transform.h"

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "corpus/corpus.h"
-#include "strata/csg/check.h"
-#include "strata/io/mesh_file.h"
-#include "strata/mesh/defect.h"
-#include "strata/mesh/measure.h"
+#include "strata/check.h"
+#include "strata/errors.h"
+#include "strata/io.h"
+#include "strata/measure.h"
 
 namespace strata::test {
 namespace {

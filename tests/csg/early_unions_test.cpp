@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "strata/csg/common_walls.h"
-#include "strata/csg/crowds.h"
+#include "core/csg/common_walls.h"
+#include "core/csg/crowds.h"
 #include "strata/strata.h"
 #include "support/random.h"
 #include "support/rounds.h"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "csg/recipe_solids.h"
-#include "strata/io/mesh_file.h"
+#include "strata/io.h"
 #include "strata/strata.h"
 #include "support/random_recipe.h"
 #include "support/rounds.h"

@@ -1,4 +1,4 @@
-#include "strata/csg/expression.h"
+#include "strata/expression.h"
 
 #include <catch2/catch.hpp>
 #include <map>

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <iostream>
 
-#include "strata/csg/expression.h"
-#include "strata/mesh/measure.h"
+#include "strata/expression.h"
+#include "strata/measure.h"
 #include "support/rounds.h"
 #include "support/shapes.h"
 #include "support/transform.h"

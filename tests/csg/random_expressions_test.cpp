@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "csg/recipe_solids.h"
-#include "strata/mesh/measure.h"
+#include "strata/measure.h"
 #include "support/random_recipe.h"
 #include "support/rounds.h"
 #include "support/shapes.h"

@@ -1,5 +1,5 @@
 #pragma once
-#include "strata/csg/expression.h"
+#include "strata/expression.h"
 #include "support/recipe.h"
 
 namespace strata::test {

@@ -1,4 +1,4 @@
-#include "strata/exact/bounded.h"
+#include "core/exact/bounded.h"
 
 #include <bit>
 #include <catch2/catch.hpp>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "strata/exact/rational.h"
+#include "strata/rational.h"
 #include "support/random.h"
 
 using namespace strata;

@@ -1,4 +1,4 @@
-#include "strata/exact/lattice.h"
+#include "core/exact/lattice.h"
 
 #include <bit>
 #include <catch2/catch.hpp>

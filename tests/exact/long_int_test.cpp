@@ -1,8 +1,8 @@
-#include "strata/exact/long_int.h"
+#include "core/exact/long_int.h"
 
 #include <catch2/catch.hpp>
 
-#include "strata/exact/lattice.h"
+#include "core/exact/lattice.h"
 #include "support/random.h"
 
 using namespace strata;
@@ -43,7 +43,7 @@ void check_pair(const Integer& x, const Integer& y, int shift) {
   require_same(a >> shift, x < 0 ? Integer(-whole) : whole);
   require_same(gcd(a, b), gcd(x, y));
   if (y != 0) require_same(exact_quotient(a * b, b), x);
-  if (x != 0) REQUIRE(a.trailing_zeros() == static_cast<int>(lsb(abs(x))));
+  if (x != 0) REQUIRE(a.trailing_zeros() == static_cast<int>(trailing_zeros(x)));
   LongInt c = a;
   c = b;
   require_same(c, y);

@@ -1,4 +1,4 @@
-#include "strata/exact/rational.h"
+#include "strata/rational.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

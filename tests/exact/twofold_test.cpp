@@ -1,10 +1,10 @@
-#include "strata/exact/twofold.h"
+#include "core/exact/twofold.h"
 
 #include <bit>
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "strata/exact/rational.h"
+#include "strata/rational.h"
 #include "support/random.h"
 
 using namespace strata;

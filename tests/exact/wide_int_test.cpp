@@ -1,4 +1,4 @@
-#include "strata/exact/wide_int.h"
+#include "core/exact/wide_int.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <catch2/catch.hpp>

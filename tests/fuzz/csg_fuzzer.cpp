@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "extensions/openscad/model.h"
+#include "extensions/openscad/syntax.h"
 #include "fuzz.h"
-#include "strata/openscad/csg_file.h"
-#include "strata/openscad/model.h"
-#include "strata/openscad/syntax.h"
+#include "strata/openscad.h"
 
 namespace strata::fuzz {
 namespace {

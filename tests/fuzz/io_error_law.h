@@ -2,7 +2,7 @@
 #include <string_view>
 
 #include "fuzz.h"
-#include "strata/io/io_error.h"
+#include "strata/errors.h"
 
 namespace strata::fuzz {
 

@@ -6,30 +6,29 @@
 
 #include "fuzz.h"
 #include "io_error_law.h"
-#include "strata/planar/combine.h"
-#include "strata/planar_io/planar_file.h"
+#include "strata/planar.h"
 
 namespace strata::fuzz {
 namespace {
 
-using plane::Coordinates;
-using plane::PlanarFile;
-using plane::PlanarFormat;
-using plane::Region;
+using planar::Coordinates;
+using planar::PlanarFile;
+using planar::PlanarFormat;
+using planar::Region;
 
 constexpr PlanarFormat tested = PlanarFormat::STRATA_FUZZ_FORMAT;
 constexpr const char* file_name = "fuzz";
 
 /// The law of PlanarFile.
 void check(const PlanarFile& file) {
-  const plane::Loops& loops = file.loops;
+  const planar::Loops& loops = file.loops;
   require(loops.places.meets.empty(), "points are given");
   require(loops.edge_line.size() == loops.vertices.size(), "every edge has a line, or none");
   for (std::uint32_t p = 0; p < loops.places.size(); ++p)
     for (std::size_t i = 0; i < 2; ++i) {
       const double nearest = loops.places.place[p][i];
       require(std::isfinite(nearest), "coordinates are finite");
-      require(nearest == to_nearest_double(plane::exact_place(loops.places, p)[i]), "places are the nearest doubles");
+      require(nearest == to_nearest_double(planar::exact_place(loops.places, p)[i]), "places are the nearest doubles");
     }
   for (const std::uint32_t v : loops.vertices) require(v < loops.places.size(), "vertices are points");
   require(loops.first_vertex.back() == loops.vertices.size(), "loops have all vertices");
@@ -37,27 +36,27 @@ void check(const PlanarFile& file) {
   for (const std::string& note : file.notes) require(!note.empty(), "notes say something");
 }
 
-bool same(const Region& a, const Region& b) { return plane::canonical_form(a) == plane::canonical_form(b); }
+bool same(const Region& a, const Region& b) { return planar::canonical_form(a) == planar::canonical_form(b); }
 
 Region read_region(const std::string& text, PlanarFormat format) {
-  return plane::fill(plane::read_planar(text, format, "written").loops);
+  return planar::fill(planar::read_planar(text, format, "written").loops);
 }
 
 bool has_doubles_only(const Region& region) {
   const auto& vertices = region.loops.vertices;
   return std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
-    const plane::RationalPlacement p = plane::exact_place(region.loops.places, v);
-    const PlanePoint& nearest = region.loops.places.place[v];
+    const planar::RationalPlacement p = planar::exact_place(region.loops.places, v);
+    const planar::PlanePoint& nearest = region.loops.places.place[v];
     return to_rational(nearest[0]) == p[0] && to_rational(nearest[1]) == p[1];
   });
 }
 
 void check_written(const Region& region, PlanarFormat format, Coordinates coordinates) {
-  const std::string text = plane::to_text(region, format, coordinates);
+  const std::string text = planar::to_text(region, format, coordinates);
   require(text.find("inf") == text.npos && text.find("nan") == text.npos, "numbers that are written are finite");
   const Region again = read_region(text, format);
   require(same(again, region), "what is written reads back the same");
-  require(plane::to_text(again, format, coordinates) == text, "what was written is written again");
+  require(planar::to_text(again, format, coordinates) == text, "what was written is written again");
 }
 
 void check_region(const Region& region) {
@@ -67,7 +66,7 @@ void check_region(const Region& region) {
     for (const PlanarFormat format : {PlanarFormat::wkt, PlanarFormat::geojson, PlanarFormat::svg})
       check_written(region, format, Coordinates::nearest);
   } else {  // rounded polygons may cross themselves, but can be read
-    (void)read_region(plane::to_text(region, tested), tested);
+    (void)read_region(planar::to_text(region, tested), tested);
   }
 }
 
@@ -76,9 +75,9 @@ bool is_costly(const PlanarFile& file) { return file.loops.vertices.size() > 40;
 
 void check(std::string_view text) {
   try {
-    const PlanarFile file = plane::read_planar(text, tested, file_name);
+    const PlanarFile file = planar::read_planar(text, tested, file_name);
     check(file);
-    if (!is_costly(file)) check_region(plane::fill(file.loops));
+    if (!is_costly(file)) check_region(planar::fill(file.loops));
   } catch (const IoError& error) {
     check_error(error, file_name);
   }

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/io/readers.h"
 #include "fuzz.h"
 #include "io_error_law.h"
-#include "strata/io/readers.h"
 
 namespace strata::fuzz {
 namespace {

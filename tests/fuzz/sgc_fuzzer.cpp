@@ -5,8 +5,7 @@
 
 #include "fuzz.h"
 #include "io_error_law.h"
-#include "strata/complex/file.h"
-#include "strata/complex/operators.h"
+#include "strata/complex.h"
 
 namespace strata::fuzz {
 namespace {

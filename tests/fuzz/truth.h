@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "strata/csg/expression_grammar.h"
+#include "core/csg/expression_grammar.h"
 
 namespace strata::fuzz {
 

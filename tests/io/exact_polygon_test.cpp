@@ -1,6 +1,6 @@
 // Faces with holes in triangles: the triangles are counter-clockwise, their boundary is that of the face, and none lies
 // on another. Together that says that they are the face.
-#include "strata/io/exact_polygon.h"
+#include "core/io/exact_polygon.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "strata/io/readers.h"
+#include "core/io/readers.h"
 #include "support/rounds.h"
 #include "tetrahedron.h"
 

@@ -1,5 +1,5 @@
 // Reading in pieces must not show: every piece size gives the same mesh, the same notes and the same errors.
-#include "strata/io/pieces.h"
+#include "core/io/pieces.h"
 
 #include <tbb/global_control.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-#include "strata/io/readers.h"
+#include "core/io/readers.h"
 #include "tetrahedron.h"
 
 using namespace strata;

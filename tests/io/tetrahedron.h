@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-#include "strata/io/mesh_file.h"
+#include "strata/io.h"
 
 namespace strata::test {
 

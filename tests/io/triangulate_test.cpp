@@ -1,12 +1,12 @@
-#include "strata/io/triangulate.h"
+#include "core/io/triangulate.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <random>
 
-#include "strata/io/planar_polygon.h"
-#include "strata/kernel/predicates.h"
+#include "core/io/planar_polygon.h"
+#include "core/kernel/predicates.h"
 
 using namespace strata;
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <sstream>
 
-#include "strata/mesh/measure.h"
+#include "strata/measure.h"
 #include "tetrahedron.h"
 
 using namespace strata;

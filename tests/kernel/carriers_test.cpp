@@ -1,4 +1,4 @@
-#include "strata/kernel/carriers.h"
+#include "core/kernel/carriers.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

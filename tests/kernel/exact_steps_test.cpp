@@ -1,13 +1,13 @@
-#include "strata/kernel/exact_steps.h"
+#include "core/kernel/exact_steps.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
+#include "core/kernel/predicates.h"
 #include "kernel/numbers.h"
 #include "kernel/reference.h"
 #include "kernel/tiers.h"
-#include "strata/kernel/predicates.h"
 #include "support/random.h"
 
 using namespace strata;

@@ -2,10 +2,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/kernel/filtered_turn.h"
+#include "core/kernel/predicates.h"
 #include "kernel/reference.h"
 #include "kernel/tiers.h"
-#include "strata/kernel/filtered_turn.h"
-#include "strata/kernel/predicates.h"
 #include "support/random.h"
 
 using namespace strata;

@@ -1,9 +1,9 @@
-#include "strata/kernel/filtered_plane.h"
+#include "core/kernel/filtered_plane.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "strata/kernel/predicates.h"
+#include "core/kernel/predicates.h"
 #include "support/random.h"
 
 using namespace strata;

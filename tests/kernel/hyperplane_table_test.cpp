@@ -1,4 +1,4 @@
-#include "strata/kernel/hyperplane_table.h"
+#include "core/kernel/hyperplane_table.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

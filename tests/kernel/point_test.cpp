@@ -1,4 +1,4 @@
-#include "strata/kernel/point.h"
+#include "core/kernel/point.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "strata/kernel/predicates.h"
+#include "core/kernel/predicates.h"
 
 #include <catch2/catch.hpp>
 #include <map>

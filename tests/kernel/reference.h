@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "strata/exact/rational.h"
-#include "strata/exact/sign.h"
+#include "core/exact/sign.h"
+#include "strata/rational.h"
 
 namespace strata::test {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/kernel/carriers.h"
+#include "core/kernel/point.h"
 #include "kernel/numbers.h"
 #include "kernel/reference.h"
-#include "strata/kernel/carriers.h"
-#include "strata/kernel/point.h"
 #include "support/rounds.h"
 
 namespace strata::test {

@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdint>
 
-#include "strata/kernel/counters.h"
+#include "core/kernel/counters.h"
 
 namespace strata::test {
 

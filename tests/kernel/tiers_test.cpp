@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "strata/kernel/predicates.h"
+#include "core/kernel/predicates.h"
 
 using namespace strata;
 using namespace strata::test;

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/kernel/exact_evaluation.h"
+#include "core/kernel/predicates.h"
 #include "kernel/scene.h"
-#include "strata/kernel/exact_evaluation.h"
-#include "strata/kernel/predicates.h"
 
 using namespace strata;
 using namespace strata::test;
@@ -17,7 +17,7 @@ using Exact = ExactEvaluation<Integer>;
 constexpr std::array named_kinds{Kind::input, Kind::edge_edge, Kind::edge_face, Kind::three_faces, Kind::weighted};
 
 int bits_of(const Integer& x) {
-  return x == 0 ? 0 : static_cast<int>(mpz_sizeinbase(Integer(abs(x)).backend().data(), 2));
+  return static_cast<int>(bit_length(x));
 }
 
 /// Vertices at the corners of the cube of b bits: every coordinate is plus or minus 2^b - 1, or nearly, or one.

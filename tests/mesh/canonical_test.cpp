@@ -1,4 +1,4 @@
-#include "strata/mesh/canonical.h"
+#include "strata/measure.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

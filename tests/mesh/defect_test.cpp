@@ -1,4 +1,4 @@
-#include "strata/mesh/defect.h"
+#include "strata/errors.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "strata/mesh/exact_mesh.h"
+#include "strata/mesh.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "strata/mesh/measure.h"
+#include "strata/measure.h"
 
 #include <catch2/catch.hpp>
 #include <chrono>

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <stdexcept>
 
+#include "core/mesh/prepare.h"
 #include "shapes.h"
-#include "strata/mesh/prepare.h"
 
 using namespace strata;
 

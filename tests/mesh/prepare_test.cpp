@@ -1,4 +1,4 @@
-#include "strata/mesh/prepare.h"
+#include "core/mesh/prepare.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,8 +6,7 @@
 #include <random>
 
 #include "shapes.h"
-#include "strata/mesh/canonical.h"
-#include "strata/mesh/measure.h"
+#include "strata/measure.h"
 
 using namespace strata;
 using namespace strata::shapes;

@@ -3,9 +3,9 @@
 #include <limits>
 #include <random>
 
+#include "core/mesh/prepare.h"
 #include "shapes.h"
-#include "strata/mesh/measure.h"
-#include "strata/mesh/prepare.h"
+#include "strata/measure.h"
 
 using namespace strata;
 using namespace strata::shapes;

@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "strata/mesh/exact_mesh.h"
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 
 namespace strata::shapes {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "strata/openscad/csg_file.h"
+#include "strata/openscad.h"
 
 namespace strata::test {
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "openscad/csg_text.h"
-#include "strata/io/io_error.h"
+#include "strata/errors.h"
 #include "support/random.h"
 
 using namespace strata;

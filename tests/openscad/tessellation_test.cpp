@@ -1,12 +1,12 @@
-#include "strata/openscad/tessellation.h"
+#include "extensions/openscad/tessellation.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
+#include "core/kernel/predicates.h"
 #include "openscad/csg_text.h"
-#include "strata/csg/check.h"
-#include "strata/kernel/predicates.h"
+#include "strata/check.h"
 
 using namespace strata;
 using namespace strata::test;

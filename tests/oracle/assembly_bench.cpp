@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "strata/contact/assembly.h"
-#include "strata/contact/box_pairs.h"
+#include "extensions/contact/box_pairs.h"
+#include "strata/contact.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/transform.h"

@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "extensions/scene/choose_origin.h"
+#include "extensions/scene/combine_layers.h"
+#include "extensions/scene/scene_of.h"
 #include "oracle/nef.h"
-#include "strata/csg/combine_layers.h"
-#include "strata/csg/scene_of.h"
-#include "strata/io/mesh_file.h"
-#include "strata/layers/choose_origin.h"
+#include "strata/io.h"
 
 namespace {
 

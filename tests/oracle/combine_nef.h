@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "strata/csg/options.h"
+#include "strata/options.h"
 
 namespace strata::oracle {
 

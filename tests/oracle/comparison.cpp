@@ -7,8 +7,8 @@
 
 #include "oracle/isolated.h"
 #include "oracle/nef.h"
-#include "strata/csg/solid.h"
-#include "strata/mesh/measure.h"
+#include "strata/measure.h"
+#include "strata/solid.h"
 #include "support/mesh_text.h"
 #include "support/planes.h"
 #include "support/transform.h"

@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "oracle/nef_complex.h"
-#include "strata/complex/make.h"
-#include "strata/complex/operators.h"
-#include "strata/io/mesh_file.h"
+#include "strata/complex.h"
+#include "strata/io.h"
 
 namespace {
 

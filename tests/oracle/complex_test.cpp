@@ -5,14 +5,12 @@
 #include <random>
 #include <string>
 
+#include "extensions/complex/operands.h"
 #include "oracle/isolated.h"
 #include "oracle/nef.h"
 #include "oracle/nef_complex.h"
-#include "strata/complex/locate.h"
-#include "strata/complex/make.h"
-#include "strata/complex/operands.h"
-#include "strata/complex/operators.h"
-#include "strata/mesh/defect.h"
+#include "strata/complex.h"
+#include "strata/errors.h"
 
 namespace strata::oracle {
 namespace {

@@ -4,11 +4,11 @@
 #include <catch2/catch.hpp>
 #include <optional>
 
+#include "core/kernel/filters.h"
 #include "oracle/comparison.h"
 #include "oracle/isolated.h"
 #include "oracle/nef.h"
-#include "strata/contact/assembly.h"
-#include "strata/kernel/filters.h"
+#include "strata/contact.h"
 #include "support/touching.h"
 #include "support/transform.h"
 

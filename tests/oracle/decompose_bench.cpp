@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "strata/convex/decompose.h"
-#include "strata/io/mesh_file.h"
+#include "strata/convex.h"
+#include "strata/io.h"
 
 namespace {
 

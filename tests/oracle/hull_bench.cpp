@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "strata/convex/hull.h"
+#include "strata/convex.h"
 #include "support/random.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "strata/convex/hull.h"
+#include "strata/convex.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,7 +6,7 @@
 #include <set>
 
 #include "oracle/hull.h"
-#include "strata/mesh/measure.h"
+#include "strata/measure.h"
 #include "support/random.h"
 
 namespace strata::oracle {

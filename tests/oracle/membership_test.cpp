@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <iostream>
 
-#include "layers/rational_rays.h"
-#include "layers/scenes.h"
+#include "extensions/scene/locator.h"
+#include "extensions/scene/signed_covering.h"
+#include "scene/rational_rays.h"
+#include "scene/scenes.h"
 #include "oracle/side_of_mesh.h"
-#include "strata/io/mesh_file.h"
-#include "strata/layers/locator.h"
-#include "strata/layers/signed_covering.h"
+#include "strata/io.h"
 
 namespace strata::oracle {
 namespace {

@@ -9,9 +9,8 @@
 
 #include "oracle/isolated.h"
 #include "oracle/nef.h"
-#include "strata/convex/minkowski.h"
-#include "strata/convex/offset.h"
-#include "strata/io/mesh_file.h"
+#include "strata/convex.h"
+#include "strata/io.h"
 
 namespace {
 

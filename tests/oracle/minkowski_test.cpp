@@ -1,4 +1,4 @@
-#include "strata/convex/minkowski.h"
+#include "strata/convex.h"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -8,10 +8,8 @@
 #include "oracle/comparison.h"
 #include "oracle/isolated.h"
 #include "oracle/nef.h"
-#include "strata/convex/decompose.h"
-#include "strata/convex/hull.h"
-#include "strata/convex/sum.h"
-#include "strata/io/mesh_file.h"
+#include "strata/convex.h"
+#include "strata/io.h"
 #include "support/shapes.h"
 #include "support/touching.h"
 #include "support/transform.h"

@@ -1,3 +1,4 @@
+#include "core/exact/native.h"
 #include "oracle/nef.h"
 
 #include <CGAL/Nef_2/debug.h>  // minkowski_sum_3.h uses what it does not include
@@ -24,15 +25,17 @@ using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 // CGAL chooses its exact rationals by what is installed: GMP's own class or Boost's.
 using CgalRational = std::decay_t<decltype(CGAL::exact(Kernel::FT()))>;
 
-Kernel::FT to_cgal(const Rational& q) { return Kernel::FT(CgalRational(q.backend().data())); }
+Kernel::FT to_cgal(const Rational& q) { return Kernel::FT(CgalRational(native(q).backend().data())); }
 
 template <typename Number>
 Rational to_strata(const Number& x) {
+  Rational r;
   if constexpr (requires { x.get_mpq_t(); }) {
-    return Rational(x.get_mpq_t());
+    mpq_set(native(r).backend().data(), x.get_mpq_t());
   } else {
-    return Rational(x);
+    mpq_set(native(r).backend().data(), x.backend().data());
   }
+  return r;
 }
 
 Rational from_cgal(const Kernel::FT& x) { return to_strata(CGAL::exact(x)); }

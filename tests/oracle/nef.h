@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "strata/csg/options.h"
-#include "strata/mesh/canonical.h"
-#include "strata/mesh/exact_mesh.h"
+#include "strata/measure.h"
+#include "strata/mesh.h"
+#include "strata/options.h"
 
 namespace strata::oracle {
 

@@ -1,3 +1,4 @@
+#include "core/exact/native.h"
 #include "oracle/nef_complex.h"
 
 #include <CGAL/Cartesian.h>
@@ -17,10 +18,14 @@ using Number = CGAL::Gmpq;
 
 Number to_cgal(const Rational& q) {
   Number result;
-  mpq_set(result.mpq(), q.backend().data());
+  mpq_set(result.mpq(), native(q).backend().data());
   return result;
 }
-Rational to_strata(const Number& x) { return Rational(x.mpq()); }
+Rational to_strata(const Number& x) {
+  Rational result;
+  mpq_set(native(result).backend().data(), x.mpq());
+  return result;
+}
 
 using Space = CGAL::Cartesian<Number>;
 using Nef3 = CGAL::Nef_polyhedron_3<Space>;

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "strata/exact/rational.h"
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
+#include "strata/rational.h"
 
 namespace strata::oracle {
 

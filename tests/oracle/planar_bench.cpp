@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "strata/planar/combine.h"
+#include "strata/planar.h"
 
 namespace {
 
@@ -35,11 +35,11 @@ std::vector<Rings> read(const std::string& path) {
 }
 
 /// Rings of nearest doubles: what other engines give.
-Rings run(const std::vector<Rings>& operands, strata::plane::Operation operation) {
-  std::vector<strata::plane::Loops> loops;
-  for (const Rings& rings : operands) loops.push_back(strata::plane::loops_of(rings));
-  const std::vector<strata::plane::Operand> all(loops.begin(), loops.end());
-  const strata::plane::Region region = strata::plane::combine(all, operation);
+Rings run(const std::vector<Rings>& operands, strata::planar::Operation operation) {
+  std::vector<strata::planar::Loops> loops;
+  for (const Rings& rings : operands) loops.push_back(strata::planar::loops_of(rings));
+  const std::vector<strata::planar::Operand> all(loops.begin(), loops.end());
+  const strata::planar::Region region = strata::planar::combine(all, operation);
   Rings result(region.loops.size());
   for (std::uint32_t l = 0; l < region.loops.size(); ++l) {
     result[l].reserve(region.loops.loop(l).size());
@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
   app.add_option("--operation", name, "union, intersection, difference or xor");
   app.add_option("--runs", runs, "How often");
   CLI11_PARSE(app, argc, argv);
-  using strata::plane::Operation;
+  using strata::planar::Operation;
   const Operation operation = name == "union"          ? Operation::unite
                               : name == "intersection" ? Operation::intersect
                               : name == "difference"   ? Operation::subtract

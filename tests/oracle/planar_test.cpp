@@ -9,23 +9,24 @@
 #include <list>
 #include <string>
 
+#include "core/exact/native.h"
+#include "extensions/planar/extract.h"
+#include "extensions/planar/gather.h"
+#include "extensions/planar/labels.h"
 #include "planar/shapes.h"
-#include "strata/planar/extract.h"
-#include "strata/planar/gather.h"
-#include "strata/planar/labels.h"
 
 // Booleans of polygons beside CGAL's Boolean_set_operations_2: a sweep over curves, no code in common.
-namespace strata::plane {
+namespace strata::planar {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
 using Polygon = CGAL::Polygon_2<Kernel>;
 using Set = CGAL::Polygon_set_2<Kernel>;
 
-CGAL::Gmpq to_gmpq(const Rational& x) { return CGAL::Gmpq(x.backend().data()); }
+CGAL::Gmpq to_gmpq(const Rational& x) { return CGAL::Gmpq(native(x).backend().data()); }
 Rational from_gmpq(const CGAL::Gmpq& x) {
   Rational r;
-  mpq_set(r.backend().data(), x.mpq());
+  mpq_set(native(r).backend().data(), x.mpq());
   return r;
 }
 
@@ -149,4 +150,4 @@ TEST_CASE("9,400 more Booleans of random degenerate polygons are what CGAL gives
   compare_seeds(600, 10000);
 }
 
-}  // namespace strata::plane
+}  // namespace strata::planar

@@ -12,7 +12,7 @@
 
 #include "oracle/isolated.h"
 #include "oracle/nef.h"
-#include "strata/io/mesh_file.h"
+#include "strata/io.h"
 #include "verify/facts.h"
 #include "verify/steps.h"
 

@@ -18,10 +18,10 @@
 #include <string>
 #include <vector>
 
-#include "strata/io/mesh_file.h"
-#include "strata/layers/locator.h"
-#include "strata/layers/ray_caster.h"
-#include "strata/layers/signed_covering.h"
+#include "extensions/scene/locator.h"
+#include "extensions/scene/ray_caster.h"
+#include "extensions/scene/signed_covering.h"
+#include "strata/io.h"
 #include "support/random.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "strata/mesh/exact_mesh.h"
+#include "strata/mesh.h"
 
 namespace strata::oracle {
 

@@ -1,4 +1,4 @@
-#include "strata/overlap/constraint_order.h"
+#include "core/overlap/constraint_order.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
-#include "strata/overlap/filtered_face.h"
+#include "core/overlap/filtered_face.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "strata/overlap/meeting.h"
+#include "core/overlap/meeting.h"
 #include "support/random.h"
 
 using namespace strata;

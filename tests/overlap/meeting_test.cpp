@@ -1,9 +1,9 @@
-#include "strata/overlap/meeting.h"
+#include "core/overlap/meeting.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "strata/kernel/predicates.h"
+#include "core/kernel/predicates.h"
 #include "support/random.h"
 
 using namespace strata;

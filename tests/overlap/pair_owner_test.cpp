@@ -2,9 +2,9 @@
 #include <map>
 #include <utility>
 
-#include "strata/cells/cell_tree.h"
-#include "strata/mesh/mesh.h"
-#include "strata/overlap/meeting.h"
+#include "core/cells/cell_tree.h"
+#include "core/overlap/meeting.h"
+#include "strata/mesh.h"
 #include "support/shapes.h"
 
 using namespace strata;

@@ -1,4 +1,4 @@
-#include "strata/overlap/point_table.h"
+#include "core/overlap/point_table.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "strata/kernel/carriers.h"
+#include "core/kernel/carriers.h"
 
 using namespace strata;
 

@@ -1,14 +1,14 @@
-#include "strata/planar/arrangement.h"
+#include "extensions/planar/arrangement.h"
 
 #include <catch2/catch.hpp>
 #include <map>
 #include <random>
 #include <set>
 
-#include "strata/planar/predicates.h"
+#include "extensions/planar/predicates.h"
 #include "support/rounds.h"
 
-namespace strata::plane {
+namespace strata::planar {
 namespace {
 
 using Doubles = std::vector<PlanePoint>;
@@ -138,4 +138,4 @@ TEST_CASE("arrangements are what the definition gives", "[planar][arrangement][p
   CHECK(edges(arrange(segments_of(points, ends), {}, 0)) == expected);  // by a sweep
 }
 
-}  // namespace strata::plane
+}  // namespace strata::planar

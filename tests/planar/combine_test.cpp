@@ -1,13 +1,12 @@
-#include "strata/planar/combine.h"
+#include "strata/planar.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "planar/shapes.h"
-#include "strata/planar/clean.h"
-#include "strata/planar/locator.h"
+#include "strata/planar.h"
 
-namespace strata::plane {
+namespace strata::planar {
 namespace {
 
 using namespace test;
@@ -182,4 +181,4 @@ TEST_CASE("Boolean laws hold for results of results", "[planar][combine][propert
   CHECK(validate(either).empty());
 }
 
-}  // namespace strata::plane
+}  // namespace strata::planar

@@ -1,13 +1,10 @@
 #include <catch2/catch.hpp>
 
+#include "core/kernel/filtered_turn.h"
 #include "planar/shapes.h"
-#include "strata/planar/bridges.h"
-#include "strata/planar/clean.h"
-#include "strata/planar/contact.h"
-#include "strata/planar/decomposition.h"
-#include "strata/planar/locator.h"
+#include "strata/planar.h"
 
-namespace strata::plane {
+namespace strata::planar {
 namespace {
 
 using namespace test;
@@ -167,4 +164,4 @@ TEST_CASE("polygons are one loop with bridges and back, and touch one another in
     }
 }
 
-}  // namespace strata::plane
+}  // namespace strata::planar

@@ -2,11 +2,11 @@
 #include <random>
 #include <vector>
 
-#include "strata/planar/combine.h"
+#include "strata/planar.h"
 #include "support/rounds.h"
 
 // What the tests of the plane share: small shapes, random degenerate ones, and facts from the definitions.
-namespace strata::plane::test {
+namespace strata::planar::test {
 
 using Loop = std::vector<PlanePoint>;
 using Random = std::mt19937_64;
@@ -87,4 +87,4 @@ inline int winding(const Loops& loops, const RationalPlacement& q) {
   return sum;
 }
 
-}  // namespace strata::plane::test
+}  // namespace strata::planar::test

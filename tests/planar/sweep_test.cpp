@@ -1,14 +1,14 @@
-#include "strata/planar/sweep.h"
+#include "extensions/planar/sweep.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "extensions/planar/extract.h"
+#include "extensions/planar/gather.h"
+#include "extensions/planar/labels.h"
 #include "planar/shapes.h"
-#include "strata/planar/extract.h"
-#include "strata/planar/gather.h"
-#include "strata/planar/labels.h"
 
-namespace strata::plane {
+namespace strata::planar {
 namespace {
 
 using namespace test;
@@ -240,4 +240,4 @@ TEST_CASE("many long slivers side by side, and squares in one another", "[planar
   CHECK(area(rings) == Rational(count) * (count + 1));
 }
 
-}  // namespace strata::plane
+}  // namespace strata::planar

@@ -1,15 +1,15 @@
-#include "strata/planar/thinning.h"
+#include "extensions/planar/thinning.h"
 
 #include <catch2/catch.hpp>
 #include <numbers>
 
+#include "extensions/planar/extract.h"
+#include "extensions/planar/gather.h"
+#include "extensions/planar/labels.h"
 #include "planar/shapes.h"
-#include "strata/planar/clean.h"
-#include "strata/planar/extract.h"
-#include "strata/planar/gather.h"
-#include "strata/planar/labels.h"
+#include "strata/planar.h"
 
-namespace strata::plane {
+namespace strata::planar {
 namespace {
 
 using namespace test;
@@ -256,4 +256,4 @@ TEST_CASE("islands are seen between a strand and the line through its ends", "[p
   }
 }
 
-}  // namespace strata::plane
+}  // namespace strata::planar

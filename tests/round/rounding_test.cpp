@@ -1,4 +1,4 @@
-#include "strata/round/rounding.h"
+#include "core/round/rounding.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,13 +1,13 @@
-#include "strata/select/covering.h"
+#include "core/select/covering.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <optional>
 
-#include "strata/layers/local_layers.h"
-#include "strata/mesh/monitor.h"
-#include "strata/overlap/coincidences.h"
-#include "strata/overlap/pairs.h"
+#include "core/overlap/coincidences.h"
+#include "core/overlap/pairs.h"
+#include "core/winding/local_layers.h"
+#include "strata/options.h"
 #include "support/shapes.h"
 #include "support/subdivision.h"
 #include "support/touching.h"

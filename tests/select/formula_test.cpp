@@ -1,4 +1,5 @@
-#include "strata/select/formula.h"
+#include "core/cells/windings.h"
+#include "strata/formula.h"
 
 #include <catch2/catch.hpp>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "strata/select/rule.h"
+#include "core/select/rule.h"
 
 #include <catch2/catch.hpp>
 

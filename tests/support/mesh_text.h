@@ -3,8 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "strata/mesh/exact_mesh.h"
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 
 namespace strata::test {
 

@@ -2,9 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "strata/csg/combine.h"
-#include "strata/mesh/exact_mesh.h"
-#include "strata/mesh/mesh.h"
+#include "strata/combine.h"
+#include "strata/mesh.h"
 
 namespace strata::test {
 

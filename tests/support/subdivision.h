@@ -1,5 +1,5 @@
 #pragma once
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 #include "support/random.h"
 
 namespace strata::test {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 
 namespace bench {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "corpus.h"
-#include "strata/mesh/mesh.h"
-#include "strata/select/operation.h"
+#include "strata/mesh.h"
+#include "strata/options.h"
 
 namespace bench {
 

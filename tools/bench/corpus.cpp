@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "strata/io/mesh_file.h"
+#include "strata/io.h"
 
 namespace bench {
 

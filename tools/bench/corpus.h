@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 
 namespace bench {
 

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 
 namespace bench {
 

@@ -13,9 +13,9 @@
 #include "judge.h"
 #include "measure.h"
 #include "request.h"
-#include "strata/csg/combine.h"
-#include "strata/csg/solid.h"
-#include "strata/workpiece/workpiece.h"
+#include "strata/combine.h"
+#include "strata/incremental.h"
+#include "strata/solid.h"
 
 namespace bench {
 namespace {

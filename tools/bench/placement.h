@@ -2,7 +2,7 @@
 #include <array>
 
 #include "random.h"
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 
 namespace bench {
 

@@ -2,7 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "strata/select/operation.h"
+#include "strata/options.h"
 
 namespace bench {
 

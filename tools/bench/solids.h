@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 
 namespace bench {
 

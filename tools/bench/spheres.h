@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 
 namespace bench {
 

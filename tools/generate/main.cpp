@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "shapes.h"
-#include "strata/io/mesh_file.h"
+#include "strata/io.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 
 /// Closed meshes about the origin, oriented outwards, in model units. `n` is the resolution, at least 3.
 namespace shapes {

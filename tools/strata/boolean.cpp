@@ -9,7 +9,7 @@
 #include "reproduction.h"
 #include "result_file.h"
 #include "stopwatch.h"
-#include "strata/csg/combine.h"
+#include "strata/combine.h"
 #include "verbs.h"
 #include "watch.h"
 

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "cell_file.h"
+#include "extensions/bsp/mesh.h"
 #include "report.h"
 #include "scene_input.h"
 #include "stopwatch.h"
-#include "strata/bsp/mesh.h"
 #include "verbs.h"
 #include "watch.h"
 

@@ -9,8 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "strata/io/io_error.h"
-#include "strata/mesh/defect.h"
+#include "strata/errors.h"
 
 ByteSource::ByteSource(const std::string& path, const std::atomic<bool>* cancel)
     : name_(path == "-" ? "standard input" : path), cancel_(cancel) {

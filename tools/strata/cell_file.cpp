@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "extensions/bsp/cells.h"
 #include "output_file.h"
 #include "palette.h"
-#include "strata/bsp/cells.h"
 
 namespace {
 

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <utility>
 
+#include "core/io/file.h"
+#include "core/io/sink.h"
 #include "json_place.h"
 #include "sha256.h"
-#include "strata/io/file.h"
-#include "strata/io/mesh_file.h"
-#include "strata/io/sink.h"
+#include "strata/io.h"
 #include "threads.h"
 
 namespace {

@@ -5,7 +5,7 @@
 
 #include "chain_marks.h"
 #include "settings.h"
-#include "strata/csg/solid.h"
+#include "strata/solid.h"
 
 /// How far a chain has come. As a file it is XOFF, so that every verb reads it; its first line is a comment with the
 /// number of steps done, the marks of these steps and the SHA-256 of all other lines: chain.md.

@@ -8,10 +8,10 @@
 #include <iterator>
 #include <utility>
 
+#include "core/io/file.h"
 #include "json_choice.h"
 #include "json_matrix.h"
 #include "json_place.h"
-#include "strata/io/file.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "settings.h"
-#include "strata/csg/transform.h"
-#include "strata/select/operation.h"
+#include "strata/options.h"
+#include "strata/transform.h"
 
 /// A solid in a steps document: a file, how to read it and where to put it.
 struct ChainOperand {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sha256.h"
-#include "strata/io/io_error.h"
+#include "strata/errors.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "scene_input.h"
-#include "strata/csg/transform.h"
+#include "strata/transform.h"
 #include "threads.h"
 
 void ChainOperands::read(std::size_t first, bool with_start) {

@@ -6,7 +6,7 @@
 #include "chain_document.h"
 #include "files.h"
 #include "report.h"
-#include "strata/csg/solid.h"
+#include "strata/solid.h"
 
 /// The solids that the operands of a chain are made of. Every file is read once, every solid checked once, before the
 /// first step is done, so that nothing is computed in vain; each is dropped after its last use.

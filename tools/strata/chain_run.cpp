@@ -5,7 +5,7 @@
 #include "progress.h"
 #include "reproduction.h"
 #include "stopwatch.h"
-#include "strata/mesh/defect.h"
+#include "strata/errors.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "chain_document.h"
 #include "chain_operands.h"
 #include "report.h"
-#include "strata/workpiece/workpiece.h"
+#include "strata/incremental.h"
 #include "watch.h"
 
 /// A chain being done: the workpiece as it is now, and what there is to report.

@@ -1,4 +1,4 @@
-#include "strata/csg/check.h"
+#include "strata/check.h"
 
 #include <fmt/format.h>
 

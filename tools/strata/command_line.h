@@ -20,7 +20,8 @@ struct CommandLine {
 /// The end of every help text.
 inline constexpr const char* exit_codes =
     "Exit codes: 0 ok; 1 the answer is no (different, not a solid); 2 usage; 3 a file cannot be read or written;\n"
-    "4 invalid input; 5 the result is not certified; 6 cancelled, out of time or out of memory.";
+    "4 invalid input; 5 the result is not certified; 6 cancelled, out of time or out of memory;\n"
+    "70 an error of the program itself.";
 
 /// union, intersection, difference, xor, eval, chain, check, info, compare.
 void add_boolean_verbs(CommandLine& line);

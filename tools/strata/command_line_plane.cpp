@@ -25,7 +25,7 @@ void add_planar_options(CLI::App& verb, PlanarSettings& planar, Settings& settin
 
 void add_planar_verbs(CommandLine& line) {
   Settings& settings = line.settings;
-  using strata::plane::Operation;
+  using strata::planar::Operation;
   CLI::App* verb = line.app.add_subcommand("planar", "Polygons in the plane: Booleans, a clean test, measures");
   const auto planar = std::make_shared<PlanarSettings>();
   verb->require_subcommand(1);

@@ -7,12 +7,13 @@
 #include <cmath>
 
 #include "cell_file.h"
+#include "core/exact/failure.h"
+#include "core/io/binary.h"
+#include "core/io/blocks.h"
+#include "core/io/exact_polygon.h"
+#include "core/kernel/box.h"
 #include "output_file.h"
 #include "palette.h"
-#include "strata/exact/failure.h"
-#include "strata/io/binary.h"
-#include "strata/io/blocks.h"
-#include "strata/io/exact_polygon.h"
 
 namespace {
 

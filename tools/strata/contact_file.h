@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "strata/contact/assembly.h"
+#include "strata/contact.h"
 
 /// What was found out about a pair of parts.
 struct PairFacts {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "strata/io/io_error.h"
+#include "strata/errors.h"
 
 namespace {
 

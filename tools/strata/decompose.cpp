@@ -1,4 +1,4 @@
-#include "strata/convex/decompose.h"
+#include "strata/convex.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "report.h"
 #include "scene_input.h"
 #include "stopwatch.h"
-#include "strata/mesh/measure.h"
+#include "strata/measure.h"
 #include "verbs.h"
 #include "watch.h"
 

@@ -8,15 +8,15 @@
 #include <limits>
 #include <utility>
 
+#include "core/csg/arena.h"
+#include "extensions/scene/scene_of.h"
+#include "extensions/scene/seen_edges.h"
 #include "files.h"
 #include "progress.h"
 #include "report.h"
 #include "scene_input.h"
 #include "stopwatch.h"
-#include "strata/csg/arena.h"
-#include "strata/csg/scene_of.h"
-#include "strata/csg/solid.h"
-#include "strata/layers/seen_edges.h"
+#include "strata/solid.h"
 #include "svg.h"
 #include "svg_to_png.h"
 #include "view.h"

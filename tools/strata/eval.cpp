@@ -16,9 +16,9 @@
 #include "result_file.h"
 #include "scene_input.h"
 #include "stopwatch.h"
-#include "strata/csg/expression.h"
-#include "strata/io/io_error.h"
-#include "strata/openscad/csg_file.h"
+#include "strata/errors.h"
+#include "strata/expression.h"
+#include "strata/openscad.h"
 #include "verbs.h"
 #include "watch.h"
 

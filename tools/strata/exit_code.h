@@ -9,4 +9,5 @@ enum class ExitCode : int {
   invalid_input = 4,  ///< an operand is not what was declared
   not_certified = 5,  ///< the result was made, but is not certified
   stopped = 6,        ///< cancelled, out of time or out of memory
+  internal = 70,      ///< an error of the program itself; the number is that of EX_SOFTWARE in sysexits.h
 };

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "settings.h"
-#include "strata/io/mesh_file.h"
-#include "strata/mesh/exact_mesh.h"
+#include "strata/io.h"
+#include "strata/mesh.h"
 
 /// An operand as read. Its exact part is what the file says beyond doubles (XOFF).
 struct LoadedMesh {

@@ -1,4 +1,4 @@
-#include "strata/convex/hull.h"
+#include "strata/convex.h"
 
 #include <fmt/format.h>
 

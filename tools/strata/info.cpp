@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
+#include "core/mesh/prepare.h"
 #include "files.h"
 #include "report.h"
 #include "stopwatch.h"
-#include "strata/mesh/measure.h"
-#include "strata/mesh/prepare.h"
+#include "strata/measure.h"
 #include "verbs.h"
 #include "watch.h"
 

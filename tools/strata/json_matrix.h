@@ -1,6 +1,6 @@
 #pragma once
 #include "json_place.h"
-#include "strata/csg/transform.h"
+#include "strata/transform.h"
 
 /// A transform from its matrix in JSON: four rows of four, the last of them a multiple of 0 0 0 1; points are columns.
 /// Coefficients are numbers (integers of up to 64 bits as they are, all others stand for the nearest double) or strings

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "strata/io/io_error.h"
+#include "strata/errors.h"
 
 namespace {
 

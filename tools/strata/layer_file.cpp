@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/io/binary.h"
+#include "core/io/blocks.h"
 #include "output_file.h"
 #include "palette.h"
-#include "strata/exact/rational.h"
-#include "strata/io/binary.h"
-#include "strata/io/blocks.h"
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
+#include "strata/rational.h"
 
 namespace {
 

@@ -4,14 +4,14 @@
 #include <string>
 #include <utility>
 
+#include "extensions/scene/choose_origin.h"
+#include "extensions/scene/layer_decomposition.h"
 #include "layer_file.h"
 #include "origin_option.h"
 #include "progress.h"
 #include "report.h"
 #include "scene_input.h"
 #include "stopwatch.h"
-#include "strata/layers/choose_origin.h"
-#include "strata/layers/layer_decomposition.h"
 #include "threads.h"
 #include "verbs.h"
 #include "watch.h"

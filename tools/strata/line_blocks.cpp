@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "strata/io/io_error.h"
+#include "strata/errors.h"
 
 bool LineBlocks::next(LineBlock& block) {
   if (!back_.text.empty()) {

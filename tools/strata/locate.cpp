@@ -5,15 +5,16 @@
 #include <utility>
 
 #include "byte_source.h"
+#include "extensions/bsp/combine_partitions.h"
+#include "extensions/bsp/locator.h"
+#include "extensions/scene/locator.h"
 #include "location_table.h"
 #include "point_source.h"
 #include "progress.h"
 #include "report.h"
 #include "row_file.h"
 #include "stopwatch.h"
-#include "strata/bsp/locator.h"
-#include "strata/io/mesh_file.h"
-#include "strata/layers/locator.h"
+#include "strata/io.h"
 #include "stream_blocks.h"
 #include "threads.h"
 #include "verbs.h"
@@ -72,9 +73,9 @@ Json counts_report(const WhereCounts& counts) {
   return {{"count", out + on + in}, {"in", in}, {"on", on}, {"out", out}};
 }
 
-LocationTable::Locate locator_of(const strata::Scene& scene, strata::Engine engine, const Watch& watch) {
+LocationTable::Locate locator_of(const strata::Scene& scene, const strata::Engine* engine, const Watch& watch) {
   const strata::Monitor monitor(&watch.token());
-  if (engine == strata::Engine::bsp)
+  if (engine == &strata::bsp_engine)
     return [locator = strata::bsp::PartitionLocator(scene, monitor)](const Vertex& q) { return locator.locate(q); };
   return [locator = strata::Locator(scene, monitor)](const Vertex& q) { return locator.locate(q); };
 }

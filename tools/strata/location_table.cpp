@@ -6,8 +6,8 @@
 #include <iterator>
 #include <string_view>
 
+#include "core/io/binary.h"
 #include "csv.h"
-#include "strata/io/binary.h"
 
 using strata::Contact;
 using strata::Location;

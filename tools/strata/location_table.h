@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "core/winding/location.h"
 #include "scene_input.h"
-#include "strata/layers/location.h"
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 
 /// How many points are out, on and in: by strata::Where.
 using WhereCounts = std::array<std::uint64_t, 3>;

@@ -9,9 +9,9 @@
 #include <system_error>
 
 #include "command_line.h"
-#include "strata/csg/options.h"
-#include "strata/io/mesh_file.h"
-#include "strata/mesh/defect.h"
+#include "strata/errors.h"
+#include "strata/io.h"
+#include "strata/options.h"
 
 namespace {
 
@@ -65,7 +65,7 @@ ExitCode run(const Action& action, const Settings& settings) {
   } catch (const std::length_error& error) {
     return complain(ExitCode::stopped, error.what());
   } catch (const std::exception& error) {
-    return complain(ExitCode::not_certified, std::string("an error of the program, please report it: ") + error.what());
+    return complain(ExitCode::internal, std::string("an error of the program, please report it: ") + error.what());
   }
 }
 

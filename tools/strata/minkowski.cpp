@@ -1,4 +1,4 @@
-#include "strata/convex/minkowski.h"
+#include "strata/convex.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "result_file.h"
 #include "scene_input.h"
 #include "stopwatch.h"
-#include "strata/convex/offset.h"
+#include "strata/convex.h"
 #include "verbs.h"
 #include "watch.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "strata/io/sink.h"
+#include "core/io/sink.h"
 
 /// Where a verb's data goes: a file that appears when it is complete, or standard output for "-". Without finish() no
 /// file appears. Throws strata::IoError.

@@ -12,14 +12,12 @@
 #include "progress.h"
 #include "report.h"
 #include "stopwatch.h"
-#include "strata/planar/clean.h"
-#include "strata/planar/combine.h"
-#include "strata/planar_io/planar_file.h"
+#include "strata/planar.h"
 #include "watch.h"
 
 namespace {
 
-using namespace strata::plane;
+using namespace strata::planar;
 
 constexpr std::size_t most_listed = 100;  ///< meetings in a report
 

@@ -4,7 +4,7 @@
 
 #include "exit_code.h"
 #include "settings.h"
-#include "strata/planar/fill.h"
+#include "strata/planar.h"
 
 /// What `strata planar` asks for beside the common settings.
 struct PlanarSettings {
@@ -12,7 +12,7 @@ struct PlanarSettings {
 };
 
 /// Booleans of polygons in files: `name` is the operation as it stands in the report.
-[[nodiscard]] ExitCode run_planar(strata::plane::Operation operation, const char* name, const PlanarSettings& planar,
+[[nodiscard]] ExitCode run_planar(strata::planar::Operation operation, const char* name, const PlanarSettings& planar,
                                   const Settings& settings);
 
 /// Where the loops of a file meet themselves.

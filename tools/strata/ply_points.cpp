@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/io/ply_header.h"
+#include "core/io/text_cursor.h"
 #include "point_source.h"
-#include "strata/io/ply_header.h"
-#include "strata/io/text_cursor.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "point_source.h"
 
 #include "csv.h"
-#include "strata/io/mesh_file.h"
+#include "strata/io.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string_view>
 
-#include "strata/exact/rational.h"
+#include "strata/rational.h"
 
 /// The value of decimal digits, with a sign or without; nothing for other texts. Any length.
 [[nodiscard]] std::optional<strata::Integer> parse_integer(std::string_view text);

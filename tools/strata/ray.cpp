@@ -12,7 +12,7 @@
 #include "row_file.h"
 #include "scene_input.h"
 #include "stopwatch.h"
-#include "strata/io/io_error.h"
+#include "strata/errors.h"
 #include "stream_blocks.h"
 #include "threads.h"
 #include "verbs.h"

@@ -2,9 +2,8 @@
 
 #include <sys/resource.h>
 
-#include "strata/mesh/canonical.h"
-#include "strata/mesh/measure.h"
-#include "strata/mesh/prepare.h"
+#include "core/mesh/prepare.h"
+#include "strata/measure.h"
 
 using strata::Defect;
 using strata::ExactMesh;

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "files.h"
-#include "strata/csg/combine.h"
-#include "strata/csg/options.h"
-#include "strata/mesh/defect.h"
-#include "strata/mesh/exact_mesh.h"
+#include "strata/combine.h"
+#include "strata/errors.h"
+#include "strata/mesh.h"
+#include "strata/options.h"
 
 /// The report keeps the order in which its members are written.
 using Json = nlohmann::ordered_json;

@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
+#include "core/exact/failure.h"
 #include "settings.h"
-#include "strata/exact/failure.h"
-#include "strata/select/operation.h"
+#include "strata/options.h"
 #include "verify/write_case.h"
 
 /// What a verb asked of the library, for whoever looks for the error: made only when there is one. Meshes that it

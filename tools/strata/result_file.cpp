@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "stopwatch.h"
-#include "strata/csg/check.h"
+#include "strata/check.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "report.h"
 #include "reproduction.h"
 #include "settings.h"
-#include "strata/mesh/exact_mesh.h"
+#include "strata/mesh.h"
 #include "watch.h"
 
 /// What all verbs that make a mesh do with it: checks it where asked to, completes the report with the result and the

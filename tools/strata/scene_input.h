@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "extensions/scene/scene.h"
 #include "files.h"
-#include "strata/csg/solid.h"
-#include "strata/layers/scene.h"
+#include "strata/solid.h"
 
 /// A solid made from operand k; errors name that operand. Throws strata::InputError.
 [[nodiscard]] strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, strata::InputClass input);

@@ -1,3 +1,4 @@
+#include "extensions/bsp/combine_partitions.h"
 #include "settings.h"
 
 #include <CLI/CLI.hpp>
@@ -24,8 +25,8 @@ void add_run_options(CLI::App& verb, Settings& settings) {
 }
 
 void add_engine(CLI::App& verb, Settings& settings) {
-  std::map<std::string, strata::Engine> engines;
-  for (const strata::Engine e : strata::all_engines) engines.emplace(name(e), e);
+  const std::map<std::string, const strata::Engine*> engines = {{"arrangement", nullptr},
+                                                                {strata::bsp_engine.name, &strata::bsp_engine}};
   verb.add_option_function<std::string>(
           "--engine", [&settings, engines](const std::string& word) { settings.engine = engines.at(word); },
           "What computes the answer: arrangement, for all sizes, or bsp, binary space partitions; the answer is the "

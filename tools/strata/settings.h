@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "strata/csg/options.h"
-#include "strata/csg/transform.h"
+#include "strata/options.h"
+#include "strata/transform.h"
 
 namespace CLI {
 class App;
@@ -20,7 +20,7 @@ struct Settings {
   strata::Placement placement = strata::Placement::exact;  ///< of what a model transforms
   std::string input_format;                                ///< of all operands; empty: by extension
   strata::InputClass input = strata::InputClass::solid;
-  strata::Engine engine = strata::Engine::arrangement;
+  const strata::Engine* engine = nullptr;  ///< none: the arrangement
   std::string output;         ///< path; "-" is stdout
   std::string output_format;  ///< empty: by extension
   std::string report;         ///< path of the JSON report; "-" is stdout; empty: none

@@ -6,7 +6,7 @@
 #include <bit>
 #include <vector>
 
-#include "strata/io/file.h"
+#include "core/io/file.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 #pragma once
+#include "core/csg/arena.h"
 #include "settings.h"
-#include "strata/csg/arena.h"
 
 /// Runs on as many threads as were asked for.
 template <class Work>

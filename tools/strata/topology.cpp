@@ -1,4 +1,4 @@
-#include "strata/complex/topology.h"
+#include "strata/complex.h"
 
 #include <fmt/format.h>
 
@@ -14,11 +14,7 @@
 #include "report.h"
 #include "scene_input.h"
 #include "stopwatch.h"
-#include "strata/complex/evaluate.h"
-#include "strata/complex/file.h"
-#include "strata/complex/make.h"
-#include "strata/complex/measure.h"
-#include "strata/complex/operators.h"
+#include "strata/complex.h"
 #include "verbs.h"
 #include "watch.h"
 

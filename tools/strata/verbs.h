@@ -1,7 +1,7 @@
 #pragma once
 #include "exit_code.h"
 #include "settings.h"
-#include "strata/csg/options.h"
+#include "strata/options.h"
 
 /// union, intersection, difference, xor. `name` is the verb, as it stands in the report.
 [[nodiscard]] ExitCode run_boolean(strata::Operation operation, const char* name, const Settings& settings);

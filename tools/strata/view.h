@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "strata/layers/origin.h"
-#include "strata/mesh/mesh.h"
+#include "extensions/scene/origin.h"
+#include "strata/mesh.h"
 
 /// Places on the paper: x to the right, y down.
 using PaperPoint = std::array<double, 2>;

@@ -13,7 +13,7 @@
 #include <system_error>
 
 #include "exit_code.h"
-#include "strata/mesh/defect.h"
+#include "strata/errors.h"
 
 namespace {
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "strata/bsp/measure.h"
-#include "strata/bsp/mesh.h"
-#include "strata/io/mesh_file.h"
+#include "extensions/bsp/measure.h"
+#include "extensions/bsp/mesh.h"
+#include "strata/io.h"
 #include "support/shapes.h"
 #include "support/transform.h"
 

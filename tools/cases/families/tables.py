@@ -1,4 +1,4 @@
-"""A case for every row of the tables of degenerate cases: lib/strata/overlap, select and layers, theory.md."""
+"""A case for every row of the tables of degenerate cases: lib/core/overlap, select and layers, theory.md."""
 from itertools import product
 
 from solids import box, cells, octahedron, tetrahedron, together

@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "strata/exact/rational.h"
+#include "strata/rational.h"
 #include "support/shapes.h"
 
 namespace strata::test {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "strata/mesh/exact_mesh.h"
+#include "strata/mesh.h"
 #include "support/transform.h"
 
 /// Boolean expressions as plain data, for anyone to evaluate in a way of their own.

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 #include "support/random.h"
 
 /// Small solids for tests. All are closed, oriented outwards, with winding numbers 0 and 1; edges and vertices may be

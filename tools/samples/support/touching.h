@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 #include "support/random.h"
 
 /// Random solids that love to touch: small integers and halves, shared planes, edges and vertices.

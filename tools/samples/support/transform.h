@@ -2,9 +2,8 @@
 #include <array>
 #include <span>
 
-#include "strata/exact/rational.h"
-#include "strata/mesh/exact_mesh.h"
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
+#include "strata/rational.h"
 
 /// Maps of meshes that are exact on doubles, and maps of exact meshes.
 namespace strata::test {

@@ -6,11 +6,11 @@
 #include <map>
 #include <utility>
 
+#include "core/exact/failure.h"
 #include "scratch.h"
-#include "strata/csg/expression.h"
-#include "strata/exact/failure.h"
-#include "strata/io/mesh_file.h"
-#include "strata/mesh/measure.h"
+#include "strata/expression.h"
+#include "strata/io.h"
+#include "strata/measure.h"
 #include "verify/decimal.h"
 
 namespace fuzz {

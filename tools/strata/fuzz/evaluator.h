@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "strata/mesh/exact_mesh.h"
+#include "strata/mesh.h"
 #include "verify/engine.h"
 
 namespace fuzz {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "strata/csg/scene_of.h"
-#include "strata/layers/locator.h"
+#include "extensions/scene/locator.h"
+#include "extensions/scene/scene_of.h"
 #include "support/random.h"
 
 namespace fuzz {

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "strata/mesh/exact_mesh.h"
+#include "strata/mesh.h"
 #include "verify/case.h"
 
 namespace fuzz {

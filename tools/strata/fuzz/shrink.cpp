@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "strata/exact/rational.h"
+#include "strata/rational.h"
 #include "support/transform.h"
 
 namespace fuzz {

@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/io/file.h"
 #include "json_choice.h"
-#include "strata/csg/expression.h"
-#include "strata/io/file.h"
-#include "strata/io/mesh_file.h"
+#include "strata/expression.h"
+#include "strata/io.h"
 #include "verify/decimal.h"
 #include "verify/generate.h"
 #include "verify/json_number.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "json_place.h"
-#include "strata/csg/options.h"
-#include "strata/mesh/exact_mesh.h"
+#include "strata/mesh.h"
+#include "strata/options.h"
 #include "verify/expectation.h"
 #include "verify/steps.h"
 

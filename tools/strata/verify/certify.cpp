@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/io/file.h"
 #include "files.h"
 #include "scratch.h"
 #include "stopwatch.h"
-#include "strata/io/file.h"
-#include "strata/io/mesh_file.h"
-#include "strata/mesh/measure.h"
+#include "strata/io.h"
+#include "strata/measure.h"
 #include "verify/decimal.h"
 #include "verify/first_error.h"
 #include "verify/jobs.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "strata/io/mesh_file.h"
+#include "strata/io.h"
 
 namespace verify {
 namespace {

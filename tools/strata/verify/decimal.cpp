@@ -16,13 +16,13 @@ constexpr int digit_count = 15;
 constexpr long largest_exponent = 999'999;  // of the first digit: what is read can be written and read again
 
 Rational power_of_ten(long exponent) {
-  const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::labs(exponent)));
+  const Integer power = pow(Integer(10), static_cast<unsigned>(std::labs(exponent)));
   return exponent >= 0 ? Rational(power) : Rational(Integer(1), power);
 }
 
 /// The exponent e with 10^e <= q < 10^(e + 1), for q > 0.
 long decimal_exponent(const Rational& q) {
-  const long bits = static_cast<long>(msb(numerator(q))) - static_cast<long>(msb(denominator(q)));
+  const long bits = static_cast<long>(bit_length(numerator(q))) - static_cast<long>(bit_length(denominator(q)));
   long exponent = bits * 30103 / 100000;
   while (q < power_of_ten(exponent)) --exponent;
   while (q >= power_of_ten(exponent + 1)) ++exponent;
@@ -36,7 +36,7 @@ std::optional<Rational> parse_decimal(std::string_view text) {
     const std::string_view digits = text.substr(e + 1);
     const auto value = parse_integer(digits);
     if (!value || digits.size() > 8) return {};
-    exponent = value->convert_to<long>();
+    exponent = static_cast<long>(value->to_int64());
     text = text.substr(0, e);
   }
   std::string mantissa(text);

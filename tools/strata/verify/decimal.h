@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "strata/exact/rational.h"
+#include "strata/rational.h"
 
 namespace verify {
 

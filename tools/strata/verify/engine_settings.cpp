@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "shared_folder.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -18,7 +20,7 @@ std::string from_environment(const std::string& option, const char* variable, co
 
 verify::EngineFolders EngineSettings::folders() const {
   return {from_environment(python, "STRATA_PYTHON", "python3"),
-          scripts.empty() ? fs::path(STRATA_SOURCE_DIR) / "tools/engines" : fs::path(scripts)};
+          scripts.empty() ? shared_folder("tools/engines") : fs::path(scripts)};
 }
 
 std::string EngineSettings::named_oracle() const { return from_environment(oracle, "STRATA_ORACLE", ""); }

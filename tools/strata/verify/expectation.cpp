@@ -6,7 +6,7 @@
 #include <charconv>
 #include <limits>
 
-#include "strata/io/file.h"
+#include "core/io/file.h"
 #include "verify/decimal.h"
 #include "verify/json_number.h"
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "sha256.h"
-#include "strata/csg/transform.h"
-#include "strata/mesh/measure.h"
+#include "strata/measure.h"
+#include "strata/transform.h"
 
 namespace verify {
 namespace {
@@ -42,7 +42,7 @@ int exponent_of(const strata::CanonicalForm& form) {
   for (const RationalPoint& p : form.vertices)
     for (const Rational& x : p) largest = std::max(largest, Rational(abs(x)));
   if (largest == 0) return 0;
-  return static_cast<int>(msb(numerator(largest))) - static_cast<int>(msb(denominator(largest)));
+  return static_cast<int>(bit_length(numerator(largest))) - static_cast<int>(bit_length(denominator(largest)));
 }
 
 Rational edge_length(const strata::CanonicalForm& form) {

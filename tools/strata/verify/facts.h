@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <string>
 
-#include "strata/exact/rational.h"
-#include "strata/mesh/canonical.h"
-#include "strata/mesh/exact_mesh.h"
+#include "strata/measure.h"
+#include "strata/mesh.h"
+#include "strata/rational.h"
 #include "verify/non_manifold.h"
 
 namespace verify {

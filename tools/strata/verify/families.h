@@ -1,6 +1,6 @@
 #pragma once
 #include "json_place.h"
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 
 /// The generator families of cases, each from the line with its parameters. All meshes are closed and outward.
 namespace verify {

@@ -1,6 +1,6 @@
 #include "verify/first_error.h"
 
-#include "strata/csg/check.h"
+#include "strata/check.h"
 
 namespace verify {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "json_place.h"
-#include "strata/mesh/mesh.h"
+#include "strata/mesh.h"
 
 namespace verify {
 

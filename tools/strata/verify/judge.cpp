@@ -7,8 +7,8 @@
 #include <exception>
 #include <optional>
 
-#include "strata/io/mesh_file.h"
-#include "strata/mesh/measure.h"
+#include "strata/io.h"
+#include "strata/measure.h"
 #include "verify/decimal.h"
 #include "verify/first_error.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/io/file.h"
 #include "json_choice.h"
-#include "strata/io/file.h"
 #include "verify/engine.h"
 
 namespace verify {

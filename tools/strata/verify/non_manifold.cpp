@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "strata/kernel/disjoint_sets.h"
-#include "strata/mesh/edge_table.h"
-#include "strata/mesh/equal_vertices.h"
+#include "core/kernel/disjoint_sets.h"
+#include "core/mesh/edge_table.h"
+#include "core/mesh/equal_vertices.h"
 
 namespace verify {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "scratch.h"
 #include "stopwatch.h"
-#include "strata/io/mesh_file.h"
+#include "strata/io.h"
 #include "verify/jobs.h"
 #include "verify/judge.h"
 #include "verify/judge_apart.h"

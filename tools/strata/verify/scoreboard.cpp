@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "strata/io/io_error.h"
+#include "strata/errors.h"
 #include "verify/decimal.h"
 #include "verify/reports.h"
 #include "verify/sketch.h"

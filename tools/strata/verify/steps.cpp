@@ -3,7 +3,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "strata/csg/expression_grammar.h"
+#include "core/csg/expression_grammar.h"
 
 namespace verify {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "strata/select/operation.h"
+#include "strata/options.h"
 
 namespace verify {
 

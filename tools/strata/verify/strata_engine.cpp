@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "exit_code.h"
-#include "strata/io/mesh_file.h"
+#include "strata/io.h"
 
 namespace verify {
 namespace {

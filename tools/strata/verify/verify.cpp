@@ -11,7 +11,8 @@
 
 #include "files.h"
 #include "progress.h"
-#include "strata/io/io_error.h"
+#include "shared_folder.h"
+#include "strata/errors.h"
 #include "verify/certify.h"
 #include "verify/reports.h"
 #include "verify/run.h"
@@ -22,9 +23,7 @@ namespace fs = std::filesystem;
 using verify::Outcome;
 
 fs::path folder_of_cases(const VerifySettings& settings) {
-  const fs::path here = "data/cases";
-  if (!settings.cases.empty()) return settings.cases;
-  return fs::is_directory(here) ? here : fs::path(STRATA_SOURCE_DIR) / here;
+  return settings.cases.empty() ? shared_folder("data/cases") : fs::path(settings.cases);
 }
 
 bool is_wanted(const verify::Case& c, const VerifySettings& settings) {

@@ -2,7 +2,7 @@
 
 #include "files.h"
 #include "report.h"
-#include "strata/io/mesh_file.h"
+#include "strata/io.h"
 #include "verify/case.h"
 
 namespace verify {

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "strata/csg/options.h"
-#include "strata/mesh/exact_mesh.h"
+#include "strata/mesh.h"
+#include "strata/options.h"
 
 namespace verify {
 

@@ -1,0 +1,22 @@
+#pragma once
+/// Is a mesh the boundary of a solid?
+#include <vector>
+
+#include "strata/errors.h"
+#include "strata/mesh.h"
+#include "strata/options.h"
+
+namespace strata {
+
+/// Complete diagnosis: indices, coordinates, closed, oriented, no face meets another but along shared edges and
+/// vertices, winding numbers 0 and 1. Empty exactly when the mesh bounds a solid (notes aside).
+/// Exact. O((n + k) log n) for k meeting pairs.
+[[nodiscard]] std::vector<Defect> check(MeshView mesh, const Options& options = {});
+/// The same for rational vertices. Throws std::invalid_argument as `prepare_exact` does.
+[[nodiscard]] std::vector<Defect> check(ExactMeshView mesh, const Options& options = {});
+
+/// True when no two faces meet but along shared edges and vertices, by exact predicates on the doubles given.
+[[nodiscard]] bool is_embedded(MeshView mesh, const Options& options = {});
+[[nodiscard]] bool is_embedded(ExactMeshView mesh, const Options& options = {});
+
+}  // namespace strata

@@ -1,0 +1,71 @@
+#pragma once
+/// Volume, area, topology, and the canonical form that makes solids comparable.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "strata/mesh.h"
+#include "strata/rational.h"
+
+namespace strata {
+
+/// Facts about a closed mesh that survive re-triangulation.
+/// Vertices with equal coordinates are one vertex; triangles that repeat a vertex are left out.
+struct Topology {
+  std::uint64_t components = 0;            ///< connected over shared vertices (equal coordinates are one vertex)
+  std::int64_t euler = 0;                  ///< V - E + F over used vertices, undirected edges and triangles
+  std::uint64_t non_manifold_edges = 0;    ///< edges with more than two triangles
+  std::uint64_t non_manifold_vertices = 0; ///< vertices whose triangles do not form one fan over manifold edges
+  std::uint64_t open_edges = 0;            ///< edges whose directed occurrences do not cancel
+};
+
+/// Signed volume: sum of det(a, b, c) / 6 over the triangles. Exact; positive when normals point outwards.
+/// O(n) on fixed-width integers where coordinates allow it.
+[[nodiscard]] Rational volume(ExactMeshView mesh);
+
+/// Surface area, correct to a few units in the last place of a double.
+[[nodiscard]] double area(const ExactMesh& mesh);
+
+/// Indices must be in range. O(n log d) for vertices of degree d.
+[[nodiscard]] Topology topology(const ExactMesh& mesh);
+
+/// An oriented plane a x + b y + c z = d with coprime integer coefficients; (a, b, c) points outwards.
+struct CanonicalPlane {
+  std::array<Integer, 4> coefficients;
+  friend bool operator==(const CanonicalPlane&, const CanonicalPlane&) = default;
+};
+
+/// The boundary of all facets in one oriented plane: closed polygons with the interior on the left, seen from
+/// outside. No vertex lies inside a straight side; polygons start at their smallest vertex and are sorted.
+struct CanonicalFacets {
+  CanonicalPlane plane;
+  std::vector<std::vector<std::uint32_t>> loops;  ///< indices into CanonicalForm::vertices
+};
+
+/// The one description of a regular solid that does not depend on how its boundary is triangulated:
+/// maximal planar facets, exact vertices in lexicographic order. Two solids are equal as point sets exactly
+/// when their canonical forms are equal.
+struct CanonicalForm {
+  std::vector<RationalPoint> vertices;
+  std::vector<CanonicalFacets> planes;
+
+  [[nodiscard]] std::size_t facet_count() const;  ///< connected facets: the outer loops
+  [[nodiscard]] std::size_t edge_count() const;   ///< sides of all loops, undirected, each counted once
+  [[nodiscard]] std::string text() const;         ///< a complete, readable dump
+  [[nodiscard]] std::uint64_t hash() const;
+  friend bool operator==(const CanonicalForm& a, const CanonicalForm& b);
+};
+
+/// A planar polygon with holes: loops of exact points, the interior on the left seen from outside.
+using ExactFacet = std::vector<std::vector<RationalPoint>>;
+
+/// Canonical form of a closed boundary.
+/// Facets may be triangles or polygons, split anyhow, with vertices inside each other's sides (T-junctions);
+/// overlapping parts of opposite orientation cancel. Degenerate (zero-area) facets are ignored.
+/// O(n log n) exact comparisons.
+[[nodiscard]] CanonicalForm canonical_form(const ExactMesh& mesh);
+[[nodiscard]] CanonicalForm canonical_form(const std::vector<ExactFacet>& facets);
+
+}  // namespace strata

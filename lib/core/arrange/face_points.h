@@ -1,0 +1,71 @@
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/kernel/predicates.h"
+#include "core/overlap/point_table.h"
+
+namespace strata {
+
+/// Points of one face under local numbers, the face's corners first, and how three of them turn, seen with the face
+/// counter-clockwise.
+class FacePoints {
+ public:
+  /// The number of a point that is not in the table.
+  static constexpr PointId unnumbered = std::numeric_limits<PointId>::max();
+
+  FacePoints(const Carriers& carriers, const PointTable& table) : carriers_(carriers), table_(table) {}
+
+  /// Starts over with the corners of a face, as points 0, 1, 2.
+  void start(std::uint32_t face);
+  /// Appends a point of the table, which `find` then finds.
+  std::int32_t add(PointId id);
+  /// Appends a point that has no number.
+  std::int32_t add(const Point& point);
+  /// Gives point v, which is that point of the table, its number.
+  void number(std::int32_t v, PointId id);
+  /// From now on `find(id)` finds the point `known`.
+  void remember(PointId id, std::int32_t known);
+  /// The local number of a point of the table, or -1.
+  [[nodiscard]] std::int32_t find(PointId id) const;
+  /// Takes back the last point, if it is not in the table.
+  void drop_last();
+
+  /// Positive when a, b, c are a left turn; exact.
+  [[nodiscard]] Sign turn(std::int32_t a, std::int32_t b, std::int32_t c) const;
+  /// True when the names of both points tell that they lie on corner k's edge, from corner k to the next.
+  [[nodiscard]] bool are_on_edge(int k, std::int32_t a, std::int32_t b) const;
+
+  [[nodiscard]] std::uint32_t face() const { return face_; }
+  [[nodiscard]] const Carriers::Indices& corners() const { return corners_; }
+  [[nodiscard]] Projection projection() const { return projection_; }
+  [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(points_.size()); }
+  [[nodiscard]] const Point& operator[](std::int32_t v) const { return points_[static_cast<std::size_t>(v)]; }
+  [[nodiscard]] std::span<const Point> all() const { return points_; }
+  /// The number in the table, or `unnumbered`.
+  [[nodiscard]] PointId id(std::int32_t v) const { return ids_[static_cast<std::size_t>(v)]; }
+  [[nodiscard]] const PointTable& table() const { return table_; }
+
+ private:
+  [[nodiscard]] bool collinear_by_name(const Point& p, const Point& q, const Point& r) const;
+  [[nodiscard]] bool collinear_by_planes(const Point& p, const Point& q, const Point& r) const;
+  [[nodiscard]] bool collinear_by_faces(const Point& p, const Point& q, const Point& r) const;
+  [[nodiscard]] bool is_surely_other_plane(const SourcePlane& plane) const;
+  [[nodiscard]] bool collinear_by_edges(const Point& p, const Point& q, const Point& r) const;
+  [[nodiscard]] bool leaves_plane(const Carriers::Indices& vertices) const;
+
+  const Carriers& carriers_;
+  const PointTable& table_;
+  std::uint32_t face_ = 0;
+  Carriers::Indices corners_{};
+  Projection projection_;
+  std::vector<Point> points_;
+  std::vector<PointId> ids_;
+  std::vector<std::pair<PointId, std::int32_t>> known_;   ///< what is asked when there are few
+  std::unordered_map<PointId, std::int32_t> many_known_;  ///< else
+};
+
+}  // namespace strata

@@ -1,0 +1,166 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/arrange/face_points.h"
+#include "core/arrange/path_polygons.h"
+#include "core/overlap/constraint.h"
+
+namespace strata {
+
+/// A triangulation of one input face that holds named points and constraint segments, exactly.
+///
+/// Points are inserted by exact location, so points of different names that coincide are found and noted as equal.
+/// Segments are inserted by walking; where two cross, their common point is named and inserted; where they overlap, an
+/// edge carries both. What comes out meets only along shared vertices and edges. The shape of the triangles follows
+/// shortest diagonals, judged in doubles: any choice would be right.
+/// Source: Sloan 1993 (insertion of edges by flips); theory.md.
+class Triangulation {
+ public:
+  /// A triangle: vertices counter-clockwise in the face's projection; side i runs from v[i] to v[i + 1].
+  struct Triangle {
+    std::array<std::int32_t, 3> v;  ///< local vertices
+    std::array<std::int32_t, 3> n;  ///< triangle across side i, or -1 at the border of the face
+    std::array<std::int32_t, 3> c;  ///< constraints on side i: first note, or -1
+  };
+  /// One constraint on a side: its index as given, and whether the side runs along tail -> head.
+  struct Note {
+    std::int32_t constraint = 0;
+    bool forward = true;
+    std::int32_t next = -1;
+  };
+  struct Location {
+    std::int32_t triangle = -1;
+    enum class On : std::uint8_t { inside, side, vertex } on = On::inside;
+    int index = 0;  ///< of the side or vertex in the triangle
+  };
+
+  Triangulation(const Carriers& carriers, const PointTable& table)
+      : carriers_(carriers), points_(carriers, table), paths_(carriers, points_) {}
+  Triangulation(const Triangulation&) = delete;
+  Triangulation& operator=(const Triangulation&) = delete;
+
+  /// What the names of points given to `add_point` tell about the face's own edges.
+  enum class Names : std::uint8_t {
+    any,     ///< nothing
+    lowest,  ///< a name with the face in it is of a point inside, one with an own edge of a point inside that edge
+  };
+
+  /// Starts over with one triangle: the face itself, its corners being local vertices 0, 1, 2.
+  void start(std::uint32_t face, Names names);
+
+  /// Inserts all constraints at once, right after `start`, if they are simple paths through the face, as where two
+  /// surfaces cross and nothing else happens: constraint i gets the number i. Else returns false, and nothing is done.
+  /// Requires names of the lowest features.
+  bool add_paths(std::span<const Constraint> constraints);
+
+  /// Inserts the ends of all constraints, then those that are segments: constraint i gets the number i.
+  void add_constraints(std::span<const Constraint> constraints);
+
+  /// Local vertex of a point; inserted if there is none at its place. Requires a point of the closed face.
+  std::int32_t add_point(PointId id);
+
+  /// A name that was found to be a vertex, too.
+  struct OtherName {
+    std::int32_t vertex = 0;
+    PointName name;
+  };
+
+  /// Inserts a segment between two local vertices as constraint number `constraint`, carried by `line`.
+  void add_segment(std::int32_t tail, std::int32_t head, std::int32_t constraint, const ConstraintLine& line);
+
+  /// Notes, for every vertex in which lines of different faces' operands meet, the names that those lines give it. A
+  /// point that was found under one name here may be known by another to the faces that carry those lines.
+  /// `same_operand`: lines of one operand count as well. Only of vertices for which `wanted` is not negative.
+  void connect_names(bool same_operand, std::span<const std::int32_t> wanted);
+
+  /// Where a point of the closed face lies.
+  [[nodiscard]] Location locate(const Point& p);
+
+  [[nodiscard]] std::uint32_t face() const { return points_.face(); }
+  [[nodiscard]] const FacePoints& points() const { return points_; }
+  [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
+  [[nodiscard]] const Note& note(std::int32_t i) const { return notes_[static_cast<std::size_t>(i)]; }
+  /// Some triangle at a vertex.
+  [[nodiscard]] std::int32_t triangle_at(std::int32_t vertex) const { return at_[static_cast<std::size_t>(vertex)]; }
+  /// Other names of vertices than their own.
+  [[nodiscard]] std::span<const OtherName> other_names() const { return other_names_; }
+
+ private:
+  struct Side {
+    std::int32_t triangle = -1;
+    int index = 0;
+  };
+  /// Where a segment that leaves a vertex goes first.
+  struct Departure {
+    Side side;                 ///< the side it crosses, if it does
+    std::int32_t vertex = -1;  ///< else the vertex it reaches along a side
+  };
+
+  [[nodiscard]] Sign turn(std::int32_t a, std::int32_t b, std::int32_t c) const { return points_.turn(a, b, c); }
+  [[nodiscard]] Sign inner_side(Side s, std::int32_t p) const;
+  [[nodiscard]] Location locate(std::int32_t vertex);
+  std::int32_t new_vertex(const Point& p);
+  void drop_vertex();
+
+  [[nodiscard]] Triangle& tri(std::int32_t t) { return triangles_[static_cast<std::size_t>(t)]; }
+  [[nodiscard]] const Triangle& tri(std::int32_t t) const { return triangles_[static_cast<std::size_t>(t)]; }
+  [[nodiscard]] Side twin(Side s) const;
+  [[nodiscard]] int index_of(std::int32_t triangle, std::int32_t vertex) const;
+  [[nodiscard]] Side find_side(std::int32_t a, std::int32_t b) const;
+  void link(std::int32_t t, int i, std::int32_t u);
+  void split_triangle(std::int32_t t, std::int32_t v);
+  void split_side(Side s, std::int32_t v);
+  void flip(Side s);
+  [[nodiscard]] bool is_flippable(Side s) const;
+  void improve(std::int32_t vertex);
+  [[nodiscard]] bool prefers_flip(Side s) const;
+
+  /// A side of the polygon of which ears are cut.
+  struct PolygonSide {
+    PathPolygons::Side side;  ///< with its carrier, unless
+    Side inner;               ///< a triangle is there already
+    Sign turn = Sign::zero;   ///< at `from`, if known
+    bool turn_known = false;
+  };
+  bool cut_ears(std::span<const PathPolygons::Side> sides);
+  [[nodiscard]] bool is_straight(std::size_t i) const;
+  [[nodiscard]] bool crosses_one_plane(std::size_t i) const;
+  [[nodiscard]] Sign corner_turn(std::size_t i);
+  [[nodiscard]] bool is_ear(std::size_t i);
+  void cut_ear(std::size_t i);
+  std::int32_t new_triangle(std::int32_t a, std::int32_t b, std::int32_t c);
+  void attach(Side s, const PolygonSide& given);
+  [[nodiscard]] double squared_length(std::int32_t a, std::int32_t b) const;
+
+  [[nodiscard]] Departure depart(std::int32_t from, std::int32_t to) const;
+  std::int32_t advance(std::int32_t from, std::int32_t to, const ConstraintLine& line);
+  void open_way(std::int32_t from, std::int32_t to, std::vector<std::pair<std::int32_t, std::int32_t>>& crossed);
+  std::int32_t cross_constraint(Side s, const ConstraintLine& line);
+  [[nodiscard]] PointName name_of_crossing(const ConstraintLine& a, const ConstraintLine& b) const;
+  [[nodiscard]] std::uint32_t operand_of(const ConstraintLine& line) const;
+  void mark(std::int32_t from, std::int32_t to, std::int32_t constraint);
+  void add_note(Side s, std::int32_t constraint, bool forward);
+
+  const Carriers& carriers_;
+  Names given_names_ = Names::any;
+  FacePoints points_;
+  PathPolygons paths_;
+  std::vector<PolygonSide> polygon_;
+  std::vector<const SourcePlane*> crossed_planes_;  ///< per constraint, if any are known
+  std::vector<Side> halves_;                        ///< per constraint: triangles' sides backward and forward along it
+  std::vector<Triangle> triangles_;
+  std::vector<std::int32_t> at_;
+  std::vector<Note> notes_;
+  std::vector<ConstraintLine> lines_;  ///< per constraint number
+  std::vector<OtherName> other_names_;
+  std::vector<std::pair<std::int32_t, std::int32_t>> crossed_;
+  std::vector<std::pair<std::int32_t, std::int32_t>> ends_;  ///< of the constraints that are added
+  std::vector<std::int32_t> stack_;  ///< triangles at a new vertex whose opposite sides are to be judged
+  std::int32_t last_ = 0;
+};
+
+}  // namespace strata

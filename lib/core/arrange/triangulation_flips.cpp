@@ -1,0 +1,152 @@
+#include "core/arrange/triangle_index.h"
+#include "core/arrange/triangulation.h"
+
+namespace strata {
+
+using namespace triangle_index;
+
+// Triangles and their neighbours: splits, flips, the search for a side.
+
+int Triangulation::index_of(std::int32_t triangle, std::int32_t vertex) const {
+  const auto& v = tri(triangle).v;
+  return v[0] == vertex ? 0 : v[1] == vertex ? 1 : 2;
+}
+
+Triangulation::Side Triangulation::twin(Side s) const {
+  const std::int32_t u = tri(s.triangle).n[at(s.index)];
+  if (u < 0) return {};
+  return {u, index_of(u, tri(s.triangle).v[at(next(s.index))])};
+}
+
+/// Side i of t now borders on u: tells u, too.
+void Triangulation::link(std::int32_t t, int i, std::int32_t u) {
+  tri(t).n[at(i)] = u;
+  if (u < 0) return;
+  tri(u).n[at(index_of(u, tri(t).v[at(next(i))]))] = t;
+}
+
+void Triangulation::split_triangle(std::int32_t t, std::int32_t v) {
+  const Triangle old = tri(t);
+  const auto u = static_cast<std::int32_t>(triangles_.size()), w = u + 1;
+  tri(t) = {{old.v[0], old.v[1], v}, {old.n[0], u, w}, {old.c[0], -1, -1}};
+  triangles_.push_back({{old.v[1], old.v[2], v}, {old.n[1], w, t}, {old.c[1], -1, -1}});
+  triangles_.push_back({{old.v[2], old.v[0], v}, {old.n[2], t, u}, {old.c[2], -1, -1}});
+  link(u, 0, old.n[1]);
+  link(w, 0, old.n[2]);
+  at_[at(v)] = t;
+  at_[at(old.v[0])] = t;
+  at_[at(old.v[1])] = t;
+  at_[at(old.v[2])] = u;
+}
+
+void Triangulation::split_side(Side s, std::int32_t v) {
+  const Side o = twin(s);
+  const auto halve = [&](Side x) {  // (a, b, c) becomes (a, v, c) and (v, b, c)
+    const Triangle old = tri(x.triangle);
+    const int i = x.index, j = next(i), k = previous(i);
+    const std::int32_t a = old.v[at(i)], b = old.v[at(j)], c = old.v[at(k)];
+    const auto fresh = static_cast<std::int32_t>(triangles_.size());
+    tri(x.triangle) = {{a, v, c}, {-1, fresh, old.n[at(k)]}, {old.c[at(i)], -1, old.c[at(k)]}};
+    triangles_.push_back({{v, b, c}, {-1, old.n[at(j)], x.triangle}, {old.c[at(i)], old.c[at(j)], -1}});
+    link(fresh, 1, old.n[at(j)]);
+    at_[at(a)] = x.triangle;
+    at_[at(c)] = x.triangle;
+    at_[at(b)] = fresh;
+    return fresh;
+  };
+  const std::int32_t near = halve(s);
+  at_[at(v)] = s.triangle;
+  if (o.triangle < 0) return;
+  const std::int32_t far = halve(o);
+  // s.triangle holds (a, v), near holds (v, b); o.triangle holds (b, v), far holds (v, a).
+  tri(s.triangle).n[0] = far;
+  tri(far).n[0] = s.triangle;
+  tri(near).n[0] = o.triangle;
+  tri(o.triangle).n[0] = near;
+}
+
+/// Turns the diagonal of the quadrilateral around a side: (p, q, c) and (q, p, d) become (p, d, c) and (d, q, c).
+void Triangulation::flip(Side s) {
+  const Side o = twin(s);
+  const Triangle t = tri(s.triangle), u = tri(o.triangle);
+  const int i = s.index, j = o.index;
+  const std::int32_t p = t.v[at(i)], q = t.v[at(next(i))], c = t.v[at(previous(i))], d = u.v[at(previous(j))];
+  const std::int32_t n_qc = t.n[at(next(i))], n_cp = t.n[at(previous(i))], n_pd = u.n[at(next(j))],
+                     n_dq = u.n[at(previous(j))];
+  tri(s.triangle) = {{p, d, c}, {n_pd, o.triangle, n_cp}, {u.c[at(next(j))], -1, t.c[at(previous(i))]}};
+  tri(o.triangle) = {{d, q, c}, {n_dq, n_qc, s.triangle}, {u.c[at(previous(j))], t.c[at(next(i))], -1}};
+  link(s.triangle, 0, n_pd);
+  link(o.triangle, 1, n_qc);
+  at_[at(p)] = at_[at(c)] = at_[at(d)] = s.triangle;
+  at_[at(q)] = o.triangle;
+}
+
+bool Triangulation::is_flippable(Side s) const {
+  const Side o = twin(s);
+  const Triangle& t = tri(s.triangle);
+  const Triangle& u = tri(o.triangle);
+  const std::int32_t p = t.v[at(s.index)], q = t.v[at(next(s.index))], c = t.v[at(previous(s.index))],
+                     d = u.v[at(previous(o.index))];
+  return turn(p, d, c) == Sign::positive && turn(d, q, c) == Sign::positive;
+}
+
+double Triangulation::squared_length(std::int32_t a, std::int32_t b) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double d = points_[a].at[i].value - points_[b].at[i].value;
+    sum += d * d;
+  }
+  return sum;
+}
+
+bool Triangulation::prefers_flip(Side s) const {
+  const Side o = twin(s);
+  const std::int32_t c = tri(s.triangle).v[at(previous(s.index))], d = tri(o.triangle).v[at(previous(o.index))];
+  return squared_length(c, d) < squared_length(tri(s.triangle).v[at(s.index)], tri(s.triangle).v[at(next(s.index))]);
+}
+
+/// Flips sides opposite to a new vertex for shorter diagonals. Ends: every flip replaces a side by one whose length, as
+/// computed, is smaller, and lengths are a fixed function of the finitely many vertex pairs.
+void Triangulation::improve(std::int32_t vertex) {
+  stack_.clear();
+  const auto visit = [&](std::int32_t start, bool forward) {
+    for (std::int32_t t = start;;) {
+      stack_.push_back(t);
+      const int i = index_of(t, vertex);
+      t = tri(t).n[at(forward ? previous(i) : i)];
+      if (t < 0 || t == start) return t;
+    }
+  };
+  if (visit(at_[at(vertex)], true) < 0) {
+    const std::int32_t t = at_[at(vertex)];
+    const std::int32_t back = tri(t).n[at(index_of(t, vertex))];
+    if (back >= 0) visit(back, false);
+  }
+  while (!stack_.empty()) {
+    const std::int32_t t = stack_.back();
+    stack_.pop_back();
+    const Side s{t, next(index_of(t, vertex))};
+    const std::int32_t beyond = tri(t).n[at(s.index)];
+    if (beyond < 0 || tri(t).c[at(s.index)] >= 0 || !prefers_flip(s) || !is_flippable(s)) continue;
+    flip(s);
+    stack_.push_back(t);
+    stack_.push_back(beyond);
+  }
+}
+
+/// The side that runs from a to b, if there is one.
+Triangulation::Side Triangulation::find_side(std::int32_t a, std::int32_t b) const {
+  const std::int32_t start = at_[at(a)];
+  for (const bool forward : {true, false}) {
+    std::int32_t t = start;
+    do {
+      const int i = index_of(t, a);
+      if (tri(t).v[at(next(i))] == b) return {t, i};
+      t = tri(t).n[at(forward ? previous(i) : i)];
+    } while (t >= 0 && t != start);
+    if (t == start) break;
+  }
+  return {};
+}
+
+}  // namespace strata

@@ -1,0 +1,156 @@
+#include "core/cells/cell_tree.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "core/cells/near_faces.h"
+#include "core/cells/origins.h"
+
+namespace strata {
+namespace {
+
+/// The median of the longest sides of faces' boxes on the grid, of a sample.
+std::int32_t typical_extent(const Carriers& carriers, const Grid& grid) {
+  constexpr std::uint32_t sample = 1023;
+  std::vector<std::int32_t> extents;
+  const std::uint32_t step = carriers.face_count() / sample + 1;
+  for (std::uint32_t f = step / 2; f < carriers.face_count(); f += step) {
+    const auto v = carriers.face(f);
+    const GridBox box = grid.box(carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2]));
+    std::int32_t longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, box.upper[i] - box.lower[i]);
+    extents.push_back(longest);
+  }
+  const auto middle = extents.begin() + static_cast<std::ptrdiff_t>(extents.size() / 2);
+  std::nth_element(extents.begin(), middle, extents.end());
+  return *middle;
+}
+
+/// Bricks that hold a few faces each, if these are of about the same size.
+BrickGrid bricks_for(const Carriers& carriers, const Space& space) {
+  constexpr std::size_t few = 512, most = std::size_t{1} << 21;
+  const std::size_t faces = carriers.face_count();
+  if (faces < few) return {space, 1, Grid::extent};
+  return {space, std::min(most, 2 * faces), 2 * typical_extent(carriers, space.grid)};
+}
+
+}  // namespace
+
+CellTree::CellTree(const Carriers& carriers, const CellOptions& options)
+    : carriers_(carriers), space_(find_space(carriers, options.self)) {
+  cells_.push_back({{}, {}, std::make_shared<const Windings>(), {}, false});
+  if (space_.empty) return;
+  bricks_ = bricks_for(carriers, space_);
+  make_cells(carriers, options);
+}
+
+void CellTree::make_cells(const Carriers& carriers, const CellOptions& options) {
+  const Monitor& monitor = options.monitor;
+  raster_ = std::make_unique<const Raster>(carriers, bricks_);
+  const Raster& raster = *raster_;
+  codes_ = std::make_unique<const BrickCodes>(carriers, space_.grid, bricks_, monitor);
+  const Occupancy occupancy(carriers, bricks_, raster, *codes_, options.self, monitor);
+  regions_ = std::make_unique<const Regions>(bricks_, occupancy, options.everywhere);
+  Lines lines(bricks_);
+  std::vector<Target> targets;
+  for (const auto* places : {&regions_->regions(), &regions_->mixed()})
+    for (const std::uint32_t brick : *places) targets.push_back({lines.add(bricks_.code_of(brick)), brick});
+  const NearFaces near =
+      find_near_faces(carriers, space_.grid, bricks_, raster, *codes_, occupancy, *regions_, lines, monitor);
+  const std::vector<Windings> windings = walk_to_origins(carriers, space_, bricks_, near.line_faces, targets, monitor);
+
+  tbb::concurrent_vector<Cell> cells;
+  cells.push_back(std::move(cells_.front()));
+  const auto cell_of_target = [&](std::size_t n) {
+    const BrickCode code = bricks_.code_of(targets[n].brick);
+    return Cell{bricks_.box(code), bricks_.centre(code), std::make_shared<const Windings>(windings[n]), {}, false};
+  };
+  const std::size_t regions = regions_->regions().size(), mixed = regions_->mixed().size();
+  for (std::size_t n = 0; n < regions; ++n) cells.push_back(cell_of_target(n));
+  BrickFaces brick_faces(carriers, raster, *codes_, *regions_, near.faces);
+  const Refinement refinement(carriers, options, space_.grid, cells);
+  std::vector<Branch> branches(mixed);
+  tbb::parallel_for(std::size_t{0}, mixed, [&](std::size_t n) {
+    monitor.check();
+    Cell cell = cell_of_target(regions + n);
+    Branch& root = branches[n];
+    root.box = cell.box;
+    root.origin = cell.origin;
+    root.windings = std::move(cell.windings);
+    root.faces = brick_faces.take(static_cast<std::uint32_t>(n));
+    refinement.refine(root);
+  });
+  cells_.assign(std::make_move_iterator(cells.begin()), std::make_move_iterator(cells.end()));
+  roots_.reserve(mixed);
+  for (Branch& root : branches) roots_.push_back(collect(root));
+}
+
+std::uint32_t CellTree::collect(Branch& branch) {
+  const auto index = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back({branch.axis, branch.split, branch.cell, 0});
+  if (branch.axis < 0) return index;
+  const std::uint32_t below = collect(*branch.below);
+  branch.below.reset();
+  const std::uint32_t above = collect(*branch.above);
+  branch.above.reset();
+  nodes_[index].below = below;
+  nodes_[index].above = above;
+  return index;
+}
+
+std::uint32_t CellTree::cell_at(const std::array<std::int32_t, 3>& g) const {
+  if (space_.empty) return outside_cell;
+  const std::uint32_t place = regions_->place(bricks_.index(bricks_.code(g)));
+  return (place & Regions::mixed_flag) == 0 ? place : descend(roots_[place - Regions::mixed_flag], g);
+}
+
+PlaneFilter CellTree::plane_of(std::uint32_t face) const {
+  const auto v = carriers_.face(face);
+  return {carriers_.vertex(v[0]), carriers_.vertex(v[1]), carriers_.vertex(v[2])};
+}
+
+/// The pair is owned in the first brick common to both faces.
+bool CellTree::owns_thinned(const Cell& cell, const CellFace& a, const CellFace& b,
+                            std::array<std::int32_t, 3> corner) const {
+  const BrickCode own = bricks_.code(cell.box.lower);
+  std::array<std::int32_t, 3> end{};
+  for (std::size_t i = 0; i < 3; ++i) end[i] = std::min(a.box.upper[i], b.box.upper[i]);
+  const BrickBox common{bricks_.code(corner), bricks_.code(end)};
+  const auto plane_a = plane_of(a.face), plane_b = plane_of(b.face);
+  const auto has = [&](BrickCode brick) {
+    return (!a.is_thinned || raster_->meets(plane_a, brick)) && (!b.is_thinned || raster_->meets(plane_b, brick));
+  };
+  for (auto z = BrickBox::along(common.lower, 2); z <= BrickBox::along(common.upper, 2); ++z)
+    for (auto y = BrickBox::along(common.lower, 1); y <= BrickBox::along(common.upper, 1); ++y)
+      for (auto x = BrickBox::along(common.lower, 0); x <= BrickBox::along(common.upper, 0); ++x) {
+        const BrickCode brick = x | y << 8 | z << 16;
+        if (bricks_.is_outside(brick) || !has(brick)) continue;
+        if (brick != own) return false;
+        const GridBox box = bricks_.box(brick);
+        for (std::size_t i = 0; i < 3; ++i) corner[i] = std::max(corner[i], box.lower[i]);
+        return cell.box.holds(corner);
+      }
+  return false;
+}
+
+std::uint32_t CellTree::mixed_cell_of_vertex(std::uint32_t place, std::uint32_t vertex) const {
+  return descend(roots_[place - Regions::mixed_flag], space_.grid.at(carriers_.vertex(vertex)));
+}
+
+std::uint32_t CellTree::descend(std::uint32_t node, const std::array<std::int32_t, 3>& g) const {
+  while (nodes_[node].axis >= 0)
+    node =
+        g[static_cast<std::size_t>(nodes_[node].axis)] < nodes_[node].split ? nodes_[node].below : nodes_[node].above;
+  return nodes_[node].below;
+}
+
+std::size_t CellTree::bytes() const {
+  if (space_.empty) return 0;
+  std::size_t sum = carriers_.vertex_count() * sizeof(BrickCode) + bricks_.brick_count() * sizeof(std::uint32_t) +
+                    cells_.size() * sizeof(Cell) + roots_.size() * sizeof(std::uint32_t) + nodes_.size() * sizeof(Node);
+  for (const Cell& c : cells_) sum += c.faces.size() * sizeof(CellFace);
+  return sum;
+}
+
+}  // namespace strata

@@ -1,0 +1,77 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/cells/cell.h"
+#include "core/cells/occupancy.h"
+#include "core/cells/refinement.h"
+#include "core/cells/regions.h"
+#include "core/cells/space.h"
+
+namespace strata {
+
+/// Space subdivided where faces that may meet are near each other: into bricks of equal size, and the bricks with faces
+/// of different operands further, by cuts. theory.md.
+class CellTree {
+ public:
+  /// Runs in the current task arena. The subdivision does not depend on the number of threads; the numbering of the
+  /// cells does. A few streaming passes over all faces; O(m log m) for the m faces of even density near the meeting
+  /// surfaces. `carriers` must outlive it.
+  CellTree(const Carriers& carriers, const CellOptions& options);
+
+  [[nodiscard]] const Grid& grid() const { return space_.grid; }
+  [[nodiscard]] std::span<const Cell> cells() const { return cells_; }
+  /// The cell that holds a point of a face, by grid coordinates; any point, if there are cells everywhere. The first
+  /// cell is all space in which no operand is met by another: there the winding numbers about all operands but a
+  /// point's own are 0.
+  [[nodiscard]] std::uint32_t cell_at(const std::array<std::int32_t, 3>& g) const;
+  /// Of all cells that list two faces whose boxes overlap, one owns the pair, and it is a cell in which both are.
+  [[nodiscard]] bool owns(const Cell& cell, const CellFace& a, const CellFace& b) const {
+    std::array<std::int32_t, 3> corner{};
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = std::max(a.box.lower[i], b.box.lower[i]);
+    return a.is_thinned || b.is_thinned ? owns_thinned(cell, a, b, corner) : cell.box.holds(corner);
+  }
+  /// True when a vertex of a face is in a brick with faces that may meet.
+  [[nodiscard]] bool is_near_others(std::uint32_t vertex) const {
+    return !space_.empty && (regions_->place(bricks_.index(codes_->of(vertex))) & Regions::mixed_flag) != 0;
+  }
+  /// Memory held.
+  [[nodiscard]] std::size_t bytes() const;
+  /// The cell that holds a vertex of a face.
+  [[nodiscard]] std::uint32_t cell_of_vertex(std::uint32_t vertex) const {
+    if (space_.empty) return outside_cell;
+    const std::uint32_t place = regions_->place(bricks_.index(codes_->of(vertex)));
+    return (place & Regions::mixed_flag) == 0 ? place : mixed_cell_of_vertex(place, vertex);
+  }
+
+ private:
+  struct Node {
+    int axis = -1;  ///< -1: leaf
+    std::int32_t split = 0;
+    std::uint32_t below = 0, above = 0;  ///< nodes, or `below` = cell of a leaf
+  };
+  void make_cells(const Carriers& carriers, const CellOptions& options);
+  [[nodiscard]] bool owns_thinned(const Cell& cell, const CellFace& a, const CellFace& b,
+                                  std::array<std::int32_t, 3> corner) const;
+  [[nodiscard]] PlaneFilter plane_of(std::uint32_t face) const;
+  std::uint32_t collect(Branch& branch);
+  [[nodiscard]] std::uint32_t mixed_cell_of_vertex(std::uint32_t place, std::uint32_t vertex) const;
+  [[nodiscard]] std::uint32_t descend(std::uint32_t node, const std::array<std::int32_t, 3>& g) const;
+
+  static constexpr std::uint32_t outside_cell = 0;  // regions follow by number
+
+  const Carriers& carriers_;
+  Space space_;
+  BrickGrid bricks_;
+  std::unique_ptr<const Raster> raster_;
+  std::unique_ptr<const BrickCodes> codes_;
+  std::unique_ptr<const Regions> regions_;
+  std::vector<Cell> cells_;
+  std::vector<std::uint32_t> roots_;  ///< nodes, per mixed brick
+  std::vector<Node> nodes_;
+};
+
+}  // namespace strata

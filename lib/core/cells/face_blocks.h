@@ -1,0 +1,51 @@
+#pragma once
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/kernel/carriers.h"
+#include "strata/options.h"
+
+namespace strata {
+
+/// A run of faces of one operand, by local numbers: a piece of work.
+struct FaceBlock {
+  std::uint32_t operand = 0, first = 0, last = 0;
+};
+
+/// All faces in runs, in order.
+[[nodiscard]] inline std::vector<FaceBlock> face_blocks(const Carriers& carriers) {
+  constexpr std::uint32_t size = 1 << 14;
+  std::vector<FaceBlock> blocks;
+  for (std::uint32_t o = 0; o < carriers.operand_count(); ++o)
+    for (std::uint32_t i = 0; i < carriers.face_count(o); i += size)
+      blocks.push_back({o, i, std::min(i + size, carriers.face_count(o))});
+  return blocks;
+}
+
+/// The faces of a block and what they refer to.
+struct FaceBlockView {
+  std::size_t number = 0;  ///< of the block
+  std::uint32_t operand = 0;
+  std::uint32_t first_face = 0;    ///< of the block
+  std::uint32_t first_vertex = 0;  ///< of the operand
+  std::span<const Carriers::Coordinates> points;
+  std::span<const Carriers::Indices> faces;  ///< by local vertices
+};
+
+/// Visits the blocks in parallel, each as a FaceBlockView.
+template <class Visit>
+void for_each_face_block(const Carriers& carriers, const std::vector<FaceBlock>& blocks, const Monitor& monitor,
+                         const Visit& visit) {
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t n) {
+    monitor.check();
+    const auto& [operand, first, last] = blocks[n];
+    visit(FaceBlockView{n, operand, carriers.first_face(operand) + first, carriers.first_vertex(operand),
+                        carriers.points(operand), carriers.faces(operand).subspan(first, last - first)});
+  });
+}
+
+}  // namespace strata

@@ -1,0 +1,23 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/cells/near_faces.h"
+
+namespace strata {
+
+/// An origin at the centre of a brick, whose winding numbers are wanted.
+struct Target {
+  std::uint32_t line = 0;  ///< through the centre
+  std::uint32_t brick = 0;
+
+  friend auto operator<=>(const Target&, const Target&) = default;
+};
+
+/// Winding numbers at the centres of bricks, each by a walk along its line from beyond everything. `line_faces` are the
+/// faces whose boxes the lines go through, sorted. One value per target, in their order.
+[[nodiscard]] std::vector<Windings> walk_to_origins(const Carriers& carriers, const Space& space,
+                                                    const BrickGrid& bricks, std::span<const LineFace> line_faces,
+                                                    std::span<const Target> targets, const Monitor& monitor);
+
+}  // namespace strata

@@ -1,0 +1,78 @@
+#pragma once
+#include <tbb/concurrent_vector.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "core/cells/cell.h"
+#include "core/cells/grid.h"
+#include "core/kernel/carriers.h"
+#include "strata/options.h"
+
+namespace strata {
+
+struct CellOptions {
+  bool self = false;            ///< faces of one operand may meet each other
+  bool everywhere = false;      ///< origins for space without faces, too
+  std::size_t leaf_faces = 64;  ///< refine cells with more faces
+  Monitor monitor = {};         ///< asked at every cut
+};
+
+/// A cell while it is refined; its halves once it is cut. Linked by pointers, so that subtrees grow independently.
+struct Branch {
+  /// What faces fill: the boxes of those of the first operand present, and of the others.
+  struct Content {
+    GridBox first, rest;
+  };
+
+  GridBox box;
+  Carriers::Coordinates origin{};
+  std::shared_ptr<const Windings> windings;
+  FaceList faces;  ///< all whose boxes reach into the cell, by increasing face
+  Content content;
+  int axis = -1;  ///< of the cut: below are grid coordinates < split, above those >= split; -1: a leaf
+  std::int32_t split = 0;
+  std::uint32_t cell = 0;  ///< of a leaf
+  std::unique_ptr<Branch> below, above;
+};
+
+/// Cuts cells where faces that may meet are near each other.
+class Refinement {
+ public:
+  /// Leaves are appended to `cells`.
+  Refinement(const Carriers& carriers, const CellOptions& options, const Grid& grid,
+             tbb::concurrent_vector<Cell>& cells)
+      : carriers_(carriers), options_(options), grid_(grid), cells_(cells) {}
+
+  /// Refines a cell that has everything but its content. Thread-safe; forks where cells are large.
+  void refine(Branch& root) const;
+
+ private:
+  struct Cut {
+    int axis = 0;
+    std::int32_t split = 0;
+  };
+  /// Candidates, best first.
+  struct Cuts;
+
+  void grow(Branch& branch, int depth) const;
+  void finish(Branch& branch) const;
+  void measure(Branch& branch) const;
+  [[nodiscard]] std::uint32_t end_of_operand(std::uint32_t face) const;
+  [[nodiscard]] bool is_mixed(const FaceList& faces) const;
+  [[nodiscard]] Cuts cuts(const Branch& branch) const;
+  [[nodiscard]] bool divide(Branch& branch, const Cut& cut) const;
+  [[nodiscard]] bool is_worthwhile(std::size_t n, const FaceList& low, const FaceList& high) const;
+  [[nodiscard]] Windings share(const Branch& branch, const Cut& cut, const Carriers::Coordinates& to, Branch& low,
+                               Branch& high) const;
+  [[nodiscard]] std::optional<Carriers::Coordinates> place_origin(Carriers::Coordinates origin, const GridBox& box,
+                                                                  int axis) const;
+
+  const Carriers& carriers_;
+  const CellOptions& options_;
+  const Grid& grid_;
+  tbb::concurrent_vector<Cell>& cells_;
+};
+
+}  // namespace strata

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+
+#include "core/kernel/predicates.h"
+
+namespace strata {
+
+/// Walks through faces, counted exactly.
+///
+/// An origin O stands for the point O' = O + (e, e^2, e^3) with an infinitely small e > 0, the same for all origins of
+/// an evaluation. O' is on no face plane and on no line or plane spanned by face vertices and another point of a finite
+/// set, so its winding numbers are defined wherever O is, and walks between such points meet faces in their interiors
+/// only. Signs of O' are those of O, or else of the first partial derivative that is not zero. Only the walk is
+/// perturbed, never a surface. Proofs: theory.md.
+
+/// Side of O' relative to a face: positive on the outer side, never zero for a face of positive area.
+[[nodiscard]] Sign side_of_origin(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& origin);
+
+/// Change of the winding number of `face`'s operand on the way from O' to q: +1 where the walk enters through the
+/// face, -1 where it leaves, 0 where it does not cross. A face whose plane contains q counts as not crossed: the caller
+/// decides what touching means.
+[[nodiscard]] int crossing(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& origin,
+                           const Point& q);
+
+/// The same on the way from one origin to another that differs from it in one coordinate only.
+[[nodiscard]] int crossing_along_axis(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& from,
+                                      const Carriers::Coordinates& to, int axis);
+
+/// An origin infinitely far away, from which walks go along a direction d, stands for d' = d + (e, e^2, e^3): the same
+/// laws, with d' for the way from O' to q.
+///
+/// Side of that origin relative to a face: positive on the outer side, never zero for a face of positive area.
+[[nodiscard]] Sign side_of_infinity(const Carriers& carriers, std::uint32_t face,
+                                    const Carriers::Coordinates& direction);
+
+/// Change of the winding number of `face`'s operand on the way to q from infinity, as `crossing`.
+[[nodiscard]] int crossing_from_infinity(const Carriers& carriers, std::uint32_t face,
+                                         const Carriers::Coordinates& direction, const Point& q);
+
+}  // namespace strata

@@ -1,0 +1,140 @@
+#include "strata/check.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "core/cells/cell_tree.h"
+#include "core/csg/arena.h"
+#include "core/mesh/defect_list.h"
+#include "core/mesh/equal_vertices.h"
+#include "core/mesh/prepare.h"
+#include "core/overlap/pairs.h"
+#include "core/winding/local_layers.h"
+
+namespace strata {
+namespace {
+
+/// The mesh with every triangle on the first of its equal vertices: sheets that touch in a vertex share it.
+std::vector<Triangle> on_first_vertices(ExactMeshView mesh) {
+  const auto first = equal_vertices(mesh);
+  std::vector<Triangle> triangles(mesh.mesh.triangles.begin(), mesh.mesh.triangles.end());
+  for (Triangle& t : triangles)
+    for (std::uint32_t& v : t) v = first[v];
+  return triangles;
+}
+
+/// Where faces of a mesh meet but for shared edges and vertices, and its shells that do not enclose what is inside
+/// them. Requires a closed mesh without degenerate triangles. `source` gives the caller's face numbers; empty: the
+/// same.
+class Inspection {
+ public:
+  Inspection(ExactMeshView mesh, const std::vector<std::uint32_t>& source, const Monitor& monitor)
+      : triangles_(on_first_vertices(mesh)), source_(source), monitor_(monitor) {
+    carriers_.add(mesh.mesh.vertices, triangles_, mesh.exact);
+  }
+
+  [[nodiscard]] std::vector<Defect> find() {
+    const CellTree cells(carriers_, {.self = true, .monitor = monitor_});
+    PointTable points(carriers_);
+    std::vector<Defect> defects = intersections(find_meetings(carriers_, cells, true, points, monitor_), points);
+    if (defects.empty()) defects = wrong_shells(cells);
+    return defects;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t source(std::uint32_t f) const { return source_.empty() ? f : source_[f]; }
+
+  [[nodiscard]] std::vector<Defect> intersections(const Meetings& meetings, const PointTable& points) const {
+    DefectList list(DefectKind::self_intersection, Severity::error,
+                    "declare the input as overlapping, which resolves intersections exactly");
+    std::uint32_t f = 0, g = 0;
+    for (const Constraint& c : meetings.constraints) {
+      if (c.other < c.face || (list.count() > 0 && c.face == f && c.other == g)) continue;
+      f = c.face;
+      g = c.other;
+      const Point p = points.point(c.tail);
+      list.add(Vertex{p.at[0].value, p.at[1].value, p.at[2].value}, {source(f), source(g)}, [&] {
+        return "faces " + std::to_string(source(f)) + " and " + std::to_string(source(g)) +
+               (c.kind == ConstraintKind::coplanar ? " overlap in one plane"
+                                                   : " meet away from shared edges and vertices");
+      });
+    }
+    std::vector<Defect> defects;
+    list.append_to(defects);
+    return defects;
+  }
+
+  /// Without self-intersections a face is right when just above it the winding number is 0.
+  [[nodiscard]] std::vector<Defect> wrong_shells(const CellTree& cells) const {
+    const LocalLayers layers(carriers_, cells);
+    std::vector<std::int32_t> above(triangles_.size());
+    tbb::parallel_for(std::uint32_t{0}, carriers_.face_count(), [&](std::uint32_t f) {
+      monitor_.check();
+      above[f] = layers.above(f, make_point(carriers_, PointName::weighted(f, 1)), {&f, 1})[0];
+    });
+    DefectList list(DefectKind::inside_out, Severity::error,
+                    "reverse the faces of the shell, or declare the input as repair");
+    for (std::uint32_t f = 0; f < above.size(); ++f) {
+      if (above[f] == 0) continue;
+      list.add(carriers_.vertex(carriers_.face(f)[0]), {source(f)}, [&] {
+        return "the outer side of face " + std::to_string(source(f)) + " has winding number " +
+               std::to_string(above[f]) + " and the inner side " + std::to_string(above[f] + 1) +
+               "; a solid has 0 and 1";
+      });
+    }
+    std::vector<Defect> defects;
+    list.append_to(defects);
+    return defects;
+  }
+
+  Carriers carriers_;
+  std::vector<Triangle> triangles_;
+  const std::vector<std::uint32_t>& source_;
+  const Monitor& monitor_;
+};
+
+template <class Body>
+auto in_arena(const Options& options, const Body& body) {
+  tbb::task_arena arena = arena_for(options);
+  return arena.execute(body);
+}
+
+bool is_error(const Defect& d) { return d.severity == Severity::error; }
+
+}  // namespace
+
+std::vector<Defect> check(MeshView mesh, const Options& options) { return check(ExactMeshView(mesh, {}), options); }
+
+std::vector<Defect> check(ExactMeshView mesh, const Options& options) {
+  return in_arena(options, [&] {
+    std::vector<Defect> defects = diagnose(mesh);
+    if (std::any_of(defects.begin(), defects.end(), is_error) || mesh.mesh.triangles.empty()) return defects;
+    const Monitor monitor(options.cancel);
+    const Prepared prepared = mesh.exact.empty() ? prepare_closed(mesh.mesh, true) : prepare_exact(mesh);
+    const ExactMeshView ready(prepared.mesh ? MeshView(*prepared.mesh) : mesh.mesh, mesh.exact);
+    const auto more = Inspection(ready, prepared.source_face, monitor).find();
+    defects.insert(defects.end(), more.begin(), more.end());
+    return defects;
+  });
+}
+
+bool is_embedded(MeshView mesh, const Options& options) { return is_embedded(ExactMeshView(mesh, {}), options); }
+
+bool is_embedded(ExactMeshView mesh, const Options& options) {
+  return in_arena(options, [&] {
+    for (const Defect& d : diagnose(mesh))
+      if (d.kind == DefectKind::degenerate_triangle || d.kind == DefectKind::duplicate_face ||
+          d.kind == DefectKind::non_finite_coordinate || d.kind == DefectKind::index_out_of_range)
+        return false;
+    const Monitor monitor(options.cancel);
+    Carriers carriers;
+    const std::vector<Triangle> triangles = on_first_vertices(mesh);
+    carriers.add(mesh.mesh.vertices, triangles, mesh.exact);
+    const CellTree cells(carriers, {.self = true, .monitor = monitor});
+    PointTable points(carriers);
+    return find_meetings(carriers, cells, true, points, monitor).pairs_meeting == 0;
+  });
+}
+
+}  // namespace strata

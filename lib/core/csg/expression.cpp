@@ -1,0 +1,145 @@
+#include "strata/expression.h"
+
+#include "core/csg/decision_diagram.h"
+#include "core/csg/expression_node.h"
+
+namespace strata {
+
+using Kind = Expression::Node::Kind;
+using Pointer = Expression::Node::Pointer;
+
+namespace {
+
+std::vector<Pointer> nodes_of(std::span<const Expression> terms, const auto& node_of) {
+  std::vector<Pointer> nodes;
+  nodes.reserve(terms.size());
+  for (const Expression& t : terms) nodes.push_back(node_of(t));
+  return nodes;
+}
+
+Pointer complement_of(Pointer node) { return Expression::Node::join(Kind::complement, {std::move(node)}); }
+
+Pointer moved(Pointer node, const Transform& map, Placement placement) {
+  auto result = std::make_shared<Expression::Node>(Kind::moved, std::vector<Pointer>{std::move(node)});
+  result->map = map;
+  result->placement = placement;
+  return result;
+}
+
+}  // namespace
+
+Expression::Expression(Solid solid, std::string name)
+    : node_(std::make_shared<const Node>(std::move(solid), std::move(name))) {}
+
+Expression Expression::any(std::span<const Expression> terms) {
+  return Expression(Node::join(Kind::any, nodes_of(terms, [](const Expression& e) { return e.node_; })));
+}
+
+Expression Expression::all(std::span<const Expression> terms) {
+  if (terms.empty()) throw std::invalid_argument("the intersection of nothing is all of space");
+  return Expression(Node::join(Kind::all, nodes_of(terms, [](const Expression& e) { return e.node_; })));
+}
+
+Expression Expression::odd(std::span<const Expression> terms) {
+  return Expression(Node::join(Kind::odd, nodes_of(terms, [](const Expression& e) { return e.node_; })));
+}
+
+Expression operator|(const Expression& a, const Expression& b) {
+  return Expression(Expression::Node::join(Kind::any, {a.node_, b.node_}));
+}
+Expression operator&(const Expression& a, const Expression& b) {
+  return Expression(Expression::Node::join(Kind::all, {a.node_, b.node_}));
+}
+Expression operator-(const Expression& a, const Expression& b) {
+  return Expression(Expression::Node::join(Kind::all, {a.node_, complement_of(b.node_)}));
+}
+Expression operator^(const Expression& a, const Expression& b) {
+  return Expression(Expression::Node::join(Kind::odd, {a.node_, b.node_}));
+}
+Expression operator~(const Expression& a) { return Expression(complement_of(a.node_)); }
+
+Expression Expression::transformed(const Transform& map, Placement placement) const {
+  return Expression(moved(node_, map, placement));
+}
+
+std::size_t Expression::size() const { return node_->size; }
+
+namespace {
+
+Formula::Join join_of(Kind kind) {
+  return kind == Kind::any ? Formula::Join::any : kind == Kind::all ? Formula::Join::all : Formula::Join::odd;
+}
+
+/// By the formula alone; all do, where there are many of them.
+std::vector<bool> find_what_matters(const Expression::Node& root, const NumberedSolids& numbering) {
+  constexpr std::size_t many = 256, large = 4096;
+  const std::size_t count = numbering.occurrences().size();
+  if (count > many || root.size > large) return std::vector<bool>(count, true);
+  DecisionDiagram diagram;
+  const auto whole = fold<DecisionDiagram::Function>(
+      root, [&](const Occurrence& o) { return diagram.variable(numbering.number_of(o)); },
+      [&](DecisionDiagram::Function f) { return diagram.negate(f); },
+      [&](Kind kind, const std::vector<DecisionDiagram::Function>& terms) {
+        return diagram.join(join_of(kind), terms);
+      });
+  if (diagram.is_too_large()) return std::vector<bool>(count, true);
+  return diagram.support(whole, count);
+}
+
+}  // namespace
+
+Solid Expression::evaluate(const Options& options) const {
+  if (node_->size >= 0xffffffffu) throw std::length_error("an expression of more than 2^32 - 2 solids");
+  const NumberedSolids numbering(*node_);
+  const std::vector<bool> matters = find_what_matters(*node_, numbering);
+  const auto& all = numbering.occurrences();
+  std::vector<std::uint32_t> operand(all.size());
+  std::vector<ExactMesh> images;
+  images.reserve(all.size());
+  std::vector<Operand> operands;
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    if (!matters[n]) continue;
+    operand[n] = static_cast<std::uint32_t>(operands.size());
+    const ExactMesh& mesh = all[n].leaf->solid.exact_mesh();
+    const bool is_moved = !all[n].map.is_identity();
+    if (is_moved) images.push_back(transform(mesh, all[n].map, all[n].placement));
+    const ExactMesh& placed = is_moved ? images.back() : mesh;
+    operands.push_back({MeshView(placed.mesh), placed.exact, true});
+  }
+  Formula formula(static_cast<std::uint32_t>(operands.size()));
+  const auto whole = fold<Formula::Term>(
+      *node_,
+      [&](const Occurrence& o) {
+        const std::uint32_t n = numbering.number_of(o);
+        return matters[n] ? formula.operand(operand[n]) : formula.join(Formula::Join::any, {});
+      },
+      [](const Formula::Term& t) { return !t; },
+      [&](Kind kind, const std::vector<Formula::Term>& terms) { return formula.join(join_of(kind), terms); });
+  formula.close(whole);
+  return combine_solids(formula, operands, options);
+}
+
+Formula Expression::formula() const {
+  if (node_->size >= 0xffffffffu) throw std::length_error("an expression of more than 2^32 - 2 solids");
+  const NumberedSolids numbering(*node_);
+  Formula formula(static_cast<std::uint32_t>(numbering.occurrences().size()));
+  const auto whole = fold<Formula::Term>(
+      *node_, [&](const Occurrence& o) { return formula.operand(numbering.number_of(o)); },
+      [](const Formula::Term& t) { return !t; },
+      [&](Kind kind, const std::vector<Formula::Term>& terms) { return formula.join(join_of(kind), terms); });
+  formula.close(whole);
+  return formula;
+}
+
+std::vector<Expression::Primitive> Expression::primitives() const {
+  const NumberedSolids numbering(*node_);
+  const std::vector<bool> matters = find_what_matters(*node_, numbering);
+  std::vector<Primitive> primitives;
+  for (std::size_t n = 0; n < matters.size(); ++n) {
+    const Occurrence& o = numbering.occurrences()[n];
+    primitives.push_back({o.leaf->name, o.leaf->solid, o.map, o.placement, o.negative, o.positive, matters[n]});
+  }
+  return primitives;
+}
+
+}  // namespace strata

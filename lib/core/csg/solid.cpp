@@ -1,0 +1,153 @@
+#include "strata/solid.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/mesh/prepare.h"
+#include "strata/measure.h"
+
+namespace strata {
+
+struct Solid::Data {
+  ExactMesh boundary;
+  std::vector<Source> sources;
+  std::vector<Defect> notes;
+};
+
+namespace {
+
+std::vector<Source> own_faces(std::size_t count) {
+  std::vector<Source> r(count);
+  for (std::size_t i = 0; i < count; ++i) r[i] = {0, static_cast<std::uint32_t>(i)};
+  return r;
+}
+
+Solid::Data data_of(BooleanResult result) {
+  return {{std::move(result.mesh), std::move(result.exact)}, std::move(result.sources), std::move(result.notes)};
+}
+
+Solid::Data accept(Mesh mesh, InputClass input) {
+  switch (input) {
+    case InputClass::solid: {
+      Prepared p = prepare_closed(mesh, false);
+      if (!p.mesh) {
+        const std::size_t faces = mesh.triangles.size();
+        return {{std::move(mesh), {}}, own_faces(faces), std::move(p.notes)};
+      }
+      std::vector<Source> sources;
+      for (const std::uint32_t f : p.source_face) sources.push_back({0, f});
+      return {{std::move(*p.mesh), {}}, std::move(sources), std::move(p.notes)};
+    }
+    case InputClass::overlapping:
+    case InputClass::repair: {
+      const MeshView view = mesh;
+      return data_of(
+          combine(Operation::unite, std::span<const MeshView>(&view, 1), {.input = input, .exact_vertices = true}));
+    }
+  }
+  return {};
+}
+
+Solid::Data accept(ExactMesh mesh, InputClass input) {
+  if (mesh.exact.empty()) return accept(std::move(mesh.mesh), input);
+  switch (input) {
+    case InputClass::solid: {
+      Prepared p = prepare_exact(mesh);
+      if (p.mesh) mesh.mesh = std::move(*p.mesh);
+      const std::size_t faces = mesh.mesh.triangles.size();
+      return {std::move(mesh), own_faces(faces), std::move(p.notes)};
+    }
+    case InputClass::overlapping:
+    case InputClass::repair: {
+      const Operand operand{mesh.mesh, mesh.exact};
+      return data_of(
+          combine(Operation::unite, std::span<const Operand>(&operand, 1), {.input = input, .exact_vertices = true}));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Solid::Solid() : data_(std::make_shared<const Data>()) {}
+
+Solid::Solid(Mesh mesh, InputClass input) : data_(std::make_shared<const Data>(accept(std::move(mesh), input))) {}
+
+Solid::Solid(ExactMesh mesh, InputClass input) : data_(std::make_shared<const Data>(accept(std::move(mesh), input))) {}
+
+Solid Solid::trusted(ExactMesh mesh) {
+  const std::size_t faces = mesh.mesh.triangles.size();
+  Solid solid;
+  solid.data_ = std::make_shared<const Data>(Data{std::move(mesh), own_faces(faces), {}});
+  return solid;
+}
+
+const Mesh& Solid::mesh() const { return data_->boundary.mesh; }
+const ExactMesh& Solid::exact_mesh() const { return data_->boundary; }
+const std::vector<Source>& Solid::sources() const { return data_->sources; }
+const std::vector<Defect>& Solid::notes() const { return data_->notes; }
+Rational Solid::volume() const { return strata::volume(data_->boundary); }
+double Solid::area() const { return strata::area(data_->boundary); }
+bool Solid::is_empty() const { return data_->boundary.mesh.triangles.empty(); }
+CanonicalForm Solid::canonical() const { return canonical_form(data_->boundary); }
+
+BoundingBox Solid::bounding_box() const {
+  BoundingBox box;
+  box.lower.fill(std::numeric_limits<double>::infinity());
+  box.upper.fill(-std::numeric_limits<double>::infinity());
+  for (const Triangle& t : mesh().triangles)
+    for (const std::uint32_t v : t)
+      for (std::size_t i = 0; i < 3; ++i) {
+        box.lower[i] = std::min(box.lower[i], mesh().vertices[v][i]);
+        box.upper[i] = std::max(box.upper[i], mesh().vertices[v][i]);
+      }
+  return box;
+}
+
+bool operator==(const Solid& a, const Solid& b) { return a.data_ == b.data_ || a.canonical() == b.canonical(); }
+
+namespace {
+
+Options of_solids(Options options) {
+  options.input = InputClass::solid;
+  options.exact_vertices = true;
+  return options;
+}
+
+}  // namespace
+
+Solid combine_solids(Operation operation, std::span<const Solid> operands, const Options& options) {
+  std::vector<Operand> views;
+  for (const Solid& s : operands) views.push_back({MeshView(s.mesh()), s.exact_mesh().exact, true});
+  Solid result;
+  result.data_ = std::make_shared<const Solid::Data>(
+      data_of(combine(operation, std::span<const Operand>(views), of_solids(options))));
+  return result;
+}
+
+Solid combine_solids(const Formula& formula, std::span<const Operand> operands, const Options& options) {
+  Solid result;
+  result.data_ = std::make_shared<const Solid::Data>(data_of(combine(formula, operands, of_solids(options))));
+  return result;
+}
+
+Solid unite(std::span<const Solid> operands) { return combine_solids(Operation::unite, operands); }
+Solid intersect(std::span<const Solid> operands) { return combine_solids(Operation::intersect, operands); }
+Solid subtract(std::span<const Solid> operands) { return combine_solids(Operation::subtract, operands); }
+Solid exclude(std::span<const Solid> operands) { return combine_solids(Operation::exclude, operands); }
+
+namespace {
+
+Solid combine_two(Operation operation, const Solid& a, const Solid& b) {
+  const Solid both[] = {a, b};
+  return combine_solids(operation, both);
+}
+
+}  // namespace
+
+Solid operator|(const Solid& a, const Solid& b) { return combine_two(Operation::unite, a, b); }
+Solid operator&(const Solid& a, const Solid& b) { return combine_two(Operation::intersect, a, b); }
+Solid operator-(const Solid& a, const Solid& b) { return combine_two(Operation::subtract, a, b); }
+Solid operator^(const Solid& a, const Solid& b) { return combine_two(Operation::exclude, a, b); }
+
+}  // namespace strata

@@ -1,0 +1,26 @@
+#pragma once
+#include <chrono>
+#include <string>
+
+#include "strata/combine.h"
+
+namespace strata {
+
+/// Writes the time since the last lap into a profile.
+class Stopwatch {
+ public:
+  explicit Stopwatch(Profile& profile) : profile_(profile) {}
+
+  void lap(std::string stage) {
+    const auto now = Clock::now();
+    profile_.seconds.emplace_back(std::move(stage), std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Profile& profile_;
+  Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace strata

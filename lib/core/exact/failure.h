@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "strata/errors.h"
+
+namespace strata {
+
+/// Throws LogicError naming the face in question.
+[[noreturn]] inline void fail(const char* what, unsigned face) {
+  throw LogicError(std::string(what) + " (face " + std::to_string(face) + ")");
+}
+
+}  // namespace strata

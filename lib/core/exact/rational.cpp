@@ -1,0 +1,338 @@
+#include "strata/rational.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+
+#include "core/exact/native.h"
+
+namespace strata {
+namespace {
+
+using detail::Native;
+
+void require_finite(double x) {
+  if (!std::isfinite(x)) throw std::invalid_argument("a number that is not finite has no exact value");
+}
+
+bool is_integer_text(std::string_view text) {
+  if (!text.empty() && (text[0] == '-' || text[0] == '+')) text.remove_prefix(1);
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// Of digits that may have leading zeros, which Boost would take for octal numbers.
+Native::I parse_integer(std::string_view text) {
+  if (!is_integer_text(text)) throw std::invalid_argument("not an integer: '" + std::string(text) + "'");
+  const bool is_negative = text[0] == '-';
+  text.remove_prefix(std::min(text.find_first_not_of("+-0"), text.size()));
+  if (text.empty()) return 0;
+  Native::I x{std::string(text)};
+  return is_negative ? -x : x;
+}
+
+void require_divisor(bool is_zero) {
+  if (is_zero) throw std::overflow_error("division by zero");
+}
+
+}  // namespace
+
+// Integer
+
+Integer::Integer() noexcept { Native::construct(*this); }
+void Integer::make(std::int64_t x) { Native::construct(*this, x); }
+void Integer::make(std::uint64_t x) { Native::construct(*this, x); }
+Integer::Integer(double x) {
+  require_finite(x);
+  Native::construct(*this, std::trunc(x));
+}
+Integer::Integer(std::string_view digits) { Native::construct(*this, parse_integer(digits)); }
+Integer::Integer(const Integer& other) { Native::construct(*this, native(other)); }
+Integer::Integer(Integer&& other) noexcept { Native::construct(*this, std::move(native(other))); }
+Integer& Integer::operator=(const Integer& other) {
+  native(*this) = native(other);
+  return *this;
+}
+Integer& Integer::operator=(Integer&& other) noexcept {
+  native(*this) = std::move(native(other));
+  return *this;
+}
+Integer::~Integer() { std::destroy_at(&native(*this)); }
+
+Integer& Integer::operator+=(const Integer& b) {
+  native(*this) += native(b);
+  return *this;
+}
+Integer& Integer::operator-=(const Integer& b) {
+  native(*this) -= native(b);
+  return *this;
+}
+Integer& Integer::operator*=(const Integer& b) {
+  native(*this) *= native(b);
+  return *this;
+}
+Integer& Integer::operator/=(const Integer& b) {
+  require_divisor(b.is_zero());
+  native(*this) /= native(b);
+  return *this;
+}
+Integer& Integer::operator%=(const Integer& b) {
+  require_divisor(b.is_zero());
+  native(*this) %= native(b);
+  return *this;
+}
+Integer& Integer::operator<<=(std::size_t bits) {
+  native(*this) <<= bits;
+  return *this;
+}
+Integer& Integer::operator>>=(std::size_t bits) {
+  native(*this) >>= bits;
+  return *this;
+}
+Integer Integer::operator-() const& { return Native::integer(-native(*this)); }
+Integer Integer::operator-() && {
+  native(*this).backend().negate();
+  return std::move(*this);
+}
+
+int Integer::sign() const noexcept { return native(*this).sign(); }
+std::strong_ordering Integer::compare(const Integer& b) const noexcept { return native(*this).compare(native(b)) <=> 0; }
+std::strong_ordering Integer::compare(std::int64_t b) const noexcept {
+  return b == 0 ? sign() <=> 0 : native(*this).compare(b) <=> 0;
+}
+std::strong_ordering Integer::compare(std::uint64_t b) const noexcept {
+  return b == 0 ? sign() <=> 0 : native(*this).compare(b) <=> 0;
+}
+std::string Integer::str() const { return native(*this).str(); }
+double Integer::to_double() const { return to_nearest_double(Rational(*this)); }
+std::int64_t Integer::to_int64() const {
+  if (compare(std::numeric_limits<std::int64_t>::min()) < 0 || compare(std::numeric_limits<std::int64_t>::max()) > 0)
+    throw std::overflow_error("an integer that does not fit into 64 bits: " + str());
+  return native(*this).convert_to<std::int64_t>();
+}
+
+Integer operator+(const Integer& a, const Integer& b) { return Native::integer(native(a) + native(b)); }
+Integer operator-(const Integer& a, const Integer& b) { return Native::integer(native(a) - native(b)); }
+Integer operator*(const Integer& a, const Integer& b) { return Native::integer(native(a) * native(b)); }
+Integer operator/(const Integer& a, const Integer& b) {
+  require_divisor(b.is_zero());
+  return Native::integer(native(a) / native(b));
+}
+Integer operator%(const Integer& a, const Integer& b) {
+  require_divisor(b.is_zero());
+  return Native::integer(native(a) % native(b));
+}
+
+Integer abs(const Integer& x) { return x.sign() < 0 ? -x : x; }
+Integer gcd(const Integer& a, const Integer& b) { return Native::integer(gcd(native(a), native(b))); }
+Integer lcm(const Integer& a, const Integer& b) { return Native::integer(lcm(native(a), native(b))); }
+Integer pow(const Integer& base, unsigned exponent) { return Native::integer(pow(native(base), exponent)); }
+Integer sqrt(const Integer& x) {
+  if (x.sign() < 0) throw std::domain_error("the square root of a negative integer");
+  return Native::integer(sqrt(native(x)));
+}
+std::pair<Integer, Integer> divide(const Integer& a, const Integer& b) {
+  require_divisor(b.is_zero());
+  std::pair<Integer, Integer> r;
+  divide_qr(native(a), native(b), native(r.first), native(r.second));
+  return r;
+}
+std::size_t bit_length(const Integer& x) noexcept {
+  const auto limbs = limbs_of(x);
+  return limbs.empty() ? 0 : 64 * (limbs.size() - 1) + static_cast<std::size_t>(std::bit_width(limbs.back()));
+}
+std::size_t trailing_zeros(const Integer& x) noexcept {
+  const auto limbs = limbs_of(x);
+  for (std::size_t i = 0; i < limbs.size(); ++i)
+    if (limbs[i] != 0) return 64 * i + static_cast<std::size_t>(std::countr_zero(limbs[i]));
+  return 0;
+}
+std::ostream& operator<<(std::ostream& out, const Integer& x) { return out << x.str(); }
+
+Integer integer_of_limbs(std::span<const std::uint64_t> magnitude, bool is_negative) {
+  Integer r;
+  while (!magnitude.empty() && magnitude.back() == 0) magnitude = magnitude.first(magnitude.size() - 1);
+  if (magnitude.empty()) return r;
+#ifdef STRATA_WITHOUT_GMP
+  auto& backend = native(r).backend();
+  backend.resize(static_cast<unsigned>(magnitude.size()), static_cast<unsigned>(magnitude.size()));
+  std::copy(magnitude.begin(), magnitude.end(), backend.limbs());
+  backend.normalize();
+  if (is_negative) backend.negate();
+#else
+  const mpz_ptr z = native(r).backend().data();
+  const auto size = static_cast<mp_size_t>(magnitude.size());
+  std::copy(magnitude.begin(), magnitude.end(), mpz_limbs_write(z, size));
+  mpz_limbs_finish(z, is_negative ? -size : size);
+#endif
+  return r;
+}
+
+Integer exact_quotient(const Integer& a, const Integer& b) {
+#ifdef STRATA_WITHOUT_GMP
+  return a / b;
+#else
+  require_divisor(b.is_zero());
+  Integer r;
+  mpz_divexact(native(r).backend().data(), native(a).backend().data(), native(b).backend().data());
+  return r;
+#endif
+}
+
+// Rational
+
+Rational::Rational() { Native::construct(*this); }
+Rational::Rational(const Integer& x) { Native::construct(*this, native(x)); }
+Rational::Rational(double x) {
+  require_finite(x);
+  Native::construct(*this, x);
+}
+Rational::Rational(const Integer& numerator, const Integer& denominator) {
+  require_divisor(denominator.is_zero());
+  Native::construct(*this, native(numerator), native(denominator));
+}
+Rational::Rational(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  const Native::I n = parse_integer(text.substr(0, slash));
+  if (slash == std::string_view::npos) {
+    Native::construct(*this, n);
+    return;
+  }
+  const Native::I d = parse_integer(text.substr(slash + 1));
+  require_divisor(d == 0);
+  Native::construct(*this, n, d);
+}
+Rational::Rational(const Rational& other) { Native::construct(*this, native(other)); }
+Rational::Rational(Rational&& other) noexcept { Native::construct(*this, std::move(native(other))); }
+Rational& Rational::operator=(const Rational& other) {
+  native(*this) = native(other);
+  return *this;
+}
+Rational& Rational::operator=(Rational&& other) noexcept {
+  native(*this) = std::move(native(other));
+  return *this;
+}
+Rational::~Rational() { std::destroy_at(&native(*this)); }
+
+Rational& Rational::operator+=(const Rational& b) {
+  native(*this) += native(b);
+  return *this;
+}
+Rational& Rational::operator-=(const Rational& b) {
+  native(*this) -= native(b);
+  return *this;
+}
+Rational& Rational::operator*=(const Rational& b) {
+  native(*this) *= native(b);
+  return *this;
+}
+Rational& Rational::operator/=(const Rational& b) {
+  require_divisor(b.is_zero());
+  native(*this) /= native(b);
+  return *this;
+}
+Rational Rational::operator-() const& {
+  Rational r = *this;
+  native(r).backend().negate();
+  return r;
+}
+Rational Rational::operator-() && {
+  native(*this).backend().negate();
+  return std::move(*this);
+}
+
+int Rational::sign() const noexcept { return native(*this).sign(); }
+std::strong_ordering Rational::compare(const Rational& b) const { return native(*this).compare(native(b)) <=> 0; }
+std::strong_ordering Rational::compare(std::int64_t b) const {
+  return b == 0 ? sign() <=> 0 : native(*this).compare(b) <=> 0;
+}
+std::string Rational::str() const { return native(*this).str(); }
+
+Rational operator+(const Rational& a, const Rational& b) {
+  Rational r;
+  native(r) = native(a) + native(b);
+  return r;
+}
+Rational operator-(const Rational& a, const Rational& b) {
+  Rational r;
+  native(r) = native(a) - native(b);
+  return r;
+}
+Rational operator*(const Rational& a, const Rational& b) {
+  Rational r;
+  native(r) = native(a) * native(b);
+  return r;
+}
+Rational operator/(const Rational& a, const Rational& b) {
+  require_divisor(b.is_zero());
+  Rational r;
+  native(r) = native(a) / native(b);
+  return r;
+}
+bool operator==(const Rational& a, const Rational& b) { return native(a) == native(b); }
+
+Rational abs(const Rational& x) { return x.sign() < 0 ? -x : x; }
+Integer numerator(const Rational& x) { return Native::integer(numerator(native(x))); }
+Integer denominator(const Rational& x) { return Native::integer(denominator(native(x))); }
+std::ostream& operator<<(std::ostream& out, const Rational& x) { return out << x.str(); }
+
+// Rounding
+
+namespace {
+
+/// floor(log2(n / d)) for positive n and d.
+long floor_log2(const Integer& n, const Integer& d) {
+  const long estimate = static_cast<long>(bit_length(n)) - static_cast<long>(bit_length(d));  // right or one too large
+  const bool reached = estimate >= 0 ? n >= (d << static_cast<std::size_t>(estimate))
+                                     : (n << static_cast<std::size_t>(-estimate)) >= d;
+  return reached ? estimate : estimate - 1;
+}
+
+/// The integer nearest to n / d / 2^scale for positive n and d; ties to even. It has at most 64 bits.
+std::uint64_t nearest_multiple(Integer n, Integer d, long scale) {
+  if (scale >= 0) {
+    d <<= static_cast<std::size_t>(scale);
+  } else {
+    n <<= static_cast<std::size_t>(-scale);
+  }
+  auto [quotient, remainder] = divide(n, d);
+  const std::uint64_t whole = quotient.is_zero() ? 0 : limbs_of(quotient)[0];
+  const std::strong_ordering half = (remainder <<= 1) <=> d;
+  return half > 0 || (half == 0 && (whole & 1) != 0) ? whole + 1 : whole;
+}
+
+std::uint64_t low_limb(const Integer& x) { return x.is_zero() ? 0 : limbs_of(x)[0]; }
+
+/// The Float nearest to q. The significand is rounded once, at the last bit that the exponent of q leaves to it;
+/// what follows is exact or overflows to infinity. Values that round to zero give +0.
+template <class Float>
+Float to_nearest(const Rational& q) {
+  using Limits = std::numeric_limits<Float>;
+  const int sign = q.sign();
+  if (sign == 0) return 0;
+  const Integer n = abs(numerator(q));
+  const Integer d = denominator(q);
+  if (bit_length(n) <= Limits::digits && bit_length(d) <= Limits::digits) {  // one IEEE division, far from subnormals
+    const Float quotient = static_cast<Float>(low_limb(n)) / static_cast<Float>(low_limb(d));
+    return sign < 0 ? -quotient : quotient;
+  }
+  const long exponent = floor_log2(n, d);
+  if (exponent >= Limits::max_exponent) return sign < 0 ? -Limits::infinity() : Limits::infinity();
+  const long lowest_bit = Limits::min_exponent - Limits::digits;  // of the subnormals
+  if (exponent < lowest_bit - 1) return 0;
+  const long last_bit = std::max(exponent - Limits::digits + 1, lowest_bit);
+  const auto significand = static_cast<Float>(nearest_multiple(n, d, last_bit));
+  const Float magnitude = std::ldexp(significand, static_cast<int>(last_bit));
+  return sign < 0 && magnitude != 0 ? -magnitude : magnitude;
+}
+
+}  // namespace
+
+double to_nearest_double(const Rational& q) { return to_nearest<double>(q); }
+
+float to_nearest_float(const Rational& q) { return to_nearest<float>(q); }
+
+}  // namespace strata

@@ -1,0 +1,70 @@
+#pragma once
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/io/sink.h"
+
+namespace strata::io {
+
+inline constexpr std::size_t items_per_block = 2048;
+
+/// Writes items 0..count-1 in order. `format(first, last, storage)` gives the bytes of some items, kept in a `Storage`.
+/// Blocks of items are formatted in parallel, while earlier ones are written.
+template <class Storage, class Format>
+void write_formatted(Sink& sink, std::size_t count, const Format& format) {
+  constexpr std::size_t block = items_per_block;
+  struct Block {
+    Storage storage;
+    std::string_view bytes;
+  };
+  // Blocks are written in order, so the one that had the same storage is gone when the next one takes it.
+  const auto under_way = 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) + 1;
+  std::vector<Block> blocks(under_way);
+  std::size_t next = 0;
+  const auto number = [&](tbb::flow_control& control) {
+    if (next * block >= count) control.stop();
+    return next++;
+  };
+  const auto format_block = [&](std::size_t b) {
+    Block& own = blocks[b % under_way];
+    own.bytes = format(b * block, std::min((b + 1) * block, count), own.storage);
+    return b;
+  };
+  const auto write_block = [&](std::size_t b) { sink.write(blocks[b % under_way].bytes); };
+  constexpr auto in_order = tbb::filter_mode::serial_in_order;
+  tbb::parallel_pipeline(under_way,
+                         tbb::make_filter<void, std::size_t>(in_order, number) &
+                             tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, format_block) &
+                             tbb::make_filter<std::size_t, void>(in_order, write_block));
+}
+
+/// `format(i, at)` puts item i at `at`, in no more than `most` bytes, and returns the place behind it.
+template <class Format>
+void write_blocks(Sink& sink, std::size_t count, std::size_t most, const Format& format) {
+  using Bytes = std::unique_ptr<char[]>;
+  write_formatted<Bytes>(sink, count, [&](std::size_t first, std::size_t last, Bytes& bytes) {
+    if (!bytes) bytes = std::make_unique_for_overwrite<char[]>(items_per_block * most);
+    char* at = bytes.get();
+    for (std::size_t i = first; i < last; ++i) at = format(i, at);
+    return std::string_view(bytes.get(), static_cast<std::size_t>(at - bytes.get()));
+  });
+}
+
+/// `append(i, text)` appends item i, of any length, to a text.
+template <class Append>
+void write_texts(Sink& sink, std::size_t count, const Append& append) {
+  write_formatted<std::string>(sink, count, [&](std::size_t first, std::size_t last, std::string& text) {
+    text.clear();
+    for (std::size_t i = first; i < last; ++i) append(i, text);
+    return std::string_view(text);
+  });
+}
+
+}  // namespace strata::io

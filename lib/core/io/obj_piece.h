@@ -1,0 +1,52 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/io/face_list.h"
+#include "core/io/pieces.h"
+
+namespace strata::io {
+
+/// Statements that hold geometry which is not read.
+struct ObjIgnored {
+  std::uint64_t lines = 0, points = 0, free_form = 0, unknown = 0;
+  std::size_t first_unknown = 0;  ///< offset in the text
+
+  void add_unknown(std::size_t offset) {
+    if (unknown++ == 0) first_unknown = offset;
+  }
+  /// Adds the statements of a later piece.
+  void add(const ObjIgnored& later) {
+    if (unknown == 0) first_unknown = later.first_unknown;
+    lines += later.lines;
+    points += later.points;
+    free_form += later.free_form;
+    unknown += later.unknown;
+  }
+  void note(MeshFile& file) const;
+};
+
+/// Which vertices the faces of a piece use.
+struct ObjUses {
+  std::uint64_t highest = 0;  ///< among those counted from the start of the file
+  std::int64_t lowest = 0;    ///< among those counted back, from the start of the piece
+  bool absolute = false, relative = false;
+};
+
+/// What was read from a piece. The indices of its faces count from the start of the file, or, if they are relative,
+/// from the start of the piece.
+struct ObjPiece {
+  std::vector<Vertex> vertices;
+  FaceList faces;
+  ObjUses uses;
+  ObjIgnored ignored;
+};
+
+/// Reads a piece that starts and ends with lines. Only in a piece that is the whole file every index is checked at
+/// once: there it is known how many vertices stand before a face, and how many come in all. A face may use vertices
+/// that come later. Throws Malformed, also for pieces that use absolute and relative indices both, unless they are the
+/// whole file.
+[[nodiscard]] ObjPiece read_obj_piece(const Input& input, Piece place);
+
+}  // namespace strata::io

@@ -1,0 +1,99 @@
+#pragma once
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/io/face_list.h"
+#include "core/io/input.h"
+#include "core/io/ply_plan.h"
+#include "core/io/text_cursor.h"
+#include "strata/mesh.h"
+
+namespace strata::io {
+
+/// The numbers of an ASCII file. Values that are skipped need not be numbers.
+class TextNumbers {
+ public:
+  /// `one_per_line`: a record is malformed if something follows on its line.
+  TextNumbers(const Input& input, Piece piece, bool one_per_line)
+      : text_(input.data, {}, piece), one_per_line_(one_per_line) {}
+
+  double next(PlyScalar type, const char* what) {
+    seek(what);
+    return is_integer(type) ? text_.whole_number(what) : text_.number(what);
+  }
+  void skip(PlyScalar, std::uint64_t count) {
+    for (std::uint64_t i = 0; i < count; ++i) {
+      seek("a number");
+      text_.word();
+    }
+  }
+  void end_record() {
+    if (!one_per_line_) return;
+    if (!text_.at_line_end()) text_.fail_expected("the end of the line");
+    text_.skip_line();
+  }
+  /// How many values the rest can hold at most: a digit and a blank each.
+  [[nodiscard]] std::uint64_t room(PlyScalar) const { return (text_.remaining() + 1) / 2; }
+  [[nodiscard]] std::uint64_t records(const PlyElement& e) const {
+    return (text_.remaining() + 1) / (2 * e.properties.size());
+  }
+  [[nodiscard]] bool has_more() { return text_.next_word_anywhere(); }
+  /// Of the next number.
+  [[nodiscard]] std::size_t offset() {
+    (void)text_.next_word_anywhere();
+    return text_.offset();
+  }
+  [[noreturn]] static void fail_at(std::size_t offset, std::string reason) { fail_at_line(offset, std::move(reason)); }
+
+ private:
+  void seek(const char* what) {
+    if (!text_.next_word_anywhere()) text_.fail_expected(what);
+  }
+
+  TextCursor text_;
+  bool one_per_line_;
+};
+
+/// The numbers of a binary file.
+class BinaryNumbers {
+ public:
+  BinaryNumbers(std::string_view data, std::size_t offset, std::endian order)
+      : data_(data), offset_(offset), order_(order) {}
+
+  double next(PlyScalar type, const char* what) {
+    if (remaining() < size_of(type)) fail_at(offset_, std::string("expected ") + what + ", found the end of the file");
+    const double value = load_scalar(data_.data() + offset_, type, order_);
+    offset_ += size_of(type);
+    return value;
+  }
+  void skip(PlyScalar type, std::uint64_t count) {
+    if (count > room(type)) fail_at(offset_, "expected a number, found the end of the file");
+    offset_ += count * size_of(type);
+  }
+  void end_record() {}
+  [[nodiscard]] std::uint64_t room(PlyScalar type) const { return remaining() / size_of(type); }
+  [[nodiscard]] std::uint64_t records(const PlyElement& e) const { return remaining() / e.least_size(); }
+  [[nodiscard]] bool has_more() const { return remaining() > 0; }
+  [[nodiscard]] std::size_t offset() const { return offset_; }
+  [[noreturn]] static void fail_at(std::size_t offset, std::string reason) { fail_at_byte(offset, std::move(reason)); }
+
+  /// Takes records without lists, coordinate by coordinate. False, and nothing is taken, where that does not do: lists,
+  /// too little data, coordinates that are not finite.
+  bool take_points(const PlyElementPlan& plan, std::span<Vertex> points);
+  /// Takes records, at most `count`, as long as they are usual lists of three vertices in range. Returns how many.
+  std::uint64_t take_triangles(const PlyElementPlan& plan, std::uint64_t vertex_count, std::uint64_t count,
+                               FaceList& faces);
+
+ private:
+  [[nodiscard]] std::size_t remaining() const { return data_.size() - offset_; }
+
+  std::string_view data_;
+  std::size_t offset_;
+  std::endian order_;
+};
+
+}  // namespace strata::io

@@ -1,0 +1,70 @@
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/io/large_pages.h"
+#include "core/io/obj_piece.h"
+#include "core/io/readers.h"
+
+namespace strata::io {
+namespace {
+
+/// The number of vertices before every piece, and in all.
+std::vector<std::uint64_t> vertices_before(std::span<const ObjPiece> pieces) {
+  std::vector<std::uint64_t> before{0};
+  for (const ObjPiece& piece : pieces) before.push_back(before.back() + piece.vertices.size());
+  if (before.back() > most_items) fail("more than 2^32 - 2 vertices");
+  return before;
+}
+
+/// Throws when faces use vertices that are not there.
+void check(const ObjUses& uses, std::uint64_t before, std::uint64_t vertex_count) {
+  if (uses.absolute && uses.highest >= vertex_count) fail("an index out of range");
+  if (static_cast<std::int64_t>(before) + uses.lowest < 0) fail("a relative index out of range");
+}
+
+MeshFile join_pieces(const Input& input, std::vector<ObjPiece> pieces) {
+  const auto before = vertices_before(pieces);
+  MeshFile file;
+  resize_in_large_pages(file.mesh.vertices, before.back());
+  std::vector<FaceList> faces(pieces.size());
+  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+    ObjPiece& piece = pieces[i];
+    check(piece.uses, before[i], before.back());
+    if (piece.uses.relative) piece.faces.shift(static_cast<std::uint32_t>(before[i]));
+    std::copy(piece.vertices.begin(), piece.vertices.end(), file.mesh.vertices.begin() + before[i]);
+    faces[i] = std::move(piece.faces);
+  });
+  gather_faces(faces, file, input.name);
+  return file;
+}
+
+MeshFile read_pieces(const Input& input, std::span<const Piece> places) {
+  std::vector<ObjPiece> pieces(places.size());
+  tbb::parallel_for(std::size_t{0}, places.size(),
+                    [&](std::size_t i) { pieces[i] = read_obj_piece(input, places[i]); });
+  ObjIgnored ignored;
+  bool is_empty = true;
+  for (const ObjPiece& piece : pieces) {
+    ignored.add(piece.ignored);
+    is_empty = is_empty && piece.vertices.empty() && piece.faces.count() == 0;
+  }
+  if (ignored.unknown > 0 && is_empty)
+    fail_at_line(ignored.first_unknown, "expected OBJ statements such as 'v 0 0 0' and 'f 1 2 3'");
+  MeshFile file = join_pieces(input, std::move(pieces));
+  ignored.note(file);
+  return file;
+}
+
+}  // namespace
+
+MeshFile read_obj(const Input& input) {
+  return read_in_pieces(input,
+                        [&](std::size_t size) { return read_pieces(input, split_at_lines(input.data, 0, size)); });
+}
+
+}  // namespace strata::io

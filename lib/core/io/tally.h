@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "strata/io.h"
+
+namespace strata::io {
+
+/// How many faces, and which came first.
+struct Tally {
+  std::uint64_t count = 0;
+  std::uint64_t first = 0;
+
+  void add(std::uint64_t face) {
+    if (count++ == 0) first = face;
+  }
+  /// Adds the faces of a later list.
+  void add(const Tally& later) {
+    if (count == 0) first = later.first;
+    count += later.count;
+  }
+  void note(MeshFile& file, const char* one, const char* many, const char* what) const {
+    if (count == 0) return;
+    file.notes.push_back((count == 1 ? std::string("1 ") + one : std::to_string(count) + " " + many) + " " + what +
+                         "; the first is face " + std::to_string(first) + " (counted from 0)");
+  }
+  /// Says that faces were left out.
+  void note_dropped(MeshFile& file) const {
+    note(file, "face", "faces", "with fewer than three different vertices left out");
+  }
+};
+
+}  // namespace strata::io

@@ -1,0 +1,15 @@
+#pragma once
+#include "core/exact/twofold.h"
+#include "strata/rational.h"
+
+namespace strata {
+
+/// The nearest double, and the nearest one to what is left.
+[[nodiscard]] inline Twofold nearest_twofold(const Rational& x) {
+  const double value = to_nearest_double(x);
+  if (!std::isfinite(value)) return {value, 0, HUGE_VAL};
+  const double low = to_nearest_double(x - to_rational(value));
+  return {value, low, std::abs(low) * Bounded::rounding + Bounded::underflow};
+}
+
+}  // namespace strata

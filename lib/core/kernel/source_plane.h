@@ -1,0 +1,60 @@
+#pragma once
+#include <array>
+#include <optional>
+
+#include "core/exact/sign.h"
+#include "core/exact/twofold.h"
+#include "core/kernel/filters.h"
+#include "core/kernel/homogeneous.h"
+#include "strata/rational.h"
+
+namespace strata {
+
+/// The oriented plane of a face as the face was first given. Parts of the face, however small and whatever their
+/// vertices are by then, keep it, so what is constructed from planes stays of bounded size through any number of steps.
+class SourcePlane {
+ public:
+  /// Through three points in units of 2^unit; `at` is the first of them. Requires that they are not collinear.
+  SourcePlane(const HPlane<Integer>& plane, int unit, const RealPoint<Twofold>& at);
+
+  /// The same plane, looking the other way.
+  [[nodiscard]] SourcePlane turned() const;
+
+  /// a x + b y + c z + d, positive on the outer side, in integers that are not all even.
+  [[nodiscard]] const HPlane<Integer>& exact() const { return exact_; }
+  /// A point of the plane, within bounds.
+  [[nodiscard]] const RealPoint<Twofold>& at() const { return at_; }
+  /// The outward normal, within bounds; its longest component is between 1/2 and 1.
+  [[nodiscard]] const RealPoint<Twofold>& normal() const { return normal_; }
+  [[nodiscard]] const BoundedPoint& bounded_at() const { return bounded_at_; }
+  [[nodiscard]] const BoundedPoint& bounded_normal() const { return bounded_normal_; }
+
+ private:
+  HPlane<Integer> exact_;
+  RealPoint<Twofold> at_, normal_;
+  BoundedPoint bounded_at_, bounded_normal_;
+};
+
+/// True when the normals of two planes are parallel, of whatever direction.
+[[nodiscard]] bool are_parallel(const SourcePlane& p, const SourcePlane& q);
+/// True when parallel planes look the same way.
+[[nodiscard]] bool have_same_direction(const SourcePlane& p, const SourcePlane& q);
+/// True when three planes meet in exactly one point.
+[[nodiscard]] bool are_independent(const SourcePlane& p, const SourcePlane& q, const SourcePlane& r);
+
+/// The place where three planes meet, which are independent. Its integers have the size of determinants of theirs,
+/// whatever the planes were made for.
+struct MeetOfPlanes {
+  std::array<const SourcePlane*, 3> planes{};
+  RealPoint<Twofold> at;  ///< values are the nearest doubles
+
+  [[nodiscard]] HPoint<Integer> exact() const;
+};
+
+/// Finds the coordinates: in doubles in pairs, and where these do not tell the nearest doubles, from the exact place.
+[[nodiscard]] MeetOfPlanes meet_of(const SourcePlane& p, const SourcePlane& q, const SourcePlane& r);
+
+/// The doubles that are the place of a point, if it has such.
+[[nodiscard]] std::optional<std::array<double, 3>> exact_doubles(const MeetOfPlanes& meet);
+
+}  // namespace strata

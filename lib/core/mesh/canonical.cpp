@@ -1,0 +1,131 @@
+#include "strata/measure.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/mesh/planar_chain.h"
+#include "core/mesh/planar_facets.h"
+#include "core/mesh/planar_levels.h"
+#include "core/mesh/planar_loops.h"
+
+namespace strata {
+namespace {
+
+using namespace facets;
+
+/// Keeps two axes so that a plane's normal, whose first coefficient that is not zero is positive, faces the viewer.
+Projection projection_of(const Coefficients& plane) {
+  int dropped = 0;
+  while (plane[dropped] == 0) ++dropped;
+  return {(dropped + 1) % 3, (dropped + 2) % 3};
+}
+
+Region single_region(const Chain& chain, Facing facing) {
+  Region region{facing, 1, {}};
+  for (const NetEdge& e : chain) region.sides.push_back(e.count > 0 ? Side{e.low, e.high} : Side{e.high, e.low});
+  return region;
+}
+
+bool is_one_triangle(const PointTable& points, Projection axes, const Chain& chain) {
+  return chain.size() == 3 && chain[0].low == chain[1].low &&
+         turn(points, axes, chain[0].low, chain[0].high, chain[1].high) != 0;
+}
+
+/// What the facets of one plane cover, in the end. Facets of one facing do not overlap in the boundary of a solid;
+/// where both facings are present they may, and what both cover cancels.
+std::vector<Region> regions_in_plane(PointTable& points, Projection axes, const PlaneFacets& facets) {
+  Chain chain = net_chain(points, facets.sides);
+  const bool mixed = facets.has_front && facets.has_back;
+  const Facing facing = facets.has_front ? Facing::front : Facing::back;
+  if (chain.empty()) return {};
+  if (!mixed && is_one_triangle(points, axes, chain)) return {single_region(chain, facing)};
+  chain = cut_at_contacts(points, axes, chain);
+  const auto is_multiple = [](const NetEdge& e) { return e.count > 1 || e.count < -1; };
+  if (mixed || std::any_of(chain.begin(), chain.end(), is_multiple)) {
+    chain = cut_at_crossings(points, axes, chain);
+    return covered_regions(points, axes, chain);
+  }
+  if (chain.empty()) return {};
+  return {single_region(chain, facing)};
+}
+
+CanonicalPlane oriented(const Coefficients& plane, Facing facing) {
+  CanonicalPlane result{plane};
+  if (facing == Facing::back) {
+    for (Integer& c : result.coefficients) c = -c;
+  }
+  return result;
+}
+
+/// Adds the loops of one plane, for each facing, to the form; vertices are still names in the table.
+void add_facets(PointTable& points, const PlaneFacets& facets, CanonicalForm& form) {
+  const Projection axes = projection_of(facets.plane);
+  std::vector<std::vector<std::uint32_t>> loops[2];
+  for (const Region& region : regions_in_plane(points, axes, facets)) {
+    auto& list = loops[region.facing == Facing::back];
+    for (Loop& loop : boundary_loops(points, axes, region)) list.push_back(std::move(loop));
+  }
+  for (const Facing facing : {Facing::front, Facing::back}) {
+    auto& list = loops[facing == Facing::back];
+    if (!list.empty()) form.planes.push_back({oriented(facets.plane, facing), std::move(list)});
+  }
+}
+
+/// Numbers the points that loops use in lexicographic order, and stores them as the vertices of the form.
+void number_vertices(const PointTable& points, CanonicalForm& form) {
+  std::vector<std::uint32_t> used;
+  for (const CanonicalFacets& facets : form.planes) {
+    for (const auto& loop : facets.loops) used.insert(used.end(), loop.begin(), loop.end());
+  }
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  if (points.has_added()) {
+    std::sort(used.begin(), used.end(), [&](std::uint32_t a, std::uint32_t b) { return points.compare(a, b) < 0; });
+  }
+  std::vector<std::uint32_t> number(points.size(), std::numeric_limits<std::uint32_t>::max());
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (i == 0 || points.compare(used[i - 1], used[i]) != 0) form.vertices.push_back(rational(points[used[i]]));
+    number[used[i]] = static_cast<std::uint32_t>(form.vertices.size() - 1);
+  }
+  for (CanonicalFacets& facets : form.planes) {
+    for (auto& loop : facets.loops) {
+      for (std::uint32_t& v : loop) v = number[v];
+    }
+  }
+}
+
+/// Rotates a loop to its lexicographically smallest form: it starts at its smallest vertex.
+void rotate_to_smallest(std::vector<std::uint32_t>& loop) {
+  const std::uint32_t smallest = *std::min_element(loop.begin(), loop.end());
+  std::vector<std::uint32_t> best;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (loop[i] != smallest) continue;
+    std::vector<std::uint32_t> rotated(loop.begin() + i, loop.end());
+    rotated.insert(rotated.end(), loop.begin(), loop.begin() + i);
+    if (best.empty() || rotated < best) best = std::move(rotated);
+  }
+  loop = std::move(best);
+}
+
+CanonicalForm form_of(FacetsByPlane facets) {
+  CanonicalForm form;
+  for (const PlaneFacets& plane : facets.planes) add_facets(facets.points, plane, form);
+  number_vertices(facets.points, form);
+  for (CanonicalFacets& plane : form.planes) {
+    for (auto& loop : plane.loops) rotate_to_smallest(loop);
+    std::sort(plane.loops.begin(), plane.loops.end());
+  }
+  std::sort(form.planes.begin(), form.planes.end(), [](const CanonicalFacets& a, const CanonicalFacets& b) {
+    return a.plane.coefficients < b.plane.coefficients;
+  });
+  return form;
+}
+
+}  // namespace
+
+CanonicalForm canonical_form(const ExactMesh& mesh) { return form_of(facets::facets_by_plane(mesh)); }
+
+CanonicalForm canonical_form(const std::vector<ExactFacet>& facets) { return form_of(facets::facets_by_plane(facets)); }
+
+}  // namespace strata

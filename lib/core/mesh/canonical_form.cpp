@@ -1,0 +1,89 @@
+// What can be asked of a canonical form: equality, counts, text.
+#include <algorithm>
+#include <utility>
+
+#include "strata/measure.h"
+
+namespace strata {
+namespace {
+
+/// Turn at b as seen from outside the plane.
+int turn(const CanonicalPlane& plane, const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
+  int dropped = 0;
+  while (dropped < 3 && plane.coefficients[dropped] == 0) ++dropped;
+  const int i = (dropped + 1) % 3, j = (dropped + 2) % 3;
+  const Rational determinant = (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+  return plane.coefficients[dropped].sign() * determinant.sign();
+}
+
+/// A loop has the facet inside it when it turns left each time it passes its smallest vertex, which is extreme.
+bool is_outer(const CanonicalForm& form, const CanonicalPlane& plane, const std::vector<std::uint32_t>& loop) {
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (loop[i] != loop.front()) continue;
+    const RationalPoint& before = form.vertices[loop[i == 0 ? loop.size() - 1 : i - 1]];
+    const RationalPoint& after = form.vertices[loop[i + 1 == loop.size() ? 0 : i + 1]];
+    if (turn(plane, before, form.vertices[loop[i]], after) < 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::size_t CanonicalForm::facet_count() const {
+  std::size_t count = 0;
+  for (const CanonicalFacets& facets : planes) {
+    for (const auto& loop : facets.loops) count += is_outer(*this, facets.plane, loop);
+  }
+  return count;
+}
+
+std::size_t CanonicalForm::edge_count() const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
+  for (const CanonicalFacets& facets : planes) {
+    for (const auto& loop : facets.loops) {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const std::uint32_t next = loop[i + 1 == loop.size() ? 0 : i + 1];
+        sides.emplace_back(std::min(loop[i], next), std::max(loop[i], next));
+      }
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return static_cast<std::size_t>(std::unique(sides.begin(), sides.end()) - sides.begin());
+}
+
+std::string CanonicalForm::text() const {
+  std::string text = std::to_string(vertices.size()) + " vertices\n";
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    text += std::to_string(i) + ":";
+    for (const Rational& x : vertices[i]) text.append(" ").append(x.str());
+    text += "\n";
+  }
+  text += std::to_string(planes.size()) + " planes\n";
+  for (const CanonicalFacets& facets : planes) {
+    const auto& [a, b, c, d] = facets.plane.coefficients;
+    text += a.str() + " x + " + b.str() + " y + " + c.str() + " z = " + d.str() + "\n";
+    for (const auto& loop : facets.loops) {
+      text += " ";
+      for (const std::uint32_t v : loop) text.append(" ").append(std::to_string(v));
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+/// FNV-1a over the text, which is complete.
+std::uint64_t CanonicalForm::hash() const {
+  std::uint64_t h = 0xCBF29CE484222325U;
+  for (const char c : text()) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
+  return h;
+}
+
+bool operator==(const CanonicalForm& a, const CanonicalForm& b) {
+  const auto same = [](const CanonicalFacets& f, const CanonicalFacets& g) {
+    return f.plane == g.plane && f.loops == g.loops;
+  };
+  return a.vertices == b.vertices &&
+         std::equal(a.planes.begin(), a.planes.end(), b.planes.begin(), b.planes.end(), same);
+}
+
+}  // namespace strata

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <utility>
+
+#include "core/mesh/defect_list.h"
+#include "core/mesh/edge_table.h"
+#include "core/mesh/equal_vertices.h"
+#include "core/mesh/prepare.h"
+#include "core/mesh/prepare_steps.h"
+#include "core/mesh/zero_area.h"
+
+namespace strata {
+namespace {
+
+std::string number(std::uint64_t n) { return std::to_string(n); }
+
+/// A point of a triangle.
+Vertex centre(MeshView mesh, const Triangle& t) {
+  Vertex p;
+  for (int i = 0; i < 3; ++i)
+    p[i] = mesh.vertices[t[0]][i] / 3 + mesh.vertices[t[1]][i] / 3 + mesh.vertices[t[2]][i] / 3;
+  return p;
+}
+
+/// The sound faces as a mesh of their own, with the numbers they have in the input.
+struct SoundMesh {
+  std::span<const Vertex> vertices;
+  std::span<const ExactVertex> exact;
+  SourcedTriangles faces;
+
+  [[nodiscard]] MeshView view() const { return {vertices, faces.triangles}; }
+  [[nodiscard]] ExactMeshView exact_view() const { return {view(), exact}; }
+};
+
+void find_zero_areas(const SoundMesh& mesh, std::vector<Defect>& defects) {
+  const bool rational = !mesh.exact.empty();
+  DefectList list(DefectKind::degenerate_triangle, rational ? Severity::error : Severity::note,
+                  rational ? "remove the face and divide its neighbours: among rationals that is not done for you"
+                           : "nothing to do: zero-area triangles are removed exactly, their neighbours divided");
+  const ZeroAreaTest is_zero(mesh.exact_view());
+  for (std::size_t i = 0; i < mesh.faces.triangles.size(); ++i) {
+    if (!is_zero(i)) continue;
+    const std::uint32_t face = mesh.faces.sources[i];
+    list.add(centre(mesh.view(), mesh.faces.triangles[i]), {face},
+             [&] { return "face " + number(face) + " has zero area"; });
+  }
+  list.append_to(defects);
+}
+
+/// The smallest rotation: equal for triangles over the same vertices in the same sense.
+Triangle rotated(Triangle t) {
+  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  return t;
+}
+
+void find_duplicates(const SoundMesh& mesh, std::vector<Defect>& defects) {
+  DefectList list(DefectKind::duplicate_face, Severity::error,
+                  "remove all but one of these faces (input class repair does)");
+  const auto& triangles = mesh.faces.triangles;
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    if (!repeats_vertex(triangles[i])) order.push_back(i);
+  }
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Triangle s = rotated(triangles[a]), t = rotated(triangles[b]);
+    return s != t ? s < t : a < b;
+  });
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (rotated(triangles[order[i]]) != rotated(triangles[order[i - 1]])) continue;
+    const std::uint32_t first = mesh.faces.sources[order[i - 1]], second = mesh.faces.sources[order[i]];
+    list.add(centre(mesh.view(), triangles[order[i]]), {first, second}, [&] {
+      return "face " + number(second) + " repeats face " + number(first) + ", same vertices in the same sense";
+    });
+  }
+  list.append_to(defects);
+}
+
+void find_inside_out(const SoundMesh& mesh, std::vector<Defect>& defects) {
+  const Screening facts = screen(mesh.view());
+  const bool is_inside_out = mesh.exact.empty()
+                                 ? facts.orientation < 0
+                                 : facts.chain_closed && orientation(mesh.exact_view()) == Sign::negative;
+  if (!is_inside_out) return;
+  DefectList list(DefectKind::inside_out, Severity::error, "reverse all faces (input class repair does)");
+  list.add({}, {}, [] { return std::string("the volume is negative: faces are clockwise seen from outside"); });
+  list.append_to(defects);
+}
+
+/// Lets the first of equal vertices stand for all.
+void weld(SoundMesh& mesh) {
+  const std::vector<std::uint32_t> first = equal_vertices(mesh.exact_view());
+  for (Triangle& t : mesh.faces.triangles) t = {first[t[0]], first[t[1]], first[t[2]]};
+}
+
+/// Remedies without the mention of repair, which takes doubles only.
+void leave_out_repair(std::vector<Defect>& defects) {
+  constexpr std::string_view mention = " (input class repair does)";
+  for (Defect& d : defects)
+    if (d.remedy.ends_with(mention)) d.remedy.resize(d.remedy.size() - mention.size());
+}
+
+}  // namespace
+
+std::vector<Defect> diagnose(MeshView mesh) { return diagnose(ExactMeshView(mesh, {})); }
+
+std::vector<Defect> diagnose(ExactMeshView given) {
+  const MeshView mesh = given.mesh;
+  std::vector<Defect> defects;
+  if (mesh.triangles.empty()) {
+    DefectList list(DefectKind::empty_mesh, Severity::note, "nothing to do if the empty solid is meant");
+    list.add({}, {}, [] { return std::string("the mesh has no faces"); });
+    list.append_to(defects);
+    return defects;
+  }
+  SoundMesh sound{mesh.vertices, given.exact, sound_faces(mesh, Severity::error, defects)};
+  find_zero_areas(sound, defects);
+  if (!screen(sound.view()).chain_closed) {  // equal vertices that are listed several times make no opening
+    weld(sound);
+  }
+  find_duplicates(sound, defects);
+  find_open_edges(sound.vertices, sound.faces, defects);
+  find_inside_out(sound, defects);
+  if (!given.exact.empty()) leave_out_repair(defects);
+  return defects;
+}
+
+}  // namespace strata

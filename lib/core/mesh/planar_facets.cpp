@@ -1,0 +1,169 @@
+#include "core/mesh/planar_facets.h"
+
+#include "core/exact/native.h"
+
+#include <optional>
+#include <stdexcept>
+#include <unordered_map>
+#include <utility>
+
+namespace strata::facets {
+namespace {
+
+struct HashCoefficients {
+  std::size_t operator()(const Coefficients& plane) const {
+    std::uint64_t h = 0;
+    for (const Integer& c : plane) {
+      h = (h ^ (limb_or_zero(limbs_of(c), 0) + (c.sign() < 0))) * 0x9E3779B97F4A7C15U;
+      h ^= h >> 29;
+    }
+    return h;
+  }
+};
+
+/// A plane in coprime integers, the first coefficient that is not zero positive; `flipped` if that took a change of
+/// sign.
+struct Unoriented {
+  Coefficients plane;
+  bool flipped;
+};
+
+/// Nothing when the normal vanishes.
+std::optional<Unoriented> unoriented(Coefficients plane) {
+  int leading = 0;
+  while (leading < 3 && plane[leading] == 0) ++leading;
+  if (leading == 3) return std::nullopt;
+  Integer divisor = gcd(gcd(plane[0], plane[1]), gcd(plane[2], plane[3]));
+  const bool flipped = plane[leading] < 0;
+  if (flipped) divisor = -divisor;
+  if (divisor != 1) {
+    for (Integer& c : plane) c = exact_quotient(c, divisor);
+  }
+  return Unoriented{std::move(plane), flipped};
+}
+
+/// Collects facets under their planes.
+class PlaneIndex {
+ public:
+  PlaneFacets& facets_in(const Unoriented& key) {
+    const auto [entry, is_new] = number_.try_emplace(key.plane, planes.size());
+    if (is_new) planes.push_back({key.plane, {}, false, false});
+    PlaneFacets& facets = planes[entry->second];
+    (key.flipped ? facets.has_back : facets.has_front) = true;
+    return facets;
+  }
+
+  std::vector<PlaneFacets> planes;
+
+ private:
+  std::unordered_map<Coefficients, std::size_t, HashCoefficients> number_;
+};
+
+/// (q - p) times a positive number.
+std::array<Integer, 3> direction(const HomogeneousPoint& p, const HomogeneousPoint& q) {
+  std::array<Integer, 3> d;
+  const bool same = p.w == q.w;
+  for (int i = 0; i < 3; ++i) d[i] = same ? Integer(q.x[i] - p.x[i]) : Integer(q.x[i] * p.w - p.x[i] * q.w);
+  return d;
+}
+
+Coefficients plane_through(const HomogeneousPoint& a, const HomogeneousPoint& b, const HomogeneousPoint& c) {
+  const std::array<Integer, 3> u = direction(a, b);
+  const std::array<Integer, 3> v = direction(a, c);
+  Coefficients plane{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0], 0};
+  for (int i = 0; i < 3; ++i) plane[3] += plane[i] * a.x[i];
+  if (a.w != 1) {
+    for (int i = 0; i < 3; ++i) plane[i] *= a.w;
+  }
+  return plane;
+}
+
+/// Points of the vertices that triangles use; the others stay zero, whatever their coordinates are.
+std::vector<HomogeneousPoint> points_of(const ExactMesh& mesh) {
+  std::vector<Vertex> used(mesh.mesh.vertices.size(), Vertex{0, 0, 0});
+  for (const Triangle& t : mesh.mesh.triangles) {
+    for (const std::uint32_t v : t) used[v] = mesh.mesh.vertices[v];
+  }
+  std::vector<HomogeneousPoint> points = homogeneous(used);
+  for (const ExactVertex& e : mesh.exact) points[e.vertex] = homogeneous(e.position);
+  return points;
+}
+
+/// The vector area of a facet, twice: normal along which it is seen counter-clockwise.
+RationalPoint vector_area(const ExactFacet& facet) {
+  RationalPoint sum{0, 0, 0};
+  for (const auto& loop : facet) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const RationalPoint& p = loop[i];
+      const RationalPoint& q = loop[i + 1 == loop.size() ? 0 : i + 1];
+      for (int k = 0; k < 3; ++k) {
+        const int l = (k + 1) % 3, m = (k + 2) % 3;
+        sum[k] += p[l] * q[m] - p[m] * q[l];
+      }
+    }
+  }
+  return sum;
+}
+
+Rational height(const RationalPoint& normal, const RationalPoint& p) {
+  return normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2];
+}
+
+/// Nothing when the area is zero.
+std::optional<Unoriented> plane_of(const ExactFacet& facet) {
+  const RationalPoint normal = vector_area(facet);
+  if (normal == RationalPoint{0, 0, 0}) return std::nullopt;
+  const Rational d = height(normal, facet.front().front());
+  for (const auto& loop : facet) {
+    for (const RationalPoint& p : loop) {
+      if (height(normal, p) != d) throw std::invalid_argument("a facet of a canonical form is not planar");
+    }
+  }
+  Integer common = denominator(d);
+  for (const Rational& c : normal) common = lcm(common, denominator(c));
+  const auto scaled = [&](const Rational& q) -> Integer { return numerator(q) * (common / denominator(q)); };
+  return unoriented({scaled(normal[0]), scaled(normal[1]), scaled(normal[2]), scaled(d)});
+}
+
+}  // namespace
+
+FacetsByPlane facets_by_plane(const ExactMesh& mesh) {
+  std::vector<std::uint32_t> name;
+  PointTable points(points_of(mesh), name);
+  PlaneIndex index;
+  for (const Triangle& t : mesh.mesh.triangles) {
+    const std::uint32_t a = name[t[0]], b = name[t[1]], c = name[t[2]];
+    if (a == b || b == c || c == a) continue;
+    const auto key = unoriented(plane_through(points[a], points[b], points[c]));
+    if (!key) continue;
+    std::vector<Side>& sides = index.facets_in(*key).sides;
+    sides.insert(sides.end(), {{a, b}, {b, c}, {c, a}});
+  }
+  return {std::move(points), std::move(index.planes)};
+}
+
+FacetsByPlane facets_by_plane(const std::vector<ExactFacet>& facets) {
+  std::vector<HomogeneousPoint> all;
+  for (const ExactFacet& facet : facets) {
+    for (const auto& loop : facet) {
+      for (const RationalPoint& p : loop) all.push_back(homogeneous(p));
+    }
+  }
+  std::vector<std::uint32_t> name;
+  PointTable points(std::move(all), name);
+  PlaneIndex index;
+  auto first = name.begin();
+  for (const ExactFacet& facet : facets) {
+    const auto key = plane_of(facet);
+    for (const auto& loop : facet) {
+      const auto n = static_cast<std::ptrdiff_t>(loop.size());
+      for (std::ptrdiff_t i = 0; key && i < n; ++i) {
+        index.facets_in(*key).sides.push_back({first[i], first[i + 1 == n ? 0 : i + 1]});
+      }
+      first += n;
+    }
+  }
+  return {std::move(points), std::move(index.planes)};
+}
+
+}  // namespace strata::facets

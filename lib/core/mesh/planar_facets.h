@@ -1,0 +1,35 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "core/mesh/planar_chain.h"
+#include "core/mesh/planar_points.h"
+#include "strata/measure.h"
+
+namespace strata::facets {
+
+/// Coefficients of a x + b y + c z = d.
+using Coefficients = std::array<Integer, 4>;
+
+/// All facets in one plane, of both facings. The first coefficient that is not zero is positive; front facets have
+/// their outward normal along (a, b, c).
+struct PlaneFacets {
+  Coefficients plane;
+  std::vector<Side> sides;
+  bool has_front = false;
+  bool has_back = false;
+};
+
+/// Facets of a boundary by plane, over one table of points.
+struct FacetsByPlane {
+  PointTable points;
+  std::vector<PlaneFacets> planes;
+};
+
+/// Groups facets by their exact plane; those of zero area are left out. Expected O(n log n) for the points' order.
+[[nodiscard]] FacetsByPlane facets_by_plane(const ExactMesh& mesh);
+
+/// Throws std::invalid_argument when a facet is not planar.
+[[nodiscard]] FacetsByPlane facets_by_plane(const std::vector<ExactFacet>& facets);
+
+}  // namespace strata::facets

@@ -1,0 +1,117 @@
+#include "core/mesh/planar_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace strata::facets {
+namespace {
+
+int sign_of(std::strong_ordering comparison) { return (comparison > 0) - (comparison < 0); }
+
+int compare_coordinate(const HomogeneousPoint& a, const HomogeneousPoint& b, int axis) {
+  if (a.w == b.w) return sign_of(a.x[axis].compare(b.x[axis]));
+  const Integer left = a.x[axis] * b.w;
+  const Integer right = b.x[axis] * a.w;
+  return sign_of(left.compare(right));
+}
+
+int compare_points(const HomogeneousPoint& a, const HomogeneousPoint& b) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (const int order = compare_coordinate(a, b, axis); order != 0) return order;
+  }
+  return 0;
+}
+
+/// Exponent of the last bit of a double that is set; x is finite and not zero.
+int last_bit_exponent(double x) {
+  int exponent = 0;
+  const auto significand = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
+  return exponent - 53 + __builtin_ctzll(static_cast<std::uint64_t>(significand));
+}
+
+Integer scaled_integer(double x, int unit) {  // x / 2^unit, where that is an integer
+  if (x == 0) return 0;
+  const int last = last_bit_exponent(x);
+  return Integer(static_cast<std::int64_t>(std::ldexp(x, -last))) << (last - unit);
+}
+
+std::vector<std::uint32_t> coordinate_ranks(const std::vector<HomogeneousPoint>& points, int axis) {
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return compare_coordinate(points[a], points[b], axis) < 0; });
+  std::vector<std::uint32_t> ranks(points.size(), 0);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const bool larger = compare_coordinate(points[order[i - 1]], points[order[i]], axis) < 0;
+    ranks[order[i]] = ranks[order[i - 1]] + larger;
+  }
+  return ranks;
+}
+
+}  // namespace
+
+HomogeneousPoint homogeneous(const RationalPoint& p) {
+  HomogeneousPoint result;
+  result.w = lcm(lcm(denominator(p[0]), denominator(p[1])), denominator(p[2]));
+  for (int i = 0; i < 3; ++i) result.x[i] = numerator(p[i]) * (result.w / denominator(p[i]));
+  return result;
+}
+
+RationalPoint rational(const HomogeneousPoint& p) {
+  return {Rational(p.x[0], p.w), Rational(p.x[1], p.w), Rational(p.x[2], p.w)};
+}
+
+std::vector<HomogeneousPoint> homogeneous(std::span<const Vertex> vertices) {
+  int unit = 0;
+  for (const Vertex& v : vertices) {
+    for (const double x : v) unit = x == 0 ? unit : std::min(unit, last_bit_exponent(x));
+  }
+  std::vector<HomogeneousPoint> points;
+  points.reserve(vertices.size());
+  for (const Vertex& v : vertices) {
+    points.push_back(
+        {{scaled_integer(v[0], unit), scaled_integer(v[1], unit), scaled_integer(v[2], unit)}, Integer(1) << -unit});
+  }
+  return points;
+}
+
+PointTable::PointTable(std::vector<HomogeneousPoint> points, std::vector<std::uint32_t>& name_of) {
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return compare_points(points[a], points[b]) < 0; });
+  name_of.assign(points.size(), 0);
+  for (const std::uint32_t i : order) {
+    if (points_.empty() || compare_points(points_.back(), points[i]) != 0) points_.push_back(std::move(points[i]));
+    name_of[i] = static_cast<std::uint32_t>(points_.size() - 1);
+  }
+  sorted_ = points_.size();
+  for (int axis = 1; axis < 3; ++axis) ranks_[axis - 1] = coordinate_ranks(points_, axis);
+}
+
+std::uint32_t PointTable::add(HomogeneousPoint p) {
+  points_.push_back(std::move(p));
+  return static_cast<std::uint32_t>(points_.size() - 1);
+}
+
+int PointTable::compare(std::uint32_t a, std::uint32_t b) const {
+  if (a == b) return 0;
+  if (a < sorted_ && b < sorted_) return a < b ? -1 : 1;
+  return compare_points(points_[a], points_[b]);
+}
+
+int turn(const PointTable& points, Projection axes, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  const HomogeneousPoint& p = points[a];
+  const HomogeneousPoint& q = points[b];
+  const HomogeneousPoint& r = points[c];
+  const auto difference = [&p](const HomogeneousPoint& s, int axis) -> Integer {  // (s - p) w_s w_p
+    if (s.w == p.w) return s.x[axis] - p.x[axis];  // times w_p less: the sign is the same
+    return s.x[axis] * p.w - p.x[axis] * s.w;
+  };
+  const Integer left = difference(q, axes.first) * difference(r, axes.second);
+  const Integer right = difference(q, axes.second) * difference(r, axes.first);
+  return sign_of(left.compare(right));
+}
+
+}  // namespace strata::facets

@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "strata/mesh.h"
+#include "strata/rational.h"
+
+namespace strata::facets {
+
+/// The point (x/w, y/w, z/w) in integers, w > 0.
+struct HomogeneousPoint {
+  std::array<Integer, 3> x;
+  Integer w;
+};
+
+[[nodiscard]] HomogeneousPoint homogeneous(const RationalPoint& p);
+[[nodiscard]] RationalPoint rational(const HomogeneousPoint& p);
+
+/// Finite doubles as integers over one common power of two.
+[[nodiscard]] std::vector<HomogeneousPoint> homogeneous(std::span<const Vertex> vertices);
+
+/// Distinct points, named by numbers. Points given at the start are numbered in lexicographic order, so that numbers
+/// compare as points do, on any line too; points added later have larger numbers and are compared exactly.
+class PointTable {
+ public:
+  /// Sorts the points; `name_of[i]` becomes the number of points[i]. O(n log n).
+  PointTable(std::vector<HomogeneousPoint> points, std::vector<std::uint32_t>& name_of);
+
+  std::uint32_t add(HomogeneousPoint p);  ///< a point that may equal one in the table
+
+  [[nodiscard]] const HomogeneousPoint& operator[](std::uint32_t name) const { return points_[name]; }
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
+  [[nodiscard]] bool has_added() const { return points_.size() > sorted_; }
+
+  /// Lexicographic order: negative, zero or positive.
+  [[nodiscard]] int compare(std::uint32_t a, std::uint32_t b) const;
+
+  /// Place of a point given at the start among the y (axis 1) or z (axis 2) coordinates; equal ones share a place.
+  [[nodiscard]] std::uint32_t rank(std::uint32_t name, int axis) const { return ranks_[axis - 1][name]; }
+
+ private:
+  std::vector<HomogeneousPoint> points_;
+  std::size_t sorted_;
+  std::array<std::vector<std::uint32_t>, 2> ranks_;
+};
+
+/// A view of one plane along a coordinate axis: `first` and `second` are the axes that are kept, in an order that
+/// keeps the sense of rotation.
+struct Projection {
+  int first = 0;
+  int second = 1;
+};
+
+/// Turn a, b, c as projected: 1 counter-clockwise, -1 clockwise, 0 collinear.
+[[nodiscard]] int turn(const PointTable& points, Projection axes, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+
+}  // namespace strata::facets

@@ -1,0 +1,98 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "core/exact/sign.h"
+#include "strata/mesh.h"
+
+namespace strata {
+
+/// A straight side between two different places of a plane, numbered from left to right, and upwards where they are
+/// above one another. What it bounds is on its left.
+struct PolygonSide {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+};
+
+/// Sides that bound no region: what() says why, without its subject.
+class NoRegion : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Divides the region that closed polygons bound into triangles, by a sweep from left to right. The region may have
+/// holes and several parts; polygons may meet themselves and each other in their corners.
+/// Triangles are counter-clockwise, none is degenerate, none overlaps another; all sides are sides of triangles, so
+/// corners on straight stretches stay. No point is made.
+///
+/// Between two sides that the sweep line crosses, what is not yet divided is bounded on its left by a chain of places
+/// that curves towards it. A new place cuts off all triangles that it sees, and where it lies between the two sides
+/// the chain is parted at its last place, which it sees. Source: Hertel and Mehlhorn 1983.
+class PolygonSweep {
+ public:
+  /// Turn of three places, exact: positive when counter-clockwise.
+  using Turn = std::function<Sign(std::uint32_t, std::uint32_t, std::uint32_t)>;
+
+  /// Requires as many sides from every place as to it.
+  PolygonSweep(std::span<const PolygonSide> sides, Turn turn);
+  PolygonSweep(const PolygonSweep&) = delete;
+  PolygonSweep& operator=(const PolygonSweep&) = delete;
+
+  /// O(n log n) turns. Throws NoRegion when sides cross, lie on one another or pass through places, or when what is on
+  /// the left of one is on the left of another, too, or is outside all. Found before anything is wrong: it always ends.
+  [[nodiscard]] std::vector<Triangle> divide();
+
+ private:
+  static constexpr std::uint32_t none = 0xffff'ffff;
+
+  /// A side as the sweep sees it: from its left to its right place.
+  struct Edge {
+    std::uint32_t left = 0, right = 0;
+    bool bounds_above = false;  ///< the region is above it
+  };
+  struct Place {
+    std::uint32_t number = 0;
+  };
+  /// From below, among edges that meet one sweep line, and places on it.
+  struct Below {
+    using is_transparent = void;
+    const Turn* turn;
+
+    bool operator()(const Edge& a, const Edge& b) const;
+    bool operator()(const Edge& e, Place p) const { return (*turn)(e.left, e.right, p.number) == Sign::positive; }
+    bool operator()(Place p, const Edge& e) const { return (*turn)(e.left, e.right, p.number) == Sign::negative; }
+  };
+  struct Node {
+    std::uint32_t place = 0;
+    std::uint32_t before = none, behind = none;
+  };
+  /// The left border of a part that is not yet divided, from below: nodes. `last` is the place swept last.
+  struct Chain {
+    std::uint32_t lowest = none, highest = none, last = none;
+  };
+  using Status = std::map<Edge, Chain, Below>;  ///< the chain belongs to the part above the edge, if there is one
+  using At = Status::iterator;
+
+  void pass(std::uint32_t place, std::span<Edge> starting);
+  void open_between(At below, At above, std::uint32_t place, std::span<Edge> starting, bool inside, const Chain& upper);
+  [[nodiscard]] Chain part(Chain& chain);
+  [[nodiscard]] std::uint32_t add_node(std::uint32_t place);
+  [[nodiscard]] bool sees(std::uint32_t lower, std::uint32_t place, std::uint32_t upper) const;
+  void append(Chain& chain, std::uint32_t place);
+  void prepend(Chain& chain, std::uint32_t place);
+  void close(const Chain& chain, std::uint32_t place);
+  void join(Chain& lower, const Chain& upper);
+  void ensure_apart(At below, At above) const;
+
+  Turn turn_;
+  std::vector<Edge> edges_;  ///< by their left places
+  Status status_;
+  std::vector<Node> nodes_;
+  std::vector<Triangle> triangles_;
+};
+
+}  // namespace strata

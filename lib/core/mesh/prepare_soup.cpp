@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <utility>
+
+#include "core/mesh/defect_list.h"
+#include "core/mesh/edge_table.h"
+#include "core/mesh/orient.h"
+#include "core/mesh/prepare.h"
+#include "core/mesh/prepare_steps.h"
+
+namespace strata {
+namespace {
+
+std::string number(std::uint64_t n) { return std::to_string(n); }
+
+/// Keeps the faces for which `keep` holds.
+template <class Keep>
+void keep_if(SourcedTriangles& faces, Keep keep) {
+  SourcedTriangles kept;
+  for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
+    if (keep(i)) kept.add(faces.triangles[i], faces.sources[i]);
+  }
+  faces = std::move(kept);
+}
+
+void drop_repeated_vertices(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes) {
+  DefectList list(DefectKind::degenerate_triangle, Severity::note, "the face was dropped");
+  keep_if(faces, [&](std::size_t i) {
+    const Triangle& t = faces.triangles[i];
+    if (!repeats_vertex(t)) return true;
+    const std::uint32_t f = faces.sources[i];
+    list.add(mesh.vertices[t[0]], {f}, [&] { return "two corners of face " + number(f) + " are one point"; });
+    return false;
+  });
+  list.append_to(notes);
+}
+
+/// Whether the corners, in order, are an even permutation of their increasing order.
+bool is_even(const Triangle& t) { return (t[0] < t[1]) == ((t[1] < t[2]) == (t[0] < t[2])); }
+
+Triangle sorted(Triangle t) {
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
+/// Of the faces over the same three vertices at most one stays: none if as many run one way as the other.
+void drop_duplicates(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes) {
+  const auto& triangles = faces.triangles;
+  std::vector<std::uint32_t> order(triangles.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Triangle s = sorted(triangles[a]), t = sorted(triangles[b]);
+    return s != t ? s < t : a < b;
+  });
+  std::vector<bool> keep(triangles.size(), true);
+  DefectList list(DefectKind::duplicate_face, Severity::note,
+                  "equal faces were reduced to one, opposite pairs to none");
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    std::int64_t net = 0;
+    for (; end < order.size() && sorted(triangles[order[end]]) == sorted(triangles[order[begin]]); ++end) {
+      net += is_even(triangles[order[end]]) ? 1 : -1;
+    }
+    if (end - begin == 1) continue;
+    std::vector<std::uint32_t> same;
+    bool kept_one = net == 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      keep[order[i]] = !kept_one && is_even(triangles[order[i]]) == (net > 0);
+      kept_one = kept_one || keep[order[i]];
+      same.push_back(faces.sources[order[i]]);
+    }
+    const std::size_t count = same.size();
+    list.add(mesh.vertices[triangles[order[begin]][0]], std::move(same),
+             [&] { return number(count) + " faces have the same three vertices"; });
+  }
+  keep_if(faces, [&](std::size_t i) { return keep[i]; });
+  list.append_to(notes);
+}
+
+/// Drops sheets that are open and consist of zero-area faces alone, until there are none.
+void drop_loose_flat_sheets(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes) {
+  DefectList list(DefectKind::degenerate_triangle, Severity::note, "the face was dropped");
+  for (bool dropped = true; dropped;) {
+    dropped = false;
+    std::vector<Triangle> oriented = faces.triangles;
+    const Sheets sheets = orient_sheets(oriented, mesh.vertices.size());
+    const ZeroAreaTest is_zero(MeshView(mesh.vertices, faces.triangles));
+    std::vector<bool> keep(faces.triangles.size(), true);
+    for (std::size_t s = 0; s < sheets.triangles.size(); ++s) {
+      const auto& members = sheets.triangles[s];
+      if (sheets.closed[s] || !std::all_of(members.begin(), members.end(), is_zero)) continue;
+      dropped = true;
+      for (const std::uint32_t t : members) {
+        keep[t] = false;
+        list.add(mesh.vertices[faces.triangles[t][0]], {faces.sources[t]},
+                 [&] { return "face " + number(faces.sources[t]) + " has zero area and bounds nothing"; });
+      }
+    }
+    if (dropped) keep_if(faces, [&](std::size_t i) { return keep[i]; });
+  }
+  list.append_to(notes);
+}
+
+void add_note(std::vector<Defect>& notes, DefectKind kind, std::uint64_t count, std::string message,
+              std::string remedy) {
+  if (count == 0) return;
+  Defect note;
+  note.kind = kind;
+  note.severity = Severity::note;
+  note.count = count;
+  note.message = std::move(message);
+  note.remedy = std::move(remedy);
+  notes.push_back(std::move(note));
+}
+
+/// Orients everything, or throws with the edges that stay open and the notes so far.
+void orient(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes, std::size_t operand) {
+  const Sheets sheets = orient_sheets(faces.triangles, mesh.vertices.size());
+  const Shells shells = orient_outwards(mesh.vertices, faces.triangles, sheets);
+  std::vector<Defect> errors;
+  find_open_edges(mesh.vertices, faces, errors);
+  if (!errors.empty()) {
+    errors.insert(errors.end(), notes.begin(), notes.end());
+    throw InputError(std::move(errors), operand);
+  }
+  add_note(notes, DefectKind::inconsistent_orientation, sheets.reversed,
+           number(sheets.reversed) + " faces were reversed to run against their neighbours",
+           "nothing to do, or orient faces where the mesh is made");
+  add_note(notes, DefectKind::inside_out, shells.reversed,
+           number(shells.reversed) + " shells were reversed; of all shells, " + number(shells.cavities) +
+               " lie inside an odd number of others and bound cavities, the rest faces outwards",
+           "orient shells where the mesh is made if something else is meant");
+}
+
+}  // namespace
+
+Prepared prepare_soup(MeshView mesh, std::size_t operand) {
+  Prepared result;
+  if (mesh.triangles.empty()) return result;
+  SourcedTriangles faces = sound_faces(mesh, Severity::note, result.notes);
+  const bool open = !screen({mesh.vertices, faces.triangles}).chain_closed;
+  const std::uint64_t welded = weld(mesh.vertices, faces.triangles);
+  if (open && welded > 0) result.notes.push_back(weld_note(welded));
+  drop_repeated_vertices(mesh, faces, result.notes);
+  drop_duplicates(mesh, faces, result.notes);
+  drop_loose_flat_sheets(mesh, faces, result.notes);
+  orient(mesh, faces, result.notes, operand);
+  const Removal removal = remove_zero_area(mesh.vertices, faces);
+  if (!removal.removed.empty()) result.notes.push_back(removal_note(mesh, removal));
+  result.mesh = Mesh{{mesh.vertices.begin(), mesh.vertices.end()}, std::move(faces.triangles)};
+  result.source_face = std::move(faces.sources);
+  return result;
+}
+
+}  // namespace strata

@@ -1,0 +1,60 @@
+#pragma once
+#include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "core/kernel/point.h"
+#include "core/overlap/point_table.h"
+
+namespace strata {
+
+/// The line that carries a constraint inside a face: an input edge, or the trace of another face's plane.
+struct ConstraintLine {
+  std::uint32_t a = 0, b = 0;  ///< edge: its vertices, a < b. trace: a = b = the other face
+  bool edge = false;
+
+  static ConstraintLine along_edge(std::uint32_t u, std::uint32_t v) { return {std::min(u, v), std::max(u, v), true}; }
+  static ConstraintLine trace_of(std::uint32_t face) { return {face, face, false}; }
+  friend auto operator<=>(const ConstraintLine&, const ConstraintLine&) = default;
+};
+
+/// What another face does to a face along a constraint. Left and right are meant looking along tail -> head with the
+/// face's outward normal up; "above" is the outer side of the face.
+enum class ConstraintKind : std::uint8_t {
+  point,        ///< the faces share one point (tail = head)
+  touch,        ///< the other face has an edge here and is nowhere above: nothing changes across
+  crossing,     ///< just above the face, the left side lies one deeper inside the other face's operand than the right
+  cover_left,   ///< an edge of a coplanar face that covers the left side
+  cover_right,  ///< an edge of a coplanar face that covers the right side
+  coplanar,     ///< the other face lies in the same plane and may cover parts; no geometry (tail, head: a corner)
+};
+
+/// A point or segment in which a face meets another face, exactly.
+struct Constraint {
+  std::uint32_t face = 0;   ///< the face it constrains
+  std::uint32_t other = 0;  ///< the face it meets
+  ConstraintKind kind = ConstraintKind::point;
+  ConstraintLine line;
+  PointId tail = 0, head = 0;
+};
+
+/// Two input vertices at the same place.
+struct EqualVertices {
+  std::uint32_t a = 0, b = 0;
+  friend auto operator<=>(const EqualVertices&, const EqualVertices&) = default;
+};
+
+/// Everything found between pairs of faces.
+struct Meetings {
+  /// Number of a point; a constructed one is listed, unless it is one of the last that were.
+  [[nodiscard]] PointId number(const Carriers& carriers, const PointName& name);
+
+  std::vector<Constraint> constraints;
+  std::vector<PointName> constructed;  ///< until they are in a PointTable, constructed points are numbered by this list
+  std::vector<EqualVertices> equal;
+  std::uint64_t pairs_tested = 0;   ///< pairs whose boxes overlap
+  std::uint64_t pairs_meeting = 0;  ///< pairs that share a point
+};
+
+}  // namespace strata

@@ -1,0 +1,26 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/overlap/constraint.h"
+
+namespace strata {
+
+/// Where a constraint is, before all are gathered.
+struct ConstraintPlace {
+  std::uint64_t faces = 0;  ///< the face and the other face
+  std::uint32_t cell = 0;
+  std::uint32_t index = 0;  ///< in the cell's list
+
+  friend auto operator<=>(const ConstraintPlace& a, const ConstraintPlace& b) {
+    return a.faces != b.faces ? a.faces <=> b.faces : a.index <=> b.index;
+  }
+  friend bool operator==(const ConstraintPlace&, const ConstraintPlace&) = default;
+};
+
+/// The constraints of all cells, by face and other face, those of a pair in the order in which they were found. Requires
+/// that those of a pair are in one cell. O(n log m) for n constraints, m of them on neighbouring faces; in parallel.
+[[nodiscard]] std::vector<ConstraintPlace> order_by_face(const std::vector<Meetings>& per_cell,
+                                                         std::uint32_t face_count);
+
+}  // namespace strata

@@ -1,0 +1,18 @@
+#pragma once
+#include "core/kernel/carriers.h"
+#include "core/overlap/constraint.h"
+#include "core/overlap/filtered_face.h"
+
+namespace strata {
+
+/// Finds where two closed triangles meet, exactly, and appends what that means for either one.
+///
+/// Two triangles are apart, share a point, share a segment of the line in which their planes meet, or are coplanar and
+/// overlap in a convex polygon. Each end of a shared segment is named by the lowest-dimensional features of both
+/// triangles that contain it, so equal points get equal names wherever they are found. Vertices that two faces of one
+/// mesh share by index are no meeting. Requires faces of positive area. At most 6 + 9 orient3d signs for faces in
+/// general position. Table of cases: theory.md. Returns true when the faces share a point (other than shared vertices
+/// and edges).
+bool meet_faces(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g, Meetings& meetings);
+
+}  // namespace strata

@@ -1,0 +1,180 @@
+#include "core/overlap/pairs.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/overlap/constraint_order.h"
+#include "core/overlap/filtered_face.h"
+#include "core/overlap/meeting.h"
+
+namespace strata {
+namespace {
+
+/// The pairs of one cell. Faces are swept along the axis along which they are shortest, so that only those that overlap
+/// there are compared; the comparison runs over plain arrays, several faces at a time where the processor can.
+class CellPairs {
+ public:
+  CellPairs(const Carriers& carriers, const CellTree& cells, bool self)
+      : carriers_(carriers), cells_(cells), self_(self) {}
+
+  void find(const Cell& cell, Meetings& meetings) {
+    load(cell);
+    for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
+      const auto later = order_.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+      const auto end =
+          static_cast<std::size_t>(std::upper_bound(later, order_.end(), upper_[0][i],
+                                                    [](std::int32_t x, const Place& p) { return x < p.lower; }) -
+                                   order_.begin());
+      compare(i, end);
+      for (std::size_t j = i + 1; j < end; ++j) {
+        if (is_pair_[j] == 0) continue;
+        const CellFace &a = cell.faces[order_[i].index], &b = cell.faces[order_[j].index];
+        if (cells_.owns(cell, a, b)) test(i, j, meetings);
+      }
+    }
+  }
+
+ private:
+  struct Place {
+    std::int32_t lower;   ///< along the axis of the sweep
+    std::uint32_t index;  ///< in the cell
+    friend bool operator<(const Place& a, const Place& b) {
+      return a.lower < b.lower || (a.lower == b.lower && a.index < b.index);
+    }
+  };
+
+  void load(const Cell& cell) {
+    const std::size_t count = cell.faces.size();
+    const std::size_t sweep = shortest_axis(cell), u = (sweep + 1) % 3, v = (sweep + 2) % 3;
+    order_.clear();
+    for (std::uint32_t i = 0; i < count; ++i) order_.push_back({cell.faces[i].box.lower[sweep], i});
+    std::sort(order_.begin(), order_.end());
+    for (auto* array : {&lower_[0], &lower_[1], &upper_[0], &upper_[1], &upper_[2], &operand_, &is_pair_})
+      array->resize(count);
+    filtered_.assign(count, std::nullopt);
+    for (std::size_t k = 0; k < count; ++k) {
+      const CellFace& f = cell.faces[order_[k].index];
+      lower_[0][k] = f.box.lower[u];
+      lower_[1][k] = f.box.lower[v];
+      upper_[0][k] = f.box.upper[sweep];
+      upper_[1][k] = f.box.upper[u];
+      upper_[2][k] = f.box.upper[v];
+      operand_[k] = static_cast<std::int32_t>(carriers_.operand_of_face(f.face));
+    }
+    faces_ = &cell.faces;
+  }
+
+  /// The axis along which the faces' boxes are shortest in all.
+  [[nodiscard]] static std::size_t shortest_axis(const Cell& cell) {
+    std::array<std::int64_t, 3> length{};
+    for (const CellFace& f : cell.faces)
+      for (std::size_t axis = 0; axis < 3; ++axis) length[axis] += f.box.upper[axis] - f.box.lower[axis];
+    return static_cast<std::size_t>(std::min_element(length.begin(), length.end()) - length.begin());
+  }
+
+  /// Which of the faces i + 1 to end - 1 overlap face i along the other axes and are to be tested with it.
+  void compare(std::size_t i, std::size_t end) {
+    const std::int32_t u0 = lower_[0][i], u1 = upper_[1][i], v0 = lower_[1][i], v1 = upper_[2][i];
+    const std::int32_t own = self_ ? -1 : operand_[i];
+    const std::int32_t *lu = lower_[0].data(), *uu = upper_[1].data(), *lv = lower_[1].data(), *uv = upper_[2].data(),
+                       *operand = operand_.data();
+    std::int32_t* const is_pair = is_pair_.data();
+    for (std::size_t j = i + 1; j < end; ++j)
+      is_pair[j] = static_cast<std::int32_t>(lu[j] <= u1) & static_cast<std::int32_t>(uu[j] >= u0) &
+                   static_cast<std::int32_t>(lv[j] <= v1) & static_cast<std::int32_t>(uv[j] >= v0) &
+                   static_cast<std::int32_t>(operand[j] != own);
+  }
+
+  void test(std::size_t i, std::size_t j, Meetings& meetings) {
+    ++meetings.pairs_tested;
+    const FilteredFace &a = filtered(i), &b = filtered(j);
+    const bool ordered = a.face < b.face;
+    if (meet_faces(carriers_, ordered ? a : b, ordered ? b : a, meetings)) ++meetings.pairs_meeting;
+  }
+
+  const FilteredFace& filtered(std::size_t k) {
+    auto& f = filtered_[k];
+    if (!f) f.emplace(carriers_, static_cast<std::uint32_t>(operand_[k]), (*faces_)[order_[k].index].face);
+    return *f;
+  }
+
+  const Carriers& carriers_;
+  const CellTree& cells_;
+  bool self_;
+  const FaceList* faces_ = nullptr;
+  /// The faces of the cell in the order of the sweep.
+  std::vector<Place> order_;
+  std::array<std::vector<std::int32_t>, 2> lower_;  ///< across the axis of the sweep
+  std::array<std::vector<std::int32_t>, 3> upper_;  ///< along it and across
+  std::vector<std::int32_t> operand_, is_pair_;
+  std::vector<std::optional<FilteredFace>> filtered_;  ///< when a face was needed
+};
+
+/// The cells in which faces may meet. Cells come in any order, these by their places.
+std::vector<const Cell*> mixed_cells(const CellTree& cells) {
+  std::vector<const Cell*> mixed;
+  for (const Cell& cell : cells.cells())
+    if (cell.mixed) mixed.push_back(&cell);
+  std::sort(mixed.begin(), mixed.end(), [](const Cell* a, const Cell* b) { return a->box.lower < b->box.lower; });
+  return mixed;
+}
+
+/// What all cells found, constraints sorted by face and other face. All constraints of a pair come from one cell, in
+/// one run.
+Meetings gathered(const std::vector<Meetings>& per_cell, const Carriers& carriers, PointTable& points,
+                  const Monitor& monitor) {
+  Meetings all;
+  std::vector<std::size_t> first_name{0};  // per cell
+  for (const Meetings& m : per_cell) {
+    first_name.push_back(first_name.back() + m.constructed.size());
+    all.equal.insert(all.equal.end(), m.equal.begin(), m.equal.end());
+    all.pairs_tested += m.pairs_tested;
+    all.pairs_meeting += m.pairs_meeting;
+  }
+  // The same two vertices meet in many pairs of faces.
+  tbb::parallel_sort(all.equal.begin(), all.equal.end());
+  all.equal.erase(std::unique(all.equal.begin(), all.equal.end()), all.equal.end());
+
+  std::vector<PointName> names(first_name.back());  // what several cells found occurs several times
+  tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t c) {
+    const auto& constructed = per_cell[c].constructed;
+    std::copy(constructed.begin(), constructed.end(), names.begin() + static_cast<std::ptrdiff_t>(first_name[c]));
+  });
+  const std::vector<ConstraintPlace> places = order_by_face(per_cell, carriers.face_count());
+  const PointId first = points.first();
+  const std::vector<PointId> numbers = points.add(names, monitor);
+  all.constraints.resize(places.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 1 << 12), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      Constraint& c = all.constraints[i];
+      c = per_cell[places[i].cell].constraints[places[i].index];
+      for (PointId* p : {&c.tail, &c.head})
+        if (*p >= first) *p = numbers[*p - first + first_name[places[i].cell]];
+    }
+  });
+  return all;
+}
+
+}  // namespace
+
+Meetings find_meetings(const Carriers& carriers, const CellTree& cells, bool self, PointTable& points,
+                       const Monitor& monitor) {
+  const std::vector<const Cell*> mixed = mixed_cells(cells);
+  std::vector<Meetings> per_cell(mixed.size());
+  tbb::enumerable_thread_specific<CellPairs> pairs([&] { return CellPairs(carriers, cells, self); });
+  tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t i) {
+    monitor.check();
+    pairs.local().find(*mixed[i], per_cell[i]);
+  });
+  return gathered(per_cell, carriers, points, monitor);
+}
+
+}  // namespace strata

@@ -1,0 +1,154 @@
+#include "core/overlap/point_table.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <limits>
+
+#include "core/exact/failure.h"
+#include "core/kernel/disjoint_sets.h"
+#include "core/kernel/predicates.h"
+#include "core/mesh/huge_pages.h"
+
+namespace strata {
+namespace {
+
+using Index = std::uint32_t;
+constexpr Index none = std::numeric_limits<Index>::max();
+
+template <class Body>
+void for_each_index(std::size_t count, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1 << 12), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+  });
+}
+
+std::uint64_t hash_of(const PointName& name) {
+  std::uint64_t h = static_cast<std::uint64_t>(name.kind) * 0x9e3779b97f4a7c15u;
+  for (const std::uint32_t id : name.id) h = (h ^ id) * 0xff51afd7ed558ccdu + (h >> 29);
+  return h ^ h >> 32;
+}
+
+/// Finds the first occurrence of every name in a list. Threads insert at the same time: a slot, once taken, stays with
+/// its name and is lowered to the least index seen, so what it ends up with does not depend on their order.
+template <class NameOf>
+class FirstOccurrences {
+ public:
+  /// `name_of(i)` for i < count.
+  FirstOccurrences(std::size_t count, const NameOf& name_of) : name_of_(name_of) {
+    const std::size_t size = std::bit_ceil(count + count / 2 + 1);
+    mask_ = size - 1;
+    resize_fresh(slots_, size, none);
+    for_each_index(count, [&](std::size_t i) { insert(static_cast<Index>(i)); });
+  }
+
+  [[nodiscard]] Index of(std::size_t i) const {
+    for (std::size_t s = hash_of(name_of_(i));; ++s)
+      if (const Index first = slots_[s & mask_]; first == i || name_of_(first) == name_of_(i)) return first;
+  }
+
+ private:
+  void insert(Index i) {
+    for (std::size_t s = hash_of(name_of_(i));; ++s) {
+      const std::atomic_ref<Index> slot(slots_[s & mask_]);
+      Index known = slot.load(std::memory_order_relaxed);
+      if (known == none && slot.compare_exchange_strong(known, i, std::memory_order_relaxed)) return;
+      if (!(name_of_(known) == name_of_(i))) continue;
+      while (i < known && !slot.compare_exchange_weak(known, i, std::memory_order_relaxed)) {
+      }
+      return;
+    }
+  }
+
+  const NameOf& name_of_;
+  std::size_t mask_ = 0;
+  std::vector<Index> slots_;
+};
+
+}  // namespace
+
+std::vector<PointId> PointTable::add(std::span<const PointName> names, const Monitor& monitor) {
+  const std::size_t known = constructed_.size();
+  if (std::size_t{first()} + known + names.size() >= none) fail("more points than numbers", none);
+  const auto name_of = [&](std::size_t i) -> const PointName& {
+    return i < known ? constructed_[i].name : names[i - known];
+  };
+  std::vector<PointId> numbers(names.size());
+  const auto is_input = [&](std::size_t i) { return names[i].kind == PointName::Kind::input; };
+  const FirstOccurrences firsts(known + names.size(), name_of);
+  for_each_index(names.size(), [&](std::size_t i) { numbers[i] = firsts.of(known + i); });
+  std::vector<Index> fresh;  // indices of names that occur here first
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (is_input(i)) {
+      numbers[i] = names[i].id[0];
+    } else if (numbers[i] == known + i) {
+      numbers[i] = first() + static_cast<PointId>(known + fresh.size());
+      fresh.push_back(static_cast<Index>(i));
+    } else {
+      numbers[i] = numbers[i] < known ? first() + numbers[i] : numbers[numbers[i] - known];
+    }
+  }
+  constructed_.resize(known + fresh.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), 256), [&](const auto& range) {
+    monitor.check();
+    for (std::size_t i = range.begin(); i != range.end(); ++i)
+      constructed_[known + i] = make_point(carriers_, names[fresh[i]]);
+  });
+  return numbers;
+}
+
+std::vector<std::pair<PointId, PointId>> PointTable::equal_places(std::vector<PointId> ids,
+                                                                  const Monitor& monitor) const {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  struct Place {
+    Carriers::Coordinates nearest;  ///< equal points have equal ones
+    PointId id;
+    bool operator<(const Place& p) const { return nearest < p.nearest || (nearest == p.nearest && id < p.id); }
+  };
+  std::vector<Place> places(ids.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ids.size(), 256), [&](const auto& range) {
+    monitor.check();
+    for (std::size_t i = range.begin(); i != range.end(); ++i)
+      places[i] = {nearest_doubles(carriers_, point(ids[i])), ids[i]};
+  });
+  tbb::parallel_sort(places.begin(), places.end());
+  std::vector<std::pair<PointId, PointId>> same;
+  for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
+    while (last < places.size() && places[last].nearest == places[first].nearest) ++last;
+    monitor.check();
+    constexpr std::size_t few = 8;
+    if (last - first <= few) {
+      for (std::size_t i = first + 1; i < last; ++i) {
+        const Point p = point(places[i].id);
+        for (std::size_t k = first; k < i; ++k) {
+          if (!equal(carriers_, point(places[k].id), p)) continue;
+          same.emplace_back(places[k].id, places[i].id);
+          break;
+        }
+      }
+    } else {  // as where doubles are far apart: near zero
+      std::vector<std::pair<RationalPoint, PointId>> exact;
+      for (std::size_t i = first; i < last; ++i)
+        exact.emplace_back(exact_position(carriers_, point(places[i].id)), places[i].id);
+      std::sort(exact.begin(), exact.end());
+      for (std::size_t i = 1; i < exact.size(); ++i)
+        if (exact[i].first == exact[i - 1].first) same.emplace_back(exact[i - 1].second, exact[i].second);
+    }
+  }
+  return same;
+}
+
+void PointTable::identify(std::span<const std::pair<PointId, PointId>> equal) {
+  if (equal.empty()) return;
+  DisjointSets<PointId> sets(end());
+  for (const auto& [a, b] : equal) sets.unite(a, b);
+  same_.resize(end());
+  for (PointId id = 0; id < end(); ++id) same_[id] = sets.find(id);
+}
+
+}  // namespace strata

@@ -1,0 +1,293 @@
+#include "core/select/face_splitter.h"
+
+#include <algorithm>
+
+#include "core/exact/failure.h"
+
+namespace strata {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+FaceSplitter::FaceSplitter(const Carriers& carriers, const Surroundings& surroundings, const Rule& rule, bool self,
+                           const PointTable& points)
+    : carriers_(carriers),
+      surroundings_(surroundings),
+      known_corners_(carriers.vertex_count()),
+      settling_(carriers, rule),
+      covering_(carriers, rule),
+      rule_(rule),
+      self_(self),
+      points_(points),
+      triangulation_(carriers, points) {}
+
+void FaceSplitter::split(std::span<const Constraint> constraints, SplitFace& result, EqualNames& equal, Pool& pool) {
+  face_ = constraints.front().face;
+  operand_ = carriers_.operand_of_face(face_);
+  corners_ = carriers_.face(face_);
+  constraints_ = constraints;
+  kept_.clear();
+  list_met();
+  covering_.start(constraints);
+  find_free_corners();
+  settling_.start(corners_, met_);
+  const bool same = is_one_of_the_same();
+  if (same) {
+    collect_whole();
+  } else if (!settling_.is_settled() && (self_ || !covering_.hides_face())) {
+    const std::optional<FreeCorner> corner = ask_free_corner();
+    if (!corner || !settling_.is_settled(corner->windings)) collect_pieces(corner, equal);
+  }
+  result.face = face_;
+  result.may_merge = !same && (self_ || carriers_.operand_count() > 2 ||
+                               std::any_of(constraints.begin(), constraints.end(),
+                                           [](const Constraint& c) { return c.kind != ConstraintKind::crossing; }));
+  result.points = pool.keep(kept_.points);
+  result.triangles = pool.keep(kept_.triangles);
+  result.constructed = pool.keep(kept_.constructed);
+}
+
+void FaceSplitter::collect_pieces(const std::optional<FreeCorner>& corner, EqualNames& equal) {
+  const bool simple = triangulate();
+  spread(corner ? Start{triangle_at_corner(corner->index), {corner->windings, {}}} : start_inside());
+  remember_corners();
+  judge();
+  collect();
+  if (rule_.looks_around() && !kept_.triangles.empty()) connect_names(simple, equal);
+}
+
+/// Tells other names of the points that stay. `simple`: the constraints are simple paths.
+void FaceSplitter::connect_names(bool simple, EqualNames& equal) {
+  // Where lines of one operand may know a point by different names, simple paths may, too.
+  const bool same_operand = self_ || carriers_.has_identified();
+  if (self_ || (carriers_.operand_count() > 2 && (same_operand || !simple)))
+    triangulation_.connect_names(same_operand, kept_index_);
+  for (const auto& [vertex, name] : triangulation_.other_names())
+    if (kept_index_[at(vertex)] >= 0) equal.emplace_back(name, triangulation_.points()[vertex].name);
+}
+
+/// All operands that the face meets, its own included, in order.
+void FaceSplitter::list_met() {
+  met_.assign(1, operand_);
+  for (const Constraint& c : constraints_) met_.push_back(carriers_.operand_of_face(c.other));
+  std::sort(met_.begin(), met_.end());
+  met_.erase(std::unique(met_.begin(), met_.end()), met_.end());
+}
+
+/// True when the face meets nothing but faces with its own three vertices.
+bool FaceSplitter::is_one_of_the_same() const {
+  const auto same = [this](const Constraint& c) {
+    if (c.kind != ConstraintKind::coplanar) return false;
+    const auto& v = corners_;
+    const auto w = carriers_.face(c.other);
+    return std::all_of(w.begin(), w.end(), [&](std::uint32_t x) { return x == v[0] || x == v[1] || x == v[2]; });
+  };
+  return std::all_of(constraints_.begin(), constraints_.end(), same);
+}
+
+void FaceSplitter::collect_whole() {
+  Region region;
+  for (const Constraint& c : constraints_) region.covers.push_back(c.other);
+  if (region.covers.front() < face_) return;  // sorted; that one speaks for all
+  if (!self_ && covering_.leaves_nothing(region.covers)) return;
+  region.above = above_at(PointName::weighted(face_, 1), region.covers);
+  const Verdict verdict = verdict_on(region);
+  if (verdict == Verdict::drop) return;
+  PieceTriangle piece;
+  piece.turned = verdict == Verdict::keep_turned;
+  piece.outline = 7;
+  for (const std::uint32_t v : corners_) kept_.points.push_back(v);
+  piece.v = piece.turned ? std::array<std::uint32_t, 3>{2, 1, 0} : std::array<std::uint32_t, 3>{0, 1, 2};
+  kept_.triangles.push_back(piece);
+}
+
+/// True when the constraints are simple paths.
+bool FaceSplitter::triangulate() {
+  triangulation_.start(face_, Triangulation::Names::lowest);
+  if (triangulation_.add_paths(constraints_)) return true;
+  triangulation_.add_constraints(constraints_);
+  return false;
+}
+
+/// Corners on no other surface: constraints that end in a corner name it. There, winding numbers are the same for all
+/// faces of the corner.
+void FaceSplitter::find_free_corners() {
+  free_corners_.clear();
+  if (self_ || !covering_.coplanar().empty()) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto ends_here = [&](const Constraint& c) { return c.tail == corners_[i] || c.head == corners_[i]; };
+    if (!carriers_.is_shared(corners_[i]) && std::none_of(constraints_.begin(), constraints_.end(), ends_here))
+      free_corners_.push_back(i);
+  }
+}
+
+std::int32_t FaceSplitter::triangle_at_corner(std::size_t i) const {
+  return triangulation_.triangle_at(static_cast<std::int32_t>(i));
+}
+
+/// A free corner, if there is one, best one that a neighbour has told of.
+std::optional<FaceSplitter::FreeCorner> FaceSplitter::ask_free_corner() const {
+  for (const std::size_t i : free_corners_)
+    if (const Windings* known = known_corners_.find(corners_[i])) return FreeCorner{i, *known};
+  if (free_corners_.empty()) return std::nullopt;
+  const std::size_t i = free_corners_.front();
+  return FreeCorner{i, surroundings_.around(make_point(carriers_, PointName::input(corners_[i])), operand_)};
+}
+
+void FaceSplitter::remember_corners() {
+  for (const std::size_t i : free_corners_) {
+    const Windings& w = regions_[at(region_of_[at(triangle_at_corner(i))])].above;
+    known_corners_.remember(corners_[i], w);
+    settling_.tell(corners_[i], w);
+  }
+}
+
+/// The points with weights (1, t, t^2) lie on a conic, which a line meets in at most two points. So at most two of
+/// them lie on each constraint and one on each isolated point, and the search ends.
+FaceSplitter::Start FaceSplitter::start_inside() {
+  for (std::uint32_t t = 1; t <= PointName::weight_limit; ++t) {
+    const Point q = make_point(carriers_, PointName::weighted(face_, t));
+    const auto l = triangulation_.locate(q);
+    using On = Triangulation::Location::On;
+    if (l.on == On::vertex) continue;
+    if (l.on == On::side && triangulation_.triangles()[at(l.triangle)].c[at(l.index)] >= 0) continue;
+    Region region;
+    for (const std::uint32_t g : covering_.coplanar())
+      if (covering_.covers(g, q)) region.covers.push_back(g);
+    region.above = above_at(q.name, region.covers);
+    return {l.triangle, region};
+  }
+  fail("no point inside a face off its constraints", face_);
+}
+
+/// Winding numbers just above q, of the other operands where operands are solids. `covers`: the other faces through q.
+Windings FaceSplitter::above_at(const PointName& q, const std::vector<std::uint32_t>& covers) {
+  if (!rule_.looks_around()) return {};
+  if (!self_)
+    if (auto told = covering_.above(covers)) return *std::move(told);
+  std::vector<std::uint32_t> covering = covers;
+  covering.push_back(face_);
+  Windings w = surroundings_.above(face_, make_point(carriers_, q), covering);
+  if (!self_) w.set(operand_, 0);
+  return w;
+}
+
+/// Floods the triangles from a start: freely inside a region, with the changes noted on a side from one to the next.
+void FaceSplitter::spread(Start from) {
+  const auto triangles = triangulation_.triangles();
+  region_of_.assign(triangles.size(), -1);
+  regions_.clear();
+  crossings_.clear();
+  const auto enter = [&](std::int32_t t, Region region) {
+    regions_.push_back(std::move(region));
+    const auto r = static_cast<std::int32_t>(regions_.size()) - 1;
+    region_of_[at(t)] = r;
+    inner_.assign(1, t);
+    while (!inner_.empty()) {
+      const std::int32_t x = inner_.back();
+      inner_.pop_back();
+      for (int i = 0; i < 3; ++i) {
+        const std::int32_t n = triangles[at(x)].n[at(i)];
+        if (n < 0 || region_of_[at(n)] >= 0) continue;
+        if (triangles[at(x)].c[at(i)] >= 0) {
+          crossings_.push_back({x, i});
+        } else {
+          region_of_[at(n)] = r;
+          inner_.push_back(n);
+        }
+      }
+    }
+  };
+  enter(from.triangle, std::move(from.region));
+  for (std::size_t i = 0; i < crossings_.size(); ++i) {
+    const auto [t, side] = crossings_[i];
+    const std::int32_t n = triangles[at(t)].n[at(side)];
+    if (region_of_[at(n)] < 0) enter(n, across(regions_[at(region_of_[at(t)])], triangles[at(t)].c[at(side)]));
+  }
+}
+
+/// The region on the right of a side from the one on its left.
+FaceSplitter::Region FaceSplitter::across(Region region, std::int32_t first_note) const {
+  for (std::int32_t n = first_note; n >= 0; n = triangulation_.note(n).next) {
+    const auto& note = triangulation_.note(n);
+    const Constraint& c = constraints_[at(note.constraint)];
+    switch (c.kind) {
+      case ConstraintKind::crossing:
+        if (rule_.looks_around()) region.above.add(carriers_.operand_of_face(c.other), note.forward ? -1 : 1);
+        break;
+      case ConstraintKind::cover_left:
+        cover(region, c.other, !note.forward);
+        break;
+      case ConstraintKind::cover_right:
+        cover(region, c.other, note.forward);
+        break;
+      case ConstraintKind::point:
+      case ConstraintKind::touch:
+      case ConstraintKind::coplanar:
+        break;
+    }
+  }
+  return region;
+}
+
+void FaceSplitter::cover(Region& region, std::uint32_t g, bool enters) {
+  const auto where = std::lower_bound(region.covers.begin(), region.covers.end(), g);
+  const bool there = where != region.covers.end() && *where == g;
+  if (enters && !there) region.covers.insert(where, g);
+  if (!enters && there) region.covers.erase(where);
+}
+
+void FaceSplitter::judge() {
+  verdicts_.clear();
+  for (const Region& r : regions_) verdicts_.push_back(verdict_on(r));
+}
+
+Verdict FaceSplitter::verdict_on(const Region& r) const {
+  if (!r.covers.empty() && r.covers.front() < face_) return Verdict::drop;  // that one speaks for all
+  if (!rule_.looks_around()) {
+    const auto looks_back = [&](std::uint32_t g) { return same_orientation(carriers_, face_, g) == Sign::negative; };
+    return std::any_of(r.covers.begin(), r.covers.end(), looks_back) ? Verdict::drop : Verdict::keep;
+  }
+  Windings below = r.above;
+  below.add(operand_, 1);
+  for (const std::uint32_t g : r.covers)
+    below.add(carriers_.operand_of_face(g), to_int(same_orientation(carriers_, face_, g)));
+  return verdict(rule_.inside(r.above), rule_.inside(below));
+}
+
+void FaceSplitter::collect() {
+  const auto triangles = triangulation_.triangles();
+  kept_index_.assign(at(triangulation_.points().size()), -1);
+  const auto verdict_of = [&](std::int32_t t) { return t < 0 ? Verdict::drop : verdicts_[at(region_of_[at(t)])]; };
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const Verdict verdict = verdict_of(static_cast<std::int32_t>(t));
+    if (verdict == Verdict::drop) continue;
+    PieceTriangle piece;
+    piece.turned = verdict == Verdict::keep_turned;
+    for (std::size_t i = 0; i < 3; ++i) {
+      // Turned triangles run c, b, a: side i of the result is side 1 - i (mod 3) of the triangle.
+      const std::size_t vertex = piece.turned ? 2 - i : i, side = piece.turned ? (4 - i) % 3 : i;
+      const std::int32_t v = triangles[t].v[vertex];
+      if (kept_index_[at(v)] < 0) {
+        kept_index_[at(v)] = static_cast<std::int32_t>(kept_.points.size());
+        kept_.points.push_back(number_of(v));
+      }
+      piece.v[i] = static_cast<std::uint32_t>(kept_index_[at(v)]);
+      const auto bit = static_cast<std::uint8_t>(1u << i);
+      if (verdict_of(triangles[t].n[side]) != verdict) piece.outline |= bit;
+      if (triangles[t].c[side] >= 0) piece.carried |= bit;
+    }
+    kept_.triangles.push_back(piece);
+  }
+}
+
+PointId FaceSplitter::number_of(std::int32_t v) {
+  const FacePoints& points = triangulation_.points();
+  if (points.id(v) != FacePoints::unnumbered) return points.id(v);
+  kept_.constructed.push_back(points[v].name);
+  return points_.end() + static_cast<PointId>(kept_.constructed.size() - 1);
+}
+
+}  // namespace strata

@@ -1,0 +1,111 @@
+#pragma once
+#include <array>
+#include <boost/container/static_vector.hpp>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/arrange/triangulation.h"
+#include "core/select/covering.h"
+#include "core/select/settling.h"
+#include "core/select/split_faces.h"
+#include "core/winding/corner_cache.h"
+#include "core/winding/surroundings.h"
+
+namespace strata {
+
+/// Pairs of names found to be one point.
+using EqualNames = std::vector<std::pair<PointName, PointName>>;
+
+/// Splits and judges one face; kept for the next one, so that its memory is reused. For one thread.
+class FaceSplitter {
+ public:
+  FaceSplitter(const Carriers& carriers, const Surroundings& surroundings, const Rule& rule, bool self,
+               const PointTable& points);
+
+  /// Tells what stays of the face with these constraints, which are all it has, and adds names found to be one point.
+  void split(std::span<const Constraint> constraints, SplitFace& result, EqualNames& equal, Pool& pool);
+
+ private:
+  /// What is known about one region of the face.
+  struct Region {
+    Windings above;                     ///< winding numbers just above the face
+    std::vector<std::uint32_t> covers;  ///< other coplanar faces that cover it, sorted
+  };
+  /// A place of the face with its region.
+  struct Start {
+    std::int32_t triangle = 0;
+    Region region;
+  };
+  /// A corner on no other surface, with the winding numbers about the other operands there.
+  struct FreeCorner {
+    std::size_t index = 0;
+    Windings windings;
+  };
+  /// A side with constraints and the triangle from which it was reached.
+  struct Crossing {
+    std::int32_t triangle;
+    int side;
+  };
+  /// What stays, while it is collected.
+  struct Kept {
+    std::vector<PointId> points;
+    std::vector<PieceTriangle> triangles;
+    std::vector<PointName> constructed;
+
+    void clear() {
+      points.clear();
+      triangles.clear();
+      constructed.clear();
+    }
+  };
+
+  void list_met();
+  void find_free_corners();
+  [[nodiscard]] bool is_one_of_the_same() const;
+  void collect_whole();
+  void collect_pieces(const std::optional<FreeCorner>& corner, EqualNames& equal);
+  void connect_names(bool simple, EqualNames& equal);
+
+  bool triangulate();
+  void spread(Start from);
+  [[nodiscard]] Region across(Region region, std::int32_t first_note) const;
+  static void cover(Region& region, std::uint32_t g, bool enters);
+  void judge();
+  [[nodiscard]] Verdict verdict_on(const Region& r) const;
+  void collect();
+  [[nodiscard]] PointId number_of(std::int32_t v);
+
+  [[nodiscard]] std::optional<FreeCorner> ask_free_corner() const;
+  void remember_corners();
+  [[nodiscard]] std::int32_t triangle_at_corner(std::size_t i) const;
+  [[nodiscard]] Start start_inside();
+  [[nodiscard]] Windings above_at(const PointName& q, const std::vector<std::uint32_t>& covers);
+
+  const Carriers& carriers_;
+  const Surroundings& surroundings_;
+  CornerCache<Windings> known_corners_;
+  Settling settling_;
+  Covering covering_;
+  const Rule& rule_;
+  bool self_;
+  const PointTable& points_;
+  Triangulation triangulation_;
+
+  std::uint32_t face_ = 0, operand_ = 0;
+  Carriers::Indices corners_{};
+  std::span<const Constraint> constraints_;
+  std::vector<std::uint32_t> met_;  ///< operands
+  boost::container::static_vector<std::size_t, 3> free_corners_;
+  std::vector<std::int32_t> region_of_;
+  std::vector<Region> regions_;
+  std::vector<Crossing> crossings_;  ///< in the order in which they were reached
+  std::vector<std::int32_t> inner_;
+  std::vector<Verdict> verdicts_;
+  Kept kept_;
+  std::vector<std::int32_t> kept_index_;  ///< per point of the triangulation
+};
+
+}  // namespace strata

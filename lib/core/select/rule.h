@@ -1,0 +1,99 @@
+#pragma once
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/cells/windings.h"
+#include "strata/formula.h"
+#include "strata/options.h"
+
+namespace strata {
+
+/// Decides from the winding numbers at a point whether it is in the result. A point is in an operand where its winding
+/// number is positive.
+class Rule {
+ public:
+  Rule(Operation operation, std::uint32_t operands) : operation_(operation), operands_(operands) {}
+  /// Requires that the formula is closed.
+  explicit Rule(Formula formula) : operands_(formula.operands()), formula_(std::move(formula)) {}
+  /// Every piece stays, whatever surrounds it: of coinciding pieces one, and none where they look both ways.
+  [[nodiscard]] static Rule every_sheet() {
+    Rule rule(Operation::exclude, 1);
+    rule.looks_around_ = false;
+    return rule;
+  }
+
+  [[nodiscard]] std::uint32_t operands() const { return operands_; }
+  /// False when winding numbers do not matter.
+  [[nodiscard]] bool looks_around() const { return looks_around_; }
+
+  /// True when this winding number of one operand alone decides, whatever the others are.
+  [[nodiscard]] bool settles(std::uint32_t operand, std::int32_t winding) const {
+    if (formula_) return formula_->settles(operand, winding > 0);
+    switch (operation_) {
+      case Operation::unite:
+        return winding > 0;
+      case Operation::intersect:
+        return winding <= 0;
+      case Operation::subtract:
+        return (winding > 0) != (operand == 0);
+      case Operation::exclude:
+        return false;
+    }
+    return false;
+  }
+
+  /// Operands that matter only in that a point is in one of them or in none: each list is as good as their union.
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> unions() const {
+    if (formula_) return formula_->unions();
+    const std::uint32_t first = operation_ == Operation::subtract ? 1 : 0;
+    if (operation_ == Operation::intersect || operation_ == Operation::exclude || operands_ < first + 2) return {};
+    std::vector<std::uint32_t> list(operands_ - first);
+    std::iota(list.begin(), list.end(), first);
+    return {list};
+  }
+
+  [[nodiscard]] bool inside(const Windings& windings) const {
+    if (formula_) return formula_->holds(windings);
+    std::uint32_t in = 0;
+    bool in_first = false;
+    for (const auto& [operand, w] : windings) {
+      if (w <= 0) continue;
+      ++in;
+      in_first = in_first || operand == 0;
+    }
+    switch (operation_) {
+      case Operation::unite:
+        return in > 0;
+      case Operation::intersect:
+        return in == operands_;
+      case Operation::subtract:
+        return in_first && in == 1;
+      case Operation::exclude:
+        return in % 2 == 1;
+    }
+    return false;
+  }
+
+ private:
+  Operation operation_{};
+  std::uint32_t operands_;
+  std::optional<Formula> formula_;  ///< in place of the operation
+  bool looks_around_ = true;
+};
+
+/// What becomes of a piece of surface.
+enum class Verdict : std::uint8_t {
+  drop,
+  keep,        ///< the result is behind it, as the operand was
+  keep_turned  ///< the result is in front of it
+};
+
+[[nodiscard]] inline Verdict verdict(bool inside_above, bool inside_below) {
+  if (inside_above == inside_below) return Verdict::drop;
+  return inside_below ? Verdict::keep : Verdict::keep_turned;
+}
+
+}  // namespace strata

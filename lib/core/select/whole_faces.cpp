@@ -1,0 +1,120 @@
+#include "core/select/whole_faces.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/cells/face_blocks.h"
+#include "core/winding/corner_cache.h"
+
+namespace strata {
+namespace {
+
+/// Judges faces of one operand one after the other; neighbours in number are often neighbours in space.
+class FaceJudge {
+ public:
+  FaceJudge(const Carriers& carriers, const Surroundings& surroundings, const CellTree* cells, const Rule& rule,
+            std::uint32_t operand, bool self)
+      : carriers_(carriers),
+        surroundings_(surroundings),
+        cells_(cells),
+        rule_(rule),
+        operand_(operand),
+        self_(self),
+        faces_(carriers.faces(operand)),
+        first_vertex_(carriers.first_vertex(operand)),
+        known_(carriers.points(operand).size()) {}
+
+  /// Local face number `i`. A face that meets no other has one verdict with all its corners, so neighbours tell.
+  [[nodiscard]] Verdict judge(std::uint32_t i) {
+    const auto& corners = faces_[i];
+    const std::uint32_t vertex = first_vertex_ + corners[0];
+    if (self_) return judge_inside(i);
+    if (cells_ != nullptr)
+      if (const std::uint32_t cell = cells_->cell_of_vertex(vertex); !cells_->cells()[cell].mixed)
+        return judge_in_region(cell);
+    for (const std::uint32_t v : corners)
+      if (const Verdict* known = known_.find(v)) return remember(corners, *known);
+    if (carriers_.is_shared(vertex)) return judge_inside(i);
+    return remember(corners,
+                    verdict_of(surroundings_.around(make_point(carriers_, PointName::input(vertex)), operand_)));
+  }
+
+ private:
+  static constexpr std::uint32_t nobody = 0xffffffffu;
+
+  /// Vertices that other operands have too may lie on faces of theirs: they tell nothing.
+  Verdict remember(const Carriers::Indices& corners, Verdict verdict) {
+    for (const std::uint32_t v : corners)
+      if (!carriers_.is_shared(first_vertex_ + v)) known_.remember(v, verdict);
+    return verdict;
+  }
+
+  [[nodiscard]] Verdict judge_in_region(std::uint32_t cell) {
+    if (cell == known_cell_) return of_known_cell_;
+    Windings w = *cells_->cells()[cell].windings;
+    w.set(operand_, 0);
+    known_cell_ = cell;
+    return of_known_cell_ = verdict_of(std::move(w));
+  }
+
+  /// By a point inside.
+  [[nodiscard]] Verdict judge_inside(std::uint32_t i) const {
+    const std::uint32_t face = carriers_.first_face(operand_) + i;
+    Windings w = surroundings_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1});
+    if (!self_) w.set(operand_, 0);
+    return verdict_of(std::move(w));
+  }
+
+  /// From the winding numbers just above a face.
+  [[nodiscard]] Verdict verdict_of(Windings w) const {
+    const bool above = rule_.inside(w);
+    w.add(operand_, 1);
+    return verdict(above, rule_.inside(w));
+  }
+
+  const Carriers& carriers_;
+  const Surroundings& surroundings_;
+  const CellTree* cells_;
+  const Rule& rule_;
+  const std::uint32_t operand_;
+  const bool self_;
+  const std::span<const Carriers::Indices> faces_;
+  const std::uint32_t first_vertex_;
+  std::uint32_t known_cell_ = nobody;
+  Verdict of_known_cell_{};
+  CornerCache<Verdict> known_;  ///< by local vertices
+};
+
+}  // namespace
+
+std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const Surroundings& surroundings,
+                                       const CellTree* cells, const Rule& rule, const std::vector<SplitFace>& split,
+                                       bool self, const Monitor& monitor) {
+  std::vector<Verdict> verdicts(carriers.face_count(), Verdict::drop);
+  if (!rule.looks_around()) {
+    verdicts.assign(verdicts.size(), Verdict::keep);
+    for (const SplitFace& s : split) verdicts[s.face] = Verdict::drop;
+    return verdicts;
+  }
+  const std::vector<FaceBlock> blocks = face_blocks(carriers);
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t n) {
+    monitor.check();
+    const FaceBlock& block = blocks[n];
+    const std::uint32_t first = carriers.first_face(block.operand);
+    FaceJudge judge(carriers, surroundings, cells, rule, block.operand, self);
+    auto next = std::lower_bound(split.begin(), split.end(), first + block.first,
+                                 [](const SplitFace& s, std::uint32_t f) { return s.face < f; });
+    for (std::uint32_t i = block.first; i < block.last; ++i) {
+      if (next != split.end() && next->face == first + i) {
+        ++next;
+      } else {
+        verdicts[first + i] = judge.judge(i);
+      }
+    }
+  });
+  return verdicts;
+}
+
+}  // namespace strata

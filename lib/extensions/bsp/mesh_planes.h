@@ -1,0 +1,65 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "core/kernel/homogeneous.h"
+#include "core/kernel/hyperplane_table.h"
+#include "strata/mesh.h"
+
+namespace strata::bsp {
+
+/// Planes through vertices of a mesh. They are added to a table, and vertices that are doubles are noted there.
+/// Table and mesh must outlive it. Every answer is exact, and O(1) expected.
+class MeshPlanes {
+ public:
+  MeshPlanes(HyperplaneTable<3>& table, ExactMeshView mesh);
+
+  struct Plane {
+    std::uint32_t number = 0;
+    bool is_turned = false;  ///< the vertices are seen clockwise from its plus side
+  };
+  /// Through three vertices; nothing if they are collinear.
+  [[nodiscard]] std::optional<Plane> through(const Triangle& vertices);
+
+  /// Through two vertices and along an axis, which their line must not be parallel to.
+  [[nodiscard]] std::uint32_t along_axis(std::uint32_t p, std::uint32_t q, int axis);
+
+  /// True when the lines of two pairs of different vertices are parallel or one line.
+  [[nodiscard]] bool are_parallel(std::array<std::uint32_t, 2> p, std::array<std::uint32_t, 2> q) const;
+
+  /// Notes a vertex that lies in a plane, if it is three doubles.
+  void note(std::uint32_t plane, std::uint32_t vertex);
+
+  /// True when a vertex is three doubles.
+  [[nodiscard]] bool is_given(std::uint32_t vertex) const;
+
+  [[nodiscard]] HyperplaneTable<3>& table() const { return table_; }
+  [[nodiscard]] ExactMeshView mesh() const { return mesh_; }
+
+ private:
+  using Narrow = WideInt<4>;
+  static constexpr int most_bits_of_narrow = 83;  ///< of coordinates b: coefficients have at most 3 b + 5, and a sign
+
+  template <class Int>
+  [[nodiscard]] std::vector<HPoint<Int>> on_lattice(const Lattice& lattice) const;
+  [[nodiscard]] HPoint<Integer> place_of(const RationalPoint& p) const;
+  /// What `find` makes of the places of vertices, of either type.
+  template <class Find>
+  [[nodiscard]] auto found(const Find& find) const {
+    return narrow_.empty() ? find(wide_) : find(narrow_);
+  }
+  template <class Int>
+  [[nodiscard]] OrientedHyperplane<3> oriented(const HPlane<Int>& plane) const;
+
+  HyperplaneTable<3>& table_;
+  ExactMeshView mesh_;
+  int unit_ = 0;                        ///< of the lattice, as an exponent
+  std::vector<HPoint<Narrow>> narrow_;  ///< of vertices, in its units; empty if the lattice does not allow it
+  std::vector<HPoint<Integer>> wide_;   ///< the same, if that is empty
+  std::array<std::unordered_map<std::uint64_t, std::uint32_t>, 3> along_;  ///< by axis and edge
+};
+
+}  // namespace strata::bsp

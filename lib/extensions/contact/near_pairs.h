@@ -1,0 +1,100 @@
+#pragma once
+#include <array>
+#include <boost/container/small_vector.hpp>
+#include <cstdint>
+#include <utility>
+
+#include "core/overlap/constraint.h"
+#include "core/overlap/filtered_face.h"
+#include "core/overlap/meeting.h"
+#include "extensions/contact/parts.h"
+
+namespace strata::contact {
+
+/// The faces of a leaf that are near something, with what a first look at them needs.
+class LeafFaces {
+ public:
+  LeafFaces(const Carriers& carriers, std::uint32_t part, const PartTree& tree, const PartTree::Node& leaf,
+            const Box& near) {
+    for (const std::uint32_t f : tree.faces(leaf))
+      if (const Box box = box_of_face(carriers, part, f); box.overlaps(near)) list_.push_back({box, {}, f, false});
+    carriers_ = &carriers;
+    part_ = part;
+  }
+  [[nodiscard]] std::size_t size() const { return list_.size(); }
+  [[nodiscard]] const Box& box(std::size_t i) const { return list_[i].box; }
+  [[nodiscard]] std::uint32_t number(std::size_t i) const { return list_[i].number; }
+  [[nodiscard]] const FilteredFace& face(std::size_t i) {
+    if (!list_[i].is_known) list_[i].face = FilteredFace(*carriers_, part_, list_[i].number);
+    list_[i].is_known = true;
+    return list_[i].face;
+  }
+
+ private:
+  struct Entry {
+    Box box;
+    FilteredFace face;
+    std::uint32_t number = 0;
+    bool is_known = false;
+  };
+  const Carriers* carriers_ = nullptr;
+  std::uint32_t part_ = 0;
+  boost::container::small_vector<Entry, PartTree::leaf_size> list_;
+};
+
+/// Calls `visit(node of a, node of b)` for pairs of leaves whose boxes meet; ends, and returns false, when it does.
+template <class Visit>
+bool for_each_near_leaves(const PartTree& a, const PartTree& b, const Visit& visit) {
+  if (a.nodes().empty() || b.nodes().empty()) return true;
+  boost::container::small_vector<std::pair<std::uint32_t, std::uint32_t>, 128> waiting{{0, 0}};
+  while (!waiting.empty()) {
+    const auto [i, k] = waiting.back();
+    waiting.pop_back();
+    const PartTree::Node &m = a.nodes()[i], &n = b.nodes()[k];
+    if (!m.box.overlaps(n.box)) continue;
+    if (m.is_leaf() && n.is_leaf()) {
+      if (!visit(m, n)) return false;
+    } else if (n.is_leaf() || (!m.is_leaf() && m.count >= n.count)) {
+      waiting.push_back({m.right, k});
+      waiting.push_back({i + 1, k});
+    } else {
+      waiting.push_back({i, n.right});
+      waiting.push_back({i, k + 1});
+    }
+  }
+  return true;
+}
+
+/// Calls `visit(f, g, meetings)` for all faces f of part a and g of part b that share a point, but for those of which
+/// `skip(f, g)` holds, with what `meet_faces` says about them alone; ends, and returns false, when `visit` does. Always
+/// in the same order.
+template <class Skip, class Visit>
+bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Skip& skip, const Visit& visit) {
+  const Carriers& carriers = parts.carriers();
+  const PartTree &tree_a = parts.tree(a), &tree_b = parts.tree(b);
+  Meetings meetings;
+  return for_each_near_leaves(tree_a, tree_b, [&](const PartTree::Node& m, const PartTree::Node& n) {
+    LeafFaces of_a(carriers, a, tree_a, m, n.box);
+    if (of_a.size() == 0) return true;
+    LeafFaces of_b(carriers, b, tree_b, n, m.box);
+    for (std::size_t i = 0; i < of_a.size(); ++i)
+      for (std::size_t k = 0; k < of_b.size(); ++k) {
+        if (!of_a.box(i).overlaps(of_b.box(k)) || skip(of_a.number(i), of_b.number(k))) continue;
+        meetings.constraints.clear();
+        meetings.constructed.clear();
+        meetings.equal.clear();
+        if (meet_faces(carriers, of_a.face(i), of_b.face(k), meetings) &&
+            !visit(of_a.face(i), of_b.face(k), std::as_const(meetings)))
+          return false;
+      }
+    return true;
+  });
+}
+
+/// The same for all faces that share a point.
+template <class Visit>
+bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Visit& visit) {
+  return for_each_meeting(parts, a, b, [](std::uint32_t, std::uint32_t) { return false; }, visit);
+}
+
+}  // namespace strata::contact

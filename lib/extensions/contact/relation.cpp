@@ -1,0 +1,123 @@
+#include "extensions/contact/relation.h"
+
+#include <algorithm>
+#include <boost/container/static_vector.hpp>
+#include <optional>
+
+#include "core/exact/failure.h"
+#include "core/kernel/predicates.h"
+#include "extensions/contact/common_points.h"
+#include "extensions/contact/face_proof.h"
+#include "extensions/contact/lining.h"
+#include "extensions/contact/near_pairs.h"
+#include "extensions/contact/separation.h"
+#include "extensions/contact/sole_face.h"
+#include "extensions/contact/twins.h"
+
+namespace strata::contact {
+namespace {
+
+/// What is learned of two parts, one pair of faces that meet after the other.
+class Inquiry {
+ public:
+  Inquiry(const Parts& parts, std::uint32_t a, std::uint32_t b)
+      : parts_(parts), a_(a), b_(b), are_beside_(parts.are_beside(a, b)) {}
+
+  /// Nothing where faces would prove interference if their parts had no other faces there, and no others do prove it.
+  std::optional<Relation> find() {
+    const auto skip = [this](std::uint32_t f, std::uint32_t g) { return twins_ && twins_->tell(f, g); };
+    const auto visit = [this](const FilteredFace& f, const FilteredFace& g, const Meetings& m) {
+      look_at(f, g, m);
+      return !is_decided_;
+    };
+    const bool is_open = for_each_meeting(parts_, a_, b_, skip, visit);
+    if (!is_open) return relation_;
+    if (is_doubtful_) return std::nullopt;
+    const bool do_interfere = linings_ ? linings_->show_interference()
+                                       : parts_.has_piece_inside(a_, b_) || parts_.has_piece_inside(b_, a_);
+    return do_interfere ? Relation::interfering : relation_;
+  }
+
+ private:
+  void look_at(const FilteredFace& f, const FilteredFace& g, const Meetings& meetings) {
+    relation_ = Relation::contact;
+    is_decided_ = are_beside_;
+    if (is_decided_) return;
+    if (const auto sole = prove_interference(parts_.carriers(), f, g, meetings)) {
+      conclude(f, g, *sole, common_points(parts_.carriers(), meetings));
+      return;
+    }
+    is_decided_ = try_plane(f.face, a_, b_) || try_plane(g.face, b_, a_);
+    if (is_decided_ || is_doubtful_) return;
+    if (!linings_) linings_.emplace(parts_, a_, b_);
+    linings_->note(meetings);
+    if (++undecided_ == many) find_twins();
+  }
+
+  /// Faces have the form of a proof; are they what it takes to be one, around the middle of what they share?
+  void conclude(const FilteredFace& f, const FilteredFace& g, SoleFaces sole, const CommonPoints& shared) {
+    const bool holds_f = sole.first && is_sole_face(parts_, f, shared);
+    const bool holds_g = sole.second && !(sole.either && holds_f) && is_sole_face(parts_, g, shared);
+    const bool holds = sole.either ? holds_f || holds_g : holds_f == sole.first && holds_g == sole.second;
+    if (holds) relation_ = Relation::interfering;
+    is_decided_ = holds;
+    is_doubtful_ |= !holds;
+  }
+
+  /// From now on, what twins tell is not asked.
+  void find_twins() {
+    twins_.emplace(parts_, a_, b_);
+    const Carriers& carriers = parts_.carriers();
+    for (const Twins::Pair& pair : twins_->pairs()) {
+      if (pair.look_the_same_way) {
+        CommonPoints corners;
+        for (const std::uint32_t v : carriers.face(pair.f)) corners.push_back(PointName::input(v));
+        conclude(FilteredFace(carriers, a_, pair.f), FilteredFace(carriers, b_, pair.g),
+                 {.first = true, .second = true}, corners);
+        if (is_decided_) return;
+      }
+      linings_->note_twins(pair.f, pair.g);
+    }
+  }
+
+  /// Tries few planes, each once: where these do not separate, hardly any does.
+  bool try_plane(std::uint32_t face, std::uint32_t below, std::uint32_t above) {
+    if (tried_.size() == most_planes) return false;
+    for (const std::uint32_t f : tried_)
+      if (has_plane_of(f, face)) return false;
+    tried_.push_back(face);
+    return separates(parts_, face, below, above);
+  }
+  /// True when a face lies in the plane of another one.
+  [[nodiscard]] bool has_plane_of(std::uint32_t face, std::uint32_t other) const {
+    const auto f = parts_.carriers().face(face), g = parts_.carriers().face(other);
+    return std::all_of(g.begin(), g.end(),
+                       [&](std::uint32_t v) { return orient3d(parts_.carriers(), f[0], f[1], f[2], v) == Sign::zero; });
+  }
+
+  static constexpr std::size_t most_planes = 8;
+  static constexpr int many = 32;
+  const Parts& parts_;
+  std::uint32_t a_, b_;
+  bool are_beside_;
+  Relation relation_ = Relation::apart;
+  bool is_decided_ = false;
+  bool is_doubtful_ = false;  ///< some faces have the form of a proof, and are none: linings tell nothing
+  std::optional<Linings> linings_;  ///< once faces share something that decides nothing
+  int undecided_ = 0;               ///< such pairs of faces
+  std::optional<Twins> twins_;      ///< once these are many
+  boost::container::static_vector<std::uint32_t, most_planes> tried_;
+};
+
+}  // namespace
+
+Relation relation_of(const Parts& parts, std::uint32_t a, std::uint32_t b) {
+  if (parts.common_box(a, b).empty()) return Relation::apart;
+  if (const auto relation = Inquiry(parts, a, b).find()) return *relation;
+  const Solid resolved[] = {Solid(parts.solid(a).exact_mesh(), InputClass::overlapping),
+                            Solid(parts.solid(b).exact_mesh(), InputClass::overlapping)};
+  if (const auto relation = Inquiry(Parts(resolved), 0, 1).find()) return *relation;
+  throw LogicError("faces of a resolved solid lie on one another");
+}
+
+}  // namespace strata::contact

@@ -1,0 +1,123 @@
+#include "extensions/contact/separation.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+
+#include "core/kernel/approximation.h"
+#include "core/kernel/predicates.h"
+#include "core/overlap/filtered_face.h"
+
+namespace strata::contact {
+namespace {
+
+/// One side of a face's plane, within a box.
+struct HalfBox {
+  const FilteredFace& face;
+  Sign side;
+  Box box;
+};
+
+/// The side of a plane on which a point within bounds certainly is; zero when that does not show.
+Sign side_of(const FilteredFace& plane, const BoundedPoint& p) {
+  if (plane.is_exact) return static_cast<Sign>(plane.plane.side_within(p));
+  return dot<Bounded>(plane.rational_plane.normal, p - plane.rational_plane.at).sign().value_or(Sign::zero);
+}
+
+/// The same for all of a box.
+Sign side_of_box(const FilteredFace& plane, const Box& box) {
+  BoundedPoint all;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double middle = box.lower[i] / 2 + box.upper[i] / 2;
+    all[i] = {middle, std::max(box.upper[i] - middle, middle - box.lower[i]) * Bounded::slack + Bounded::underflow};
+  }
+  return side_of(plane, all);
+}
+
+/// Sides of a plane on which a part's vertices are. Remembers some: those of neighbouring faces come soon after one
+/// another, and vertices in the plane take long.
+class Sides {
+ public:
+  Sides(const Parts& parts, std::uint32_t part, const FilteredFace& plane)
+      : carriers_(parts.carriers()),
+        plane_(plane),
+        points_(carriers_.points(part)),
+        faces_(carriers_.faces(part)),
+        first_vertex_(carriers_.first_vertex(part)),
+        first_face_(carriers_.first_face(part)) {}
+
+  /// True when some vertex of a face is strictly on a side.
+  [[nodiscard]] bool has_vertex(std::uint32_t face, Sign side) {
+    const auto& f = faces_[face - first_face_];
+    return of(f[0]) == side || of(f[1]) == side || of(f[2]) == side;
+  }
+
+ private:
+  struct Known {
+    std::uint32_t vertex = ~0u;
+    Sign side = Sign::zero;
+  };
+
+  Sign of(std::uint32_t vertex) {
+    Known& known = known_[vertex % known_.size()];
+    if (known.vertex != vertex) known = {vertex, find(vertex)};
+    return known.side;
+  }
+  [[nodiscard]] Sign find(std::uint32_t vertex) const {
+    const std::uint32_t v = first_vertex_ + vertex;
+    const auto& at = points_[vertex];
+    const Sign quick = carriers_.has_doubles(v) ? side_of(plane_, {at[0], at[1], at[2]})
+                                                : side_of(plane_, approximate_vertex<Bounded>(carriers_, v));
+    if (quick != Sign::zero) return quick;
+    const auto& p = plane_.vertices;
+    return orient3d(carriers_, p[0], p[1], p[2], v);
+  }
+
+  const Carriers& carriers_;
+  const FilteredFace& plane_;
+  std::span<const Carriers::Coordinates> points_;
+  std::span<const Carriers::Indices> faces_;
+  std::uint32_t first_vertex_, first_face_;
+  std::array<Known, 512> known_;
+};
+
+/// True when no face of a part that comes near the box reaches into the half.
+bool is_clear_of(const Parts& parts, std::uint32_t part, const HalfBox& half) {
+  const Carriers& carriers = parts.carriers();
+  Sides sides(parts, part, half.face);
+  const auto may_reach = [&](const Box& box) {
+    return box.overlaps(half.box) && side_of_box(half.face, box) != -half.side;
+  };
+  return parts.tree(part).for_each_in(may_reach, [&](std::uint32_t f) {
+    return !sides.has_vertex(f, half.side) || !box_of_face(carriers, part, f).overlaps(half.box);
+  });
+}
+
+/// A corner of the box strictly in the half; none: no point of the box is, since a plane leaves a box at a corner.
+std::optional<Carriers::Coordinates> corner_in(const Carriers& carriers, const HalfBox& half) {
+  for (std::size_t number = 0; number < 8; ++number) {
+    Carriers::Coordinates corner{};
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = (number >> i & 1) != 0 ? half.box.upper[i] : half.box.lower[i];
+    if (side_of_face(carriers, half.face.face, Point::free(corner)) == half.side) return corner;
+  }
+  return std::nullopt;
+}
+
+/// True when a part has nothing of the half: its surface keeps clear, and some point there is outside of it.
+bool has_nothing_of(const Parts& parts, std::uint32_t part, const HalfBox& half) {
+  if (!is_clear_of(parts, part, half)) return false;
+  const auto corner = corner_in(parts.carriers(), half);
+  return !corner || !parts.is_inside(Point::free(*corner), part);
+}
+
+}  // namespace
+
+bool separates(const Parts& parts, std::uint32_t face, std::uint32_t a, std::uint32_t b) {
+  const FilteredFace plane(parts.carriers(), face);
+  const Box box = parts.common_box(a, b);
+  return has_nothing_of(parts, a, {plane, Sign::positive, box}) &&
+         has_nothing_of(parts, b, {plane, Sign::negative, box});
+}
+
+}  // namespace strata::contact

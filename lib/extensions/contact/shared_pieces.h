@@ -1,0 +1,26 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "extensions/contact/parts.h"
+#include "extensions/contact/places.h"
+
+namespace strata::contact {
+
+/// What pairs of faces of two parts share, by numbers of places: convex polygons, segments and points. Each once.
+struct SharedPieces {
+  using Polygon = std::vector<std::uint32_t>;
+  using Segment = std::array<std::uint32_t, 2>;  ///< the lower number first
+
+  Places places;
+  std::vector<Polygon> polygons;   ///< counter-clockwise as seen from outside of the first part; insides are disjoint
+  std::set<Segment> segments;      ///< but for sides of polygons
+  std::set<std::uint32_t> points;  ///< but for ends of segments and corners of polygons
+  std::set<Segment> sides;         ///< of polygons
+};
+
+[[nodiscard]] SharedPieces shared_pieces(const Parts& parts, std::uint32_t a, std::uint32_t b);
+
+}  // namespace strata::contact

@@ -1,0 +1,12 @@
+#pragma once
+#include "core/overlap/filtered_face.h"
+#include "extensions/contact/common_points.h"
+#include "extensions/contact/parts.h"
+
+namespace strata::contact {
+
+/// True when no other face of the part of `face` holds the middle of some points. Requires that this middle is inside
+/// of the face. O(log n) and the faces near the points; rationals for those of which doubles do not tell.
+[[nodiscard]] bool is_sole_face(const Parts& parts, const FilteredFace& face, const CommonPoints& points);
+
+}  // namespace strata::contact

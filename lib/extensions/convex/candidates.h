@@ -1,0 +1,16 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "extensions/convex/point_cloud.h"
+
+namespace strata::convex {
+
+/// Points that may be extreme, the four of a simplex first: all but those that are certainly in the hull of a few far
+/// ones; the others in an order in which points that are near each other come near each other. A matter of speed. O(n).
+/// Source: Akl and Toussaint 1978 for the hull of a few.
+[[nodiscard]] std::vector<std::uint32_t> candidates(const PointCloud& cloud,
+                                                    const std::array<std::uint32_t, 4>& simplex);
+
+}  // namespace strata::convex

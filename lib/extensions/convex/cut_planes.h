@@ -1,0 +1,22 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "extensions/bsp/mesh_planes.h"
+#include "extensions/convex/wedges.h"
+#include "strata/options.h"
+
+namespace strata::convex {
+
+/// For every wedge that is reflex the planes that may be taken to resolve it: those of its two faces, and through it
+/// and another reflex edge, at most four, that meets it in an end or is parallel and near. All hold its line. New
+/// planes are added to the table of `mesh_planes`; each goes through three vertices of the solid. None for other
+/// wedges. So there are at most six times as many planes as reflex edges. Throws Cancelled. O(r^2) comparisons of
+/// doubles for r reflex edges, O(r) planes.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> cut_planes(bsp::MeshPlanes& mesh_planes,
+                                                                 std::span<const bsp::Facet<3>> facets,
+                                                                 std::span<const Wedge> wedges,
+                                                                 const Monitor& monitor = {});
+
+}  // namespace strata::convex

@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/kernel/box.h"
+#include "extensions/convex/box_index.h"
+#include "extensions/convex/outline.h"
+#include "extensions/convex/surface.h"
+#include "strata/convex.h"
+#include "strata/mesh.h"
+#include "strata/rational.h"
+
+namespace strata::convex {
+
+/// A point moved by infinitely little: p + e n, e > 0.
+struct NearPoint {
+  RationalPoint p;
+  RationalPoint n;
+};
+
+/// Where such a point lies. `unknown`: n runs along a boundary that p lies on.
+enum class Side { out, in, unknown };
+
+/// With respect to a polytope of any dimension; of those below 3, nothing is inside. O(facets), exact.
+[[nodiscard]] Side side_of(const Polytope& polytope, const NearPoint& point);
+
+[[nodiscard]] Polytope triangle_polytope(ExactMeshView mesh, const Triangle& triangle);
+
+/// Tells whether points lie in the sum of two solids, or of a solid and a polytope, by its definition: x is in A + B
+/// if A meets x - B. Then their boundaries meet, or one holds a part of the other.
+class SumMembership {
+ public:
+  /// `b` is a solid, or null where the second operand is a polytope. What it is given must outlive it.
+  SumMembership(const ExactMesh& a, const Surface& of_a, const ExactMesh* b, const Surface& of_b,
+                const Polytope* whole_b);
+
+  /// Exact. Where boxes overlap little, O(m log n + sums of pieces near the point) for m triangles of b, or for m = 1
+  /// where b is a polytope, and as much for every part of an operand.
+  [[nodiscard]] Side side(const NearPoint& point) const;
+
+ private:
+  [[nodiscard]] Side side_of_boundaries(const NearPoint& point) const;
+  template <class PieceOfB>
+  [[nodiscard]] Side side_of_sums(const NearPoint& point, const Vertex& near, const Box& bounds_of_b,
+                                  const Outline& outline_of_b, const PieceOfB& piece_of_b) const;
+
+  const ExactMesh& a_;
+  const ExactMesh* b_;
+  const Polytope* whole_b_;
+  BoxIndex triangles_of_a_, triangles_of_b_;
+  Box bounds_of_b_;                                                  ///< of a polytope
+  std::optional<Outline> outline_of_b_;                              ///< of a polytope
+  std::vector<std::vector<RationalPoint>> parts_of_a_, parts_of_b_;  ///< vertices of every shell
+};
+
+}  // namespace strata::convex

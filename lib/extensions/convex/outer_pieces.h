@@ -1,0 +1,32 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include "core/csg/evaluate.h"
+#include "core/kernel/carriers.h"
+#include "core/overlap/point_table.h"
+#include "extensions/convex/membership.h"
+#include "strata/options.h"
+
+namespace strata::convex {
+
+/// A triangle of a face, by its corners.
+struct PieceOfFace {
+  std::uint32_t face = 0;
+  std::array<PointId, 3> corners{};
+};
+
+/// On which side of a solid a place just in front of a piece is: another place for every number > 0, of which nearly
+/// all are known. Called from several threads.
+using SideInFront = std::function<Side(const PieceOfFace&, int)>;
+
+/// Drops those pieces of an arrangement that are no part of the boundary of a bounded solid, which pieces make up, each
+/// with the solid behind it. Around an edge the boundary has an even number of pieces, so a piece alone at an edge
+/// goes, and two alone at an edge stay both or go both: one question per patch that is connected in this way.
+/// O(n log n), and as much as there are edges of three pieces and more for each time that pieces leave others alone.
+/// Throws Cancelled.
+void keep_outer_pieces(const Carriers& carriers, const PointTable& points, Evaluated& pieces,
+                       const SideInFront& in_front, const Monitor& monitor);
+
+}  // namespace strata::convex

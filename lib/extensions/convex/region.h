@@ -1,0 +1,83 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "extensions/convex/cell.h"
+#include "extensions/convex/wedges.h"
+#include "strata/options.h"
+
+namespace strata::convex {
+
+/// A solid's boundary, prepared for being divided: triangles, wedges between them, planes that resolve reflex ones.
+struct PreparedBoundary {
+  /// Throws std::invalid_argument where a triangle has no area, Cancelled.
+  PreparedBoundary(ExactMeshView mesh, const Monitor& monitor);
+
+  HyperplaneTable<3> table;
+  bsp::BoxPlanes box;                 ///< the solid is strictly within
+  std::vector<bsp::Facet<3>> facets;  ///< the triangles
+  std::vector<Wedge> wedges;
+  std::vector<std::vector<std::uint32_t>> cut_planes;  ///< by wedge (`cut_planes`)
+
+  [[nodiscard]] std::uint32_t plane_of(std::uint32_t triangle) const { return facets[triangle].piece.hyperplane; }
+};
+
+/// A triangle of the boundary, as far as it is in a region.
+struct Face {
+  std::uint32_t triangle = 0;
+  const bsp::Piece<3>* part = nullptr;  ///< the facet of the boundary, or of a workspace
+};
+
+/// A wedge, as far as its edge goes through a region or along its walls with both faces inside.
+struct Edge {
+  std::uint32_t wedge = 0;
+  std::array<Corner<3>, 2> ends;
+};
+
+/// A convex part of space and what is in it of a solid's boundary.
+struct Region {
+  Cell cell;
+  std::vector<Face> faces;
+  std::vector<Edge> edges;
+};
+
+/// What regions of one boundary share while they are divided: parts of faces, and memory for marks, which is used again
+/// from call to call. Regions are valid as long as it is. For one thread.
+struct Workspace {
+  explicit Workspace(const PreparedBoundary& boundary);
+
+  std::deque<bsp::Piece<3>> parts;
+  std::vector<bsp::Lie> lies;            ///< by triangle
+  std::vector<std::uint32_t> parents;    ///< by triangle
+  std::vector<std::uint32_t> of_planes;  ///< by plane; zeros between calls
+};
+
+/// The whole box about the solid.
+[[nodiscard]] Region whole_region(const PreparedBoundary& boundary, CellMaker& maker);
+
+/// Both sides of a plane through a region. Where a side has no faces it is inside or outside as a whole.
+struct RegionSides {
+  Region minus, plus;
+  bool is_minus_inside = true, is_plus_inside = true;  ///< of sides without faces
+};
+
+/// Divides a region by a plane through one of its reflex edges or in which it has faces. Edges in the plane are
+/// resolved, and left out, unless their wedge is on one side as a whole. O(size).
+[[nodiscard]] RegionSides split(const PreparedBoundary& boundary, CellMaker& maker, Workspace& workspace,
+                                const Region& region, std::uint32_t plane);
+
+/// A plane that divides a region well: among some planes through its reflex edges the one that resolves most of them
+/// and divides few edges and faces; without reflex edges, a plane of a face between connected parts of the boundary.
+/// Nothing if the boundary is one part without reflex edges: then the part of the region inside the solid is convex.
+/// O(size * candidates), of which there are at most 128.
+[[nodiscard]] std::optional<std::uint32_t> choose_cut(const PreparedBoundary& boundary, Workspace& workspace,
+                                                      const Region& region);
+
+/// The part of a region inside the solid, where `choose_cut` finds nothing to divide. O(faces * facets of
+/// the cell + squares of sides of facets).
+[[nodiscard]] Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region& region);
+
+}  // namespace strata::convex

@@ -1,0 +1,121 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/exact/twofold.h"
+#include "core/kernel/box.h"
+#include "core/kernel/carriers.h"
+#include "core/kernel/source_plane.h"
+
+namespace strata {
+
+using PlanePointer = std::shared_ptr<const SourcePlane>;
+
+/// A vertex of a workpiece: at doubles, at a rational place that was given, or where three source planes meet.
+struct Corner {
+  Carriers::Coordinates at{};               ///< the place, or the nearest doubles
+  bool is_given = true;                     ///< a vertex of an operand, as opposed to one that was constructed
+  std::optional<RationalPoint> rational;    ///< if given, and not in doubles
+  MeetOfPlanes meet;                        ///< if constructed, and not in doubles
+  std::array<PlanePointer, 3> meet_planes;  ///< own the planes of `meet`
+
+  [[nodiscard]] bool has_doubles() const { return !rational && meet_planes[0] == nullptr; }
+};
+using CornerPointer = std::shared_ptr<const Corner>;
+
+/// A triangle of a workpiece.
+class WorkFace {
+ public:
+  /// Corners counter-clockwise from outside; the plane that the face is a part of, or null for the one through its
+  /// corners, which are doubles then.
+  WorkFace(std::array<CornerPointer, 3> corners, PlanePointer plane);
+
+  [[nodiscard]] const std::array<CornerPointer, 3>& corners() const { return corners_; }
+  [[nodiscard]] const PlanePointer& plane() const { return plane_; }
+  /// Of the corners' doubles. Rounding is monotone: boxes of faces that meet overlap.
+  [[nodiscard]] const Box& box() const { return box_; }
+  /// Six times the signed volume between the face and the coordinates' origin, within bounds.
+  [[nodiscard]] const Twofold& determinant() const { return determinant_; }
+
+ private:
+  std::array<CornerPointer, 3> corners_;
+  PlanePointer plane_;
+  Box box_;
+  Twofold determinant_;
+};
+
+/// Faces of a tree, by their addresses, that go, and others that come in their place.
+struct FaceChange {
+  std::vector<const WorkFace*> removed;
+  std::vector<WorkFace> added;
+};
+
+/// The faces of a workpiece in an immutable tree of boxes. A tree that differs in a few faces shares all subtrees in
+/// which it does not. The shape of a tree follows from how it was made, not from threads or addresses.
+class FaceTree {
+ public:
+  FaceTree() = default;
+  explicit FaceTree(std::vector<WorkFace> faces);  ///< O(n log n)
+
+  [[nodiscard]] std::size_t size() const;
+  [[nodiscard]] Box bounds() const;
+  /// Six times the volume inside, within bounds.
+  [[nodiscard]] Twofold determinant() const;
+
+  /// Calls `visit(const WorkFace&)` for all faces whose boxes a region may hold something of, in the order of the tree.
+  /// `overlaps(const Box&)` is true of a box if it is of a box inside. The references are valid as long as the tree is.
+  template <class Overlaps, class Visit>
+  void for_each_in(const Overlaps& overlaps, const Visit& visit) const {
+    if (root_ != nullptr) visit_node(*root_, overlaps, visit);
+  }
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for_each_in([](const Box&) { return true; }, visit);
+  }
+
+  /// The tree after changes of this very one, no two of which remove the same face. O(k log n) for k faces that come
+  /// and go, amortized.
+  [[nodiscard]] FaceTree with(std::vector<FaceChange> changes) const;
+
+ private:
+  struct Node;
+  using NodePointer = std::shared_ptr<const Node>;
+  struct Node {
+    Box box;
+    std::size_t count = 0;
+    Twofold determinant;
+    std::array<NodePointer, 2> children;  ///< null: a leaf
+    std::vector<WorkFace> faces;          ///< of a leaf
+  };
+
+  explicit FaceTree(NodePointer root) : root_(std::move(root)) {}
+
+  template <class Overlaps, class Visit>
+  static void visit_node(const Node& node, const Overlaps& overlaps, const Visit& visit) {
+    if (!overlaps(node.box)) return;
+    if (node.children[0] != nullptr) {
+      for (const NodePointer& child : node.children) visit_node(*child, overlaps, visit);
+    } else {
+      for (const WorkFace& face : node.faces)
+        if (overlaps(face.box())) visit(face);
+    }
+  }
+
+  static NodePointer leaf(std::vector<WorkFace> faces);
+  static NodePointer inner(NodePointer a, NodePointer b);
+  static NodePointer build(std::vector<WorkFace> faces);
+  static NodePointer build(std::span<WorkFace> faces, std::span<std::uint32_t> order);
+  static NodePointer without(const NodePointer& node, std::span<const Box> regions,
+                             std::span<const WorkFace* const> removed);
+  static NodePointer with_faces(const NodePointer& node, std::span<WorkFace> added);
+
+  NodePointer root_;
+};
+
+}  // namespace strata

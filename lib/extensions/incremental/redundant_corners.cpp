@@ -1,0 +1,224 @@
+#include "extensions/incremental/redundant_corners.h"
+
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "extensions/incremental/star_polygon.h"
+
+namespace strata {
+namespace {
+
+using Index = std::uint32_t;
+constexpr Index none = std::numeric_limits<Index>::max();
+
+/// Triangles around a corner in one plane that look one way.
+struct Sheet {
+  PlanePointer plane;
+  boost::container::small_vector<Index, 8> triangles;
+};
+
+/// How far three planes are from having a line in common, 0 to 1.
+double spread(const SourcePlane& p, const SourcePlane& q, const SourcePlane& r) {
+  const auto length = [](const BoundedPoint& n) { return std::hypot(n[0].value, n[1].value, n[2].value); };
+  const auto &a = p.bounded_normal(), &b = q.bounded_normal(), &c = r.bounded_normal();
+  return std::abs(dot<Bounded>(a, cross<Bounded>(b, c)).value) / (length(a) * length(b) * length(c));
+}
+
+class CornerRemover {
+ public:
+  CornerRemover(const Carriers& carriers, const PointTable& points, FacePlanes& planes,
+                const std::vector<PointId>& candidates, std::vector<ResultTriangle>& triangles)
+      : carriers_(carriers), points_(points), planes_(planes), candidates_(candidates), triangles_(triangles) {
+    place_.assign(points.end(), none);
+    for (Index i = 0; i < candidates.size(); ++i) place_[candidates[i]] = i;
+    around_.resize(candidates.size());
+    for (Index t = 0; t < triangles.size(); ++t) list(t);
+  }
+
+  std::vector<MeetingPlanes> remove_all() {
+    std::vector<MeetingPlanes> meetings(candidates_.size());
+    for (Index i = 0; i < candidates_.size(); ++i) {
+      find_sheets(i);
+      if (sheets_.empty() || (!find_meeting(meetings[i]) && remove(i))) continue;
+    }
+    std::erase_if(triangles_, [](const ResultTriangle& t) { return t.face == none; });
+    return meetings;
+  }
+
+ private:
+  void list(Index t) {
+    for (const PointId v : triangles_[t].v)
+      if (place_[v] != none) around_[place_[v]].push_back(t);
+  }
+
+  void find_sheets(Index corner) {
+    sheets_.clear();
+    for (const Index t : around_[corner]) {
+      const ResultTriangle& triangle = triangles_[t];
+      if (triangle.face == none) continue;
+      const PlanePointer& plane = planes_.of(triangle.face, triangle.turned);
+      auto at = std::find_if(sheets_.begin(), sheets_.end(), [&](const Sheet& s) { return s.plane == plane; });
+      if (at == sheets_.end())
+        at = std::find_if(sheets_.begin(), sheets_.end(), [&](const Sheet& s) {
+          return are_parallel(*s.plane, *plane) && have_same_direction(*s.plane, *plane);
+        });
+      if (at == sheets_.end()) at = sheets_.insert(sheets_.end(), Sheet{plane, {}});
+      at->triangles.push_back(t);
+    }
+  }
+
+  /// Three planes that meet in the corner, of those around it the ones that tell its place best; false if there are no
+  /// three.
+  bool find_meeting(MeetingPlanes& meeting) const {
+    double best = -1;
+    const std::size_t n = std::min<std::size_t>(sheets_.size(), 6), all = sheets_.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = i + 1; j < n; ++j)
+        for (std::size_t k = j + 1; k < n; ++k) consider(i, j, k, best, meeting);
+    if (best >= 0 || all <= n) return best >= 0;
+    for (std::size_t i = 0; i < all && best < 0; ++i)
+      for (std::size_t j = i + 1; j < all && best < 0; ++j)
+        for (std::size_t k = j + 1; k < all && best < 0; ++k) consider(i, j, k, best, meeting);
+    return best >= 0;
+  }
+  void consider(std::size_t i, std::size_t j, std::size_t k, double& best, MeetingPlanes& meeting) const {
+    const PlanePointer &p = sheets_[i].plane, &q = sheets_[j].plane, &r = sheets_[k].plane;
+    const double size = spread(*p, *q, *r);
+    if (size <= best || !are_independent(*p, *q, *r)) return;
+    best = size;
+    meeting = {p, q, r};
+  }
+
+  /// False if the corner has to stay.
+  bool remove(Index corner) {
+    fans_.clear();
+    for (const Sheet& sheet : sheets_)
+      if (!find_fans(candidates_[corner], sheet)) return false;
+    if (!split_discs() || !ends_match()) return false;
+    std::vector<ResultTriangle> replacing;
+    for (const Fan& fan : fans_) {
+      const auto triangulated = triangulate_star(carriers_, points_, *sheets_[fan.sheet].plane, fan.outline);
+      if (!triangulated) return false;
+      const ResultTriangle& like = triangles_[sheets_[fan.sheet].triangles.front()];
+      for (const auto& v : *triangulated) replacing.push_back({v, like.face, like.turned, false});
+    }
+    for (const Sheet& sheet : sheets_)
+      for (const Index t : sheet.triangles) triangles_[t].face = none;
+    for (const ResultTriangle& t : replacing) {
+      triangles_.push_back(t);
+      list(static_cast<Index>(triangles_.size() - 1));
+    }
+    return true;
+  }
+
+  /// What the triangles of a sheet show of it around a corner: all around, or from one side to another.
+  struct Fan {
+    std::size_t sheet = 0;
+    bool is_closed = false;
+    std::vector<PointId> outline;
+  };
+
+  /// Chains the sides opposite to the corner. False when they branch.
+  bool find_fans(PointId corner, const Sheet& sheet) {
+    std::vector<std::pair<PointId, PointId>> sides;
+    for (const Index t : sheet.triangles) {
+      const auto& v = triangles_[t].v;
+      const std::size_t i = v[0] == corner ? 0 : v[1] == corner ? 1 : 2;
+      sides.emplace_back(v[(i + 1) % 3], v[(i + 2) % 3]);
+    }
+    std::sort(sides.begin(), sides.end());
+    std::vector<PointId> heads;
+    for (const auto& [tail, head] : sides) heads.push_back(head);
+    std::sort(heads.begin(), heads.end());
+    if (std::adjacent_find(heads.begin(), heads.end()) != heads.end()) return false;
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+      if (sides[i].first == sides[i + 1].first) return false;
+    std::vector<bool> used(sides.size());
+    const auto follow = [&](std::size_t first) {
+      Fan fan{static_cast<std::size_t>(&sheet - sheets_.data()), false, {sides[first].first}};
+      for (std::size_t at = first;;) {
+        used[at] = true;
+        const PointId next = sides[at].second;
+        if (next == fan.outline.front()) {
+          fan.is_closed = true;
+          break;
+        }
+        fan.outline.push_back(next);
+        const auto onward = std::lower_bound(sides.begin(), sides.end(), std::pair{next, PointId{0}});
+        if (onward == sides.end() || onward->first != next) break;
+        at = static_cast<std::size_t>(onward - sides.begin());
+      }
+      fans_.push_back(std::move(fan));
+    };
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      if (!std::binary_search(heads.begin(), heads.end(), sides[i].first)) follow(i);
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      if (!used[i]) follow(i);
+    return true;
+  }
+
+  /// Where sheets bend, they do it in one line, which must stay an edge of all sheets through it: flat ones are split
+  /// along it. False when the line does not end in the same two corners for all of them.
+  bool split_discs() {
+    const auto open = std::find_if(fans_.begin(), fans_.end(), [](const Fan& f) { return !f.is_closed; });
+    if (open == fans_.end()) return fans_.size() == 1;
+    const auto ends = std::minmax(open->outline.front(), open->outline.back());
+    const std::pair<PointId, PointId> line(ends.first, ends.second);
+    for (std::size_t i = 0, n = fans_.size(); i < n; ++i) {
+      if (!fans_[i].is_closed) {
+        if (std::pair<PointId, PointId>(std::minmax({fans_[i].outline.front(), fans_[i].outline.back()})) != line)
+          return false;
+        continue;
+      }
+      Fan half{fans_[i].sheet, false, {}};
+      std::vector<PointId>& outline = fans_[i].outline;
+      const auto first = std::find(outline.begin(), outline.end(), line.first);
+      std::rotate(outline.begin(), first, outline.end());
+      const auto second = std::find(outline.begin(), outline.end(), line.second);
+      if (outline.front() != line.first || second == outline.end()) return false;
+      half.outline.assign(second, outline.end());
+      half.outline.push_back(line.first);
+      outline.erase(second + 1, outline.end());
+      fans_[i].is_closed = false;
+      fans_.push_back(std::move(half));
+    }
+    return true;
+  }
+
+  /// Will the sides that close the open fans bound nothing? Then the result stays closed.
+  [[nodiscard]] bool ends_match() const {
+    std::vector<std::pair<PointId, PointId>> forth, back;
+    for (const Fan& fan : fans_) {
+      if (fan.is_closed) continue;
+      forth.emplace_back(fan.outline.front(), fan.outline.back());
+      back.emplace_back(fan.outline.back(), fan.outline.front());
+    }
+    std::sort(forth.begin(), forth.end());
+    std::sort(back.begin(), back.end());
+    return forth == back;
+  }
+
+  const Carriers& carriers_;
+  const PointTable& points_;
+  FacePlanes& planes_;
+  const std::vector<PointId>& candidates_;
+  std::vector<ResultTriangle>& triangles_;
+  std::vector<Index> place_;                                      ///< among the candidates, per point
+  std::vector<boost::container::small_vector<Index, 8>> around_;  ///< triangles, per candidate
+  std::vector<Sheet> sheets_;
+  std::vector<Fan> fans_;
+};
+
+}  // namespace
+
+std::vector<MeetingPlanes> remove_redundant_corners(const Carriers& carriers, const PointTable& points,
+                                                    FacePlanes& planes, const std::vector<PointId>& candidates,
+                                                    std::vector<ResultTriangle>& triangles) {
+  return CornerRemover(carriers, points, planes, candidates, triangles).remove_all();
+}
+
+}  // namespace strata

@@ -1,0 +1,240 @@
+#include "extensions/incremental/step.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "core/csg/evaluate.h"
+#include "core/exact/failure.h"
+#include "core/kernel/nearest.h"
+#include "extensions/incremental/face_planes.h"
+#include "extensions/incremental/patch.h"
+#include "extensions/incremental/redundant_corners.h"
+
+namespace strata {
+namespace {
+
+constexpr std::uint32_t workpiece_operand = 0;
+
+CornerPointer given_corner(const Vertex& at, const RationalPoint* rational) {
+  auto corner = std::make_shared<Corner>();
+  corner->at = at;
+  if (rational != nullptr) corner->rational = *rational;
+  return corner;
+}
+
+bool holds(const Box& box, const Vertex& p) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (p[i] < box.lower[i] || p[i] > box.upper[i]) return false;
+  return true;
+}
+
+/// Does a surface stay that only the workpiece has on its inside?
+bool keeps_rest(const Rule& rule) {
+  Windings in_workpiece;
+  in_workpiece.add(workpiece_operand, 1);
+  return rule.inside(in_workpiece);
+}
+
+class Step {
+ public:
+  Step(const FaceTree& tree, Operation operation, const ToolGroup& group, const Monitor& monitor)
+      : tree_(tree),
+        region_(group.box),
+        rule_(operation, static_cast<std::uint32_t>(group.tools.size() + 1)),
+        patch_(tree, region_),
+        points_(carriers_) {
+    patch_.add_to(carriers_);
+    for (const Solid& tool : group.tools)
+      carriers_.add(tool.mesh().vertices, tool.mesh().triangles, tool.exact_mesh().exact);
+    Profile profile;
+    pieces_ = evaluate_pieces(carriers_, rule_, false, points_, monitor, profile);
+  }
+
+  FaceChange change() {
+    gather();
+    FacePlanes planes(carriers_);
+    for (std::uint32_t f = 0; f < patch_.face_count(); ++f)
+      if (patch_.face(f).plane() != nullptr) planes.know(f, patch_.face(f).plane());
+    const std::vector<PointId> candidates = find_candidates();
+    const std::vector<MeetingPlanes> meetings =
+        remove_redundant_corners(carriers_, points_, planes, candidates, triangles_);
+    corners_.resize(points_.end());
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (meetings[i][0] != nullptr && !points_.is_input(candidates[i]))
+        corners_[candidates[i]] = constructed_corner(meetings[i]);
+    return assembled(planes);
+  }
+
+ private:
+  void gather() {
+    for (std::uint32_t f = 0; f < carriers_.face_count(); ++f) {
+      const Verdict verdict = pieces_.whole[f];
+      if (verdict == Verdict::drop) continue;
+      Carriers::Indices v = carriers_.face(f);
+      for (std::uint32_t& x : v) x = points_.representative(x);
+      const bool turned = verdict == Verdict::keep_turned;
+      if (turned) std::swap(v[0], v[2]);
+      triangles_.push_back({v, f, turned, f < patch_.face_count() && !turned});
+    }
+    for (const SplitFace& face : pieces_.split)
+      for (const PieceTriangle& t : face.triangles)
+        triangles_.push_back(
+            {{face.points[t.v[0]], face.points[t.v[1]], face.points[t.v[2]]}, face.face, t.turned, false});
+  }
+
+  /// Corners that were constructed, now or before, where something has changed. Nothing changes outside the region.
+  [[nodiscard]] std::vector<PointId> find_candidates() const {
+    std::vector<bool> is_touched(points_.end());
+    std::vector<bool> stays(patch_.face_count());
+    for (const ResultTriangle& t : triangles_) {
+      if (t.untouched) stays[t.face] = true;
+      if (!t.untouched)
+        for (const PointId v : t.v) is_touched[v] = true;
+    }
+    for (std::uint32_t f = 0; f < patch_.face_count(); ++f)
+      if (!stays[f])
+        for (const std::uint32_t v : carriers_.face(f)) is_touched[points_.representative(v)] = true;
+    std::vector<PointId> candidates;
+    for (PointId v = 0; v < points_.end(); ++v)
+      if (is_touched[v] && is_candidate(v)) candidates.push_back(v);
+    return candidates;
+  }
+  [[nodiscard]] bool is_candidate(PointId v) const {
+    if (!points_.is_input(v)) return true;
+    if (v >= patch_.vertex_count()) return false;
+    const Corner& corner = *patch_.corner(v);
+    return !corner.is_given && holds(region_, corner.at);
+  }
+
+  static CornerPointer constructed_corner(const MeetingPlanes& planes) {
+    auto corner = std::make_shared<Corner>();
+    corner->is_given = false;
+    corner->meet = meet_of(*planes[0], *planes[1], *planes[2]);
+    for (std::size_t i = 0; i < 3; ++i) corner->at[i] = corner->meet.at[i].value;
+    if (exact_doubles(corner->meet)) {
+      corner->meet = {};
+    } else {
+      corner->meet_planes = planes;
+    }
+    return corner;
+  }
+
+  /// A corner that no three planes of the result tell: where sheets touch without sharing their edges.
+  [[nodiscard]] CornerPointer corner_by_name(PointId v) const {
+    auto corner = std::make_shared<Corner>();
+    const RationalPoint exact = exact_position(carriers_, points_.point(v));
+    bool has_doubles = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      corner->at[i] = to_nearest_double(exact[i]);
+      has_doubles = has_doubles && to_rational(corner->at[i]) == exact[i];
+    }
+    corner->is_given = false;
+    if (!has_doubles) corner->rational = exact;
+    return corner;
+  }
+
+  const CornerPointer& corner(PointId v) {
+    CornerPointer& known = corners_[v];
+    if (known != nullptr) return known;
+    if (v < patch_.vertex_count()) return known = patch_.corner(v);
+    return known = points_.is_input(v) ? given_corner(carriers_.vertex(v), carriers_.exact(v)) : corner_by_name(v);
+  }
+
+  FaceChange assembled(FacePlanes& planes) {
+    FaceChange change;
+    std::vector<bool> stays(patch_.face_count());
+    for (const ResultTriangle& t : triangles_) {
+      if (t.untouched) {
+        stays[t.face] = true;
+      } else {
+        change.added.push_back(new_face(t, planes));
+      }
+    }
+    for (std::uint32_t f = 0; f < patch_.face_count(); ++f)
+      if (!stays[f]) change.removed.push_back(&patch_.face(f));
+    if (keeps_rest(rule_)) {
+      ensure_same_boundary(change);
+    } else {
+      remove_rest(change);
+    }
+    return change;
+  }
+
+  /// All faces of the tree that are not in the patch.
+  void remove_rest(FaceChange& change) const {
+    std::vector<const WorkFace*> known;
+    for (std::uint32_t f = 0; f < patch_.face_count(); ++f) known.push_back(&patch_.face(f));
+    std::sort(known.begin(), known.end(), std::less<>());
+    tree_.for_each([&](const WorkFace& f) {
+      if (!std::binary_search(known.begin(), known.end(), &f, std::less<>())) change.removed.push_back(&f);
+    });
+  }
+
+  WorkFace new_face(const ResultTriangle& t, FacePlanes& planes) {
+    const std::array<CornerPointer, 3> corners{corner(t.v[0]), corner(t.v[1]), corner(t.v[2])};
+    const bool are_given = std::all_of(corners.begin(), corners.end(),
+                                       [](const CornerPointer& c) { return c->is_given && c->has_doubles(); });
+    const bool has_plane = t.face < patch_.face_count() && patch_.face(t.face).plane() != nullptr;
+    return {corners, are_given && !has_plane ? nullptr : planes.of(t.face, t.turned)};
+  }
+
+  /// Each side of the faces that go is one of those that come, as often, or meets its opposite.
+  static void ensure_same_boundary(const FaceChange& change) {
+    std::vector<std::pair<std::pair<const Corner*, const Corner*>, int>> sides;
+    sides.reserve(3 * (change.removed.size() + change.added.size()));
+    const auto add = [&](const WorkFace& f, int times) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Corner *a = f.corners()[i].get(), *b = f.corners()[(i + 1) % 3].get();
+        const bool forth = std::less<>()(a, b);
+        sides.push_back({forth ? std::pair(a, b) : std::pair(b, a), forth ? times : -times});
+      }
+    };
+    for (const WorkFace* f : change.removed) add(*f, -1);
+    for (const WorkFace& f : change.added) add(f, 1);
+    std::sort(sides.begin(), sides.end());
+    int sum = 0;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      sum += sides[i].second;
+      if (i + 1 < sides.size() && sides[i + 1].first == sides[i].first) continue;
+      if (sum != 0) throw LogicError("a step would leave the workpiece open");
+    }
+  }
+
+  const FaceTree& tree_;
+  const Box region_;
+  const Rule rule_;
+  const Patch patch_;
+  Carriers carriers_;
+  PointTable points_;
+  Evaluated pieces_;
+  std::vector<ResultTriangle> triangles_;
+  std::vector<CornerPointer> corners_;  ///< per point, once it is needed
+};
+
+}  // namespace
+
+FaceChange change_by(const FaceTree& workpiece, Operation operation, const ToolGroup& group, const Monitor& monitor) {
+  return Step(workpiece, operation, group, monitor).change();
+}
+
+std::vector<WorkFace> faces_of(const Solid& solid) {
+  const ExactMesh& mesh = solid.exact_mesh();
+  std::vector<CornerPointer> corners;
+  corners.reserve(mesh.mesh.vertices.size());
+  for (const Vertex& v : mesh.mesh.vertices) corners.push_back(given_corner(v, nullptr));
+  for (const ExactVertex& e : mesh.exact) corners[e.vertex] = given_corner(mesh.mesh.vertices[e.vertex], &e.position);
+  Carriers carriers;
+  carriers.add(mesh.mesh.vertices, mesh.mesh.triangles, mesh.exact);
+  FacePlanes planes(carriers);
+  std::vector<WorkFace> faces;
+  faces.reserve(mesh.mesh.triangles.size());
+  for (std::uint32_t f = 0; f < carriers.face_count(); ++f) {
+    const Triangle& t = mesh.mesh.triangles[f];
+    faces.emplace_back(std::array{corners[t[0]], corners[t[1]], corners[t[2]]},
+                       carriers.has_doubles(t) ? nullptr : planes.of(f, false));
+  }
+  return faces;
+}
+
+}  // namespace strata

@@ -1,0 +1,66 @@
+#include "extensions/incremental/tool_groups.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "core/cells/grid.h"
+
+namespace strata {
+namespace {
+
+/// A step has costs of its own, which more faces share; tools in one step are all tested with each other.
+constexpr std::size_t faces_of_step = 2000;
+
+/// Bits of three coordinates of 10 bits each in turn: points near each other on a curve through all of space (Morton).
+std::uint32_t interleaved(const std::array<std::int32_t, 3>& g) {
+  constexpr int dropped = 20;
+  std::uint32_t code = 0;
+  for (int bit = 9; bit >= 0; --bit)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int32_t x = std::min(g[i], Grid::extent - 1);
+      code = code << 1 | (static_cast<std::uint32_t>(x) >> (dropped + bit) & 1u);
+    }
+  return code;
+}
+
+}  // namespace
+
+Box bounds_of(const Solid& solid) {
+  Box box;
+  for (const Triangle& t : solid.mesh().triangles)
+    for (const std::uint32_t v : t) box.include(solid.mesh().vertices[v]);
+  return box;
+}
+
+std::vector<ToolGroup> group_tools(std::span<const Solid> tools) {
+  Box all;
+  std::vector<Box> boxes;
+  for (const Solid& tool : tools) {
+    boxes.push_back(bounds_of(tool));
+    all.include(boxes.back());
+  }
+  std::vector<std::pair<std::uint32_t, std::size_t>> order;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    if (boxes[i].empty()) continue;
+    Carriers::Coordinates middle{};
+    for (std::size_t k = 0; k < 3; ++k) middle[k] = boxes[i].lower[k] / 2 + boxes[i].upper[k] / 2;
+    order.emplace_back(interleaved(Grid(all.lower, all.upper).at(middle)), i);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<ToolGroup> groups;
+  std::size_t faces = faces_of_step;
+  for (const auto& [code, i] : order) {
+    const std::size_t more = tools[i].mesh().triangles.size();
+    if (faces + more > faces_of_step) {
+      groups.emplace_back();
+      faces = 0;
+    }
+    groups.back().tools.push_back(tools[i]);
+    groups.back().box.include(boxes[i]);
+    faces += more;
+  }
+  return groups;
+}
+
+}  // namespace strata

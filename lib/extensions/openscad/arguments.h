@@ -1,0 +1,40 @@
+#pragma once
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "extensions/openscad/report.h"
+#include "extensions/openscad/syntax.h"
+
+namespace strata::openscad {
+
+/// The arguments of a node by their names. One without a name goes to the next parameter that none before it went to;
+/// of two with one name the later counts; `undef` is as if there were none. Arguments that a node does not have are
+/// noted and passed over, but for special variables ($t). The node must outlive this.
+class Arguments {
+ public:
+  Arguments(const SyntaxNode& node, std::initializer_list<std::string_view> parameters, Report& report);
+
+  /// Null where there is none.
+  [[nodiscard]] const Value* find(std::string_view parameter) const;
+  /// Throw CsgError for a value of another kind.
+  [[nodiscard]] double number(std::string_view parameter, double otherwise) const;
+  [[nodiscard]] bool truth(std::string_view parameter, bool otherwise) const;
+
+  /// Throws CsgError at the argument: "the PARAMETER of NODE REASON".
+  [[noreturn]] void fail(std::string_view parameter, const std::string& reason) const;
+
+ private:
+  struct Given {
+    std::string_view parameter;
+    const Argument* argument;
+  };
+  [[nodiscard]] const Given* given(std::string_view parameter) const;
+
+  const SyntaxNode& node_;
+  const Report& report_;
+  std::vector<Given> given_;
+};
+
+}  // namespace strata::openscad

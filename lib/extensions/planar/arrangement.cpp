@@ -1,0 +1,286 @@
+#include "extensions/planar/arrangement.h"
+
+#include <bit>
+#include <numeric>
+
+#include "extensions/planar/meetings.h"
+#include "extensions/planar/sweep.h"
+
+namespace strata::planar {
+namespace {
+
+/// Sets of points with one place, named by their lowest numbers.
+class Names {
+ public:
+  explicit Names(std::uint32_t count) : name_(count) { std::iota(name_.begin(), name_.end(), 0u); }
+
+  std::uint32_t find(std::uint32_t p) {
+    while (name_[p] != p) p = name_[p] = name_[name_[p]];
+    return p;
+  }
+  void unite(std::uint32_t p, std::uint32_t q) {
+    p = find(p);
+    q = find(q);
+    name_[std::max(p, q)] = std::min(p, q);
+  }
+  std::vector<std::uint32_t> take() {
+    for (std::uint32_t p = 0; p < name_.size(); ++p) name_[p] = name_[name_[p]];  // names are lower: settled before
+    return std::move(name_);
+  }
+
+ private:
+  std::vector<std::uint32_t> name_;
+};
+
+double size_of(const Box& box) { return (box.right - box.left) + (box.high - box.low); }
+
+/// Consecutive segments that make progress, up to eight together: fewer things to sort, and boxes that are little
+/// larger. What stands for a strand is alone.
+std::vector<std::uint32_t> runs_of(const Segments& segments, const std::vector<Box>& boxes) {
+  constexpr std::uint32_t longest = 8;
+  constexpr double progress = 0.6;  // of the box in what the segments measure
+  std::vector<std::uint32_t> first;
+  Box box;
+  double total = 0;
+  for (std::uint32_t s = 0; s < boxes.size(); ++s) {
+    const Box joined = s > 0 ? hull(box, boxes[s]) : boxes[s];
+    const double size = size_of(boxes[s]);
+    const bool goes_on = s > 0 && s - first.back() < longest && segments.ends[s - 1][1] == segments.ends[s][0] &&
+                         !segments.strands.holds(s - 1) && !segments.strands.holds(s) &&
+                         size_of(joined) >= progress * (total + size);
+    if (!goes_on) first.push_back(s);
+    box = goes_on ? joined : boxes[s];
+    total = goes_on ? total + size : size;
+  }
+  first.push_back(static_cast<std::uint32_t>(boxes.size()));
+  return first;
+}
+
+std::unique_ptr<Strips> strips_of(const Segments& segments, const std::vector<Box>& boxes,
+                                  const std::vector<std::uint32_t>& first_of_run) {
+  std::vector<Box> run_boxes;
+  std::vector<std::array<PlanePoint, 2>> ends;
+  for (std::size_t r = 0; r + 1 < first_of_run.size(); ++r) {
+    const std::uint32_t first = first_of_run[r], end = first_of_run[r + 1];
+    Box box = boxes[first];
+    for (std::uint32_t s = first + 1; s < end; ++s) box = hull(box, boxes[s]);
+    run_boxes.push_back(box);
+    const PlanePoint& from = segments.places.place[segments.ends[first][0]];
+    const PlanePoint& to = segments.places.place[segments.ends[first][1]];
+    const bool is_straight = end - first == 1 && !segments.strands.holds(first);
+    ends.push_back({from, is_straight ? to : from});  // only what is straight is cut along its line
+  }
+  return std::make_unique<Strips>(std::move(run_boxes), std::move(ends));
+}
+
+/// Finds where segments meet, pair by pair where boxes meet: within runs, and between runs that share a strip. What
+/// comes into strips with too many pairs for what they find is swept over instead, and what they found is dropped.
+class MeetingSearch {
+ public:
+  MeetingSearch(Segments& segments, const std::vector<Box>& boxes, const std::vector<std::uint32_t>& first_of_run,
+                Strips& strips, std::size_t patience)
+      : segments_(segments),
+        boxes_(boxes),
+        first_of_run_(first_of_run),
+        strips_(strips),
+        patience_(patience),
+        finder_(segments, strips, found_) {}
+
+  Meetings find(const Monitor& monitor) {
+    for (std::uint32_t r = 0; r + 1 < first_of_run_.size(); ++r)
+      if (!is_monotone(r, 0) && !is_monotone(r, 1)) find_within(r);
+    strips_.sort(*this);
+    monitor.check();
+    sweep_over_crowds(monitor);
+    return std::move(found_);
+  }
+
+  void enter(std::uint32_t strip) {
+    strip_ = strip;
+    tests_ = 0;
+    places_before_ = finder_.new_places();
+    repeats_before_ = finder_.repeated_crossings();
+    sizes_before_ = {found_.inside.size(), found_.equal.size(), found_.folds.size()};
+    points_before_ = segments_.places.size();
+  }
+  void visit(std::uint32_t q, std::uint32_t r) {
+    if (is_strand(q) || is_strand(r)) return;
+    for (std::uint32_t s = first_of_run_[q]; s < first_of_run_[q + 1]; ++s) {
+      if (!overlap(boxes_[s], strips_.box(r))) continue;
+      for (std::uint32_t t = first_of_run_[r]; t < first_of_run_[r + 1]; ++t) {
+        if (!overlap(boxes_[s], boxes_[t])) continue;
+        finder_.test(s, t, strip_);
+        ++tests_;
+      }
+    }
+  }
+  bool is_enough(std::size_t pairs) {
+    const std::size_t cost = pairs + pairs_per_test * tests_ +
+                             pairs_per_repeat * (finder_.repeated_crossings() - repeats_before_);
+    const std::size_t worth = 8 * strips_.segments(strip_).size() + (finder_.new_places() - places_before_);
+    if (cost <= patience_ * worth) return false;
+    crowds_.push_back(strip_);
+    found_.inside.resize(sizes_before_[0]);
+    found_.equal.resize(sizes_before_[1]);
+    found_.folds.resize(sizes_before_[2]);
+    segments_.places.drop_meets(points_before_);
+    return true;
+  }
+
+ private:
+  /// Strands meet nothing.
+  [[nodiscard]] bool is_strand(std::uint32_t run) const { return segments_.strands.holds(first_of_run_[run]); }
+  /// True when a run of given doubles goes strictly up, or down, in a coordinate: then its segments meet only in the
+  /// ends that they share.
+  [[nodiscard]] bool is_monotone(std::uint32_t run, std::size_t axis) const {
+    const Places& places = segments_.places;
+    const auto goes_up = [&](const std::array<std::uint32_t, 2>& e) {
+      return places.place[e[0]][axis] < places.place[e[1]][axis];
+    };
+    const std::uint32_t first = first_of_run_[run], end = first_of_run_[run + 1];
+    const bool is_up = goes_up(segments_.ends[first]);
+    return std::all_of(segments_.ends.begin() + first, segments_.ends.begin() + end, [&](const auto& e) {
+      return places.is_double(e[0]) && places.is_double(e[1]) && goes_up(is_up ? e : std::array{e[1], e[0]});
+    });
+  }
+  void find_within(std::uint32_t run) {
+    for (std::uint32_t s = first_of_run_[run]; s < first_of_run_[run + 1]; ++s)
+      for (std::uint32_t t = s + 1; t < first_of_run_[run + 1]; ++t)
+        if (overlap(boxes_[s], boxes_[t])) finder_.test(s, t, none);
+  }
+  void sweep_over_crowds(const Monitor& monitor) {
+    if (crowds_.empty()) return;
+    std::vector<std::uint32_t> runs;
+    for (const std::uint32_t k : crowds_) {
+      const auto crowd = strips_.segments(k);
+      runs.insert(runs.end(), crowd.begin(), crowd.end());
+    }
+    std::sort(runs.begin(), runs.end());
+    runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
+    std::vector<SweptSegment> swept;
+    std::erase_if(runs, [&](std::uint32_t r) { return is_strand(r); });
+    for (const std::uint32_t r : runs)
+      for (std::uint32_t s = first_of_run_[r]; s < first_of_run_[r + 1]; ++s)
+        swept.push_back({s, segments_.ends[s][0], segments_.ends[s][1]});
+    const std::size_t before = found_.inside.size();
+    sweep(segments_.places, swept, found_, monitor);
+    for (std::size_t i = before; i < found_.inside.size(); ++i)
+      found_.inside[i].segment = swept[found_.inside[i].segment].line;
+  }
+
+  /// In pairs of boxes looked at: what a test of a pair takes, and a crossing where there may be one already, which has
+  /// to be compared exactly later.
+  static constexpr std::size_t pairs_per_test = 8, pairs_per_repeat = 256;
+
+  Segments& segments_;
+  const std::vector<Box>& boxes_;
+  const std::vector<std::uint32_t>& first_of_run_;
+  Strips& strips_;
+  std::size_t patience_;
+  Meetings found_;
+  MeetingFinder finder_;
+  std::uint32_t strip_ = 0;  ///< where the search is
+  std::size_t tests_ = 0;    ///< in this strip
+  std::size_t places_before_ = 0, repeats_before_ = 0;
+  std::array<std::size_t, 3> sizes_before_{};  ///< of what was found before this strip
+  std::uint32_t points_before_ = 0;
+  std::vector<std::uint32_t> crowds_;  ///< strips
+};
+
+/// The points inside every segment, as lists in order along it. Equal ones are united.
+class PointsInside {
+ public:
+  PointsInside(const std::vector<Meeting>& meetings, const Segments& segments, Names& names)
+      : first_(segments.ends.size() + 1), point_(meetings.size()) {
+    for (const Meeting& m : meetings) ++first_[m.segment + 1];
+    for (std::size_t s = 1; s < first_.size(); ++s) first_[s] += first_[s - 1];
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (const Meeting& m : meetings) point_[next[m.segment]++] = m.point;
+    for (std::uint32_t s = 0; s + 1 < first_.size(); ++s) sort(segments.places, s, names);
+  }
+  [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t s) const {
+    return {point_.data() + first_[s], point_.data() + first_[s + 1]};
+  }
+
+ private:
+  void sort(const Places& places, std::uint32_t s, Names& names) {
+    const std::span<std::uint32_t> points(point_.data() + first_[s], point_.data() + first_[s + 1]);
+    if (points.size() < 2) return;
+    const auto order = [&](std::uint32_t p, std::uint32_t q) { return compare_along(places, s, p, q); };
+    std::sort(points.begin(), points.end(), [&](auto p, auto q) { return order(p, q) == Sign::negative; });
+    for (std::size_t i = 1; i < points.size(); ++i)
+      if (points[i] != points[i - 1] && order(points[i - 1], points[i]) == Sign::zero)
+        names.unite(points[i - 1], points[i]);
+  }
+
+  std::vector<std::uint32_t> first_, point_;
+};
+
+void split(const PointsInside& inside, Arrangement& a) {
+  a.first_piece.push_back(0);
+  a.first_piece.reserve(a.ends.size() + 1);
+  a.pieces.reserve(a.ends.size());
+  for (std::uint32_t s = 0; s < a.ends.size(); ++s) {
+    std::uint32_t from = a.ends[s][0];
+    const auto go_to = [&](std::uint32_t to) {
+      if (to != from) a.pieces.push_back({from, to});
+      from = to;
+    };
+    for (const std::uint32_t p : inside.of(s)) go_to(a.vertex_of[p]);
+    go_to(a.ends[s][1]);
+    a.first_piece.push_back(static_cast<std::uint32_t>(a.pieces.size()));
+  }
+}
+
+}  // namespace
+
+std::uint32_t Arrangement::segment_of(std::uint32_t piece) const {
+  return static_cast<std::uint32_t>(std::upper_bound(first_piece.begin(), first_piece.end(), piece) -
+                                    first_piece.begin() - 1);
+}
+
+Arrangement arrange(Segments segments, const Monitor& monitor, std::size_t patience) {
+  Arrangement a;
+  std::vector<Box> boxes;
+  boxes.reserve(segments.ends.size());
+  for (const auto& [p, q] : segments.ends)
+    boxes.push_back(hull(box_of(segments.places, p), box_of(segments.places, q)));
+  a.first_of_run = runs_of(segments, boxes);
+  std::unique_ptr<Strips> strips = strips_of(segments, boxes, a.first_of_run);
+  monitor.check();
+  const Meetings found = MeetingSearch(segments, boxes, a.first_of_run, *strips, patience).find(monitor);
+  a.strips = std::move(strips);
+  monitor.check();
+
+  Names names(segments.places.size());
+  for (const auto& [p, q] : found.equal) names.unite(p, q);
+  const PointsInside inside(found.inside, segments, names);
+  a.vertex_of = names.take();
+  a.places = std::move(segments.places);
+  a.ends = std::move(segments.ends);
+  a.strands = std::move(segments.strands);
+  for (auto& e : a.ends) e = {a.vertex_of[e[0]], a.vertex_of[e[1]]};
+  a.is_fold.assign(a.places.size(), 0);
+  for (const std::uint32_t p : found.folds) a.is_fold[a.vertex_of[p]] = 1;
+  monitor.check();
+  split(inside, a);
+  return a;
+}
+
+std::vector<std::uint32_t> first_equal(std::span<const PlanePoint> points) {
+  const std::size_t mask = std::bit_ceil(points.size() * 2 + 2) - 1;
+  std::vector<std::uint32_t> slots(mask + 1, none), name(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const auto x = std::bit_cast<std::uint64_t>(points[i][0] + 0.0),
+               y = std::bit_cast<std::uint64_t>(points[i][1] + 0.0);
+    std::uint64_t h = (x ^ std::rotl(y * 0x9e3779b97f4a7c15, 29)) * 0xbf58476d1ce4e5b9;
+    h = (h ^ (h >> 32)) * 0x94d049bb133111eb;
+    std::size_t at = (h >> 20) & mask;
+    while (slots[at] != none && points[slots[at]] != points[i]) at = (at + 1) & mask;
+    if (slots[at] == none) slots[at] = i;
+    name[i] = slots[at];
+  }
+  return name;
+}
+
+}  // namespace strata::planar

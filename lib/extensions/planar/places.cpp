@@ -1,0 +1,133 @@
+#include "extensions/planar/places.h"
+
+#include <optional>
+
+#include "core/exact/twofold.h"
+#include "core/kernel/nearest.h"
+#include "extensions/planar/exact_forms.h"
+
+namespace strata::planar {
+namespace {
+
+template <class Real>
+using Pair = std::array<Real, 2>;
+
+Bounded given_coordinate(const Places& places, std::uint32_t p, std::size_t axis, const Bounded*) {
+  return bounded(places, p, axis);
+}
+Twofold given_coordinate(const Places& places, std::uint32_t p, std::size_t axis, const Twofold*) {
+  return places.is_double(p) ? Twofold(places.place[p][axis]) : nearest_twofold(places.rational(p)[axis]);
+}
+
+template <class Real>
+Pair<Real> given_pair(const Places& places, std::uint32_t p) {
+  const Real* kind = nullptr;
+  return {given_coordinate(places, p, 0, kind), given_coordinate(places, p, 1, kind)};
+}
+
+/// What both points of a line agree in, all of its points have.
+std::optional<double> common_coordinate(const Places& places, const Line& l, std::size_t axis) {
+  if (!places.is_double(l.from) || !places.is_double(l.to)) return std::nullopt;
+  const double x = places.place[l.from][axis];
+  if (x != places.place[l.to][axis]) return std::nullopt;
+  return x;
+}
+
+/// Where two lines meet, in numbers with bounds: a + t (b - a).
+template <class Real>
+Pair<Real> meet_of(const Places& places, const Meet& meet) {
+  const Line l = places.lines[meet.first], m = places.lines[meet.second];
+  const Pair<Real> a = given_pair<Real>(places, l.from), b = given_pair<Real>(places, l.to);
+  const Pair<Real> c = given_pair<Real>(places, m.from), d = given_pair<Real>(places, m.to);
+  const Real ux = b[0] - a[0], uy = b[1] - a[1], vx = d[0] - c[0], vy = d[1] - c[1];
+  const Real t = ((c[0] - a[0]) * vy - (c[1] - a[1]) * vx) / (ux * vy - uy * vx);
+  Pair<Real> p{a[0] + t * ux, a[1] + t * uy};
+  for (std::size_t i = 0; i < 2; ++i)
+    for (const Line& line : {l, m})
+      if (const auto x = common_coordinate(places, line, i)) p[i] = Real(*x);
+  return p;
+}
+
+RationalPlacement exact_meet(const Places& places, const Meet& meet) {
+  const Lattice unused;
+  const Reader<Rational> reader(places, unused);
+  const auto l = reader.line(meet.first), m = reader.line(meet.second);
+  const Rational w = l.a * m.b - m.a * l.b;
+  return {(l.b * m.c - m.b * l.c) / w, (l.c * m.a - m.c * l.a) / w};
+}
+
+/// A rational as the nearest double and what it may be away from that. Beyond all doubles: the largest, and no bound.
+Bounded bounded_rational(const Rational& x) {
+  const double value = to_nearest_double(x);
+  if (!std::isfinite(value)) return {std::copysign(0x1.fffffffffffffp1023, value), HUGE_VAL};
+  if (to_rational(value) == x) return value;
+  return {value, std::abs(value) * Bounded::rounding + Bounded::underflow};
+}
+
+/// True when a meet is known well, as seen from its lines' points. False for what is not finite.
+bool is_sharp(const Places& places, const Meet& meet, const Pair<Bounded>& p) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Line l = places.lines[meet.first];
+    const double scale = std::abs(p[i].value) + std::abs(places.place[l.to][i] - places.place[l.from][i]);
+    if (!(std::isfinite(p[i].value) && p[i].error <= scale * 0x1p-40)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::uint32_t Places::add(const PlanePoint& p) {
+  place.push_back(p);
+  return size() - 1;
+}
+
+std::uint32_t Places::add(RationalPlacement p) {
+  const Bounded x = bounded_rational(p[0]), y = bounded_rational(p[1]);
+  place.push_back({x.value, y.value});
+  error.push_back({x.error, y.error});
+  rationals.push_back(std::move(p));
+  return size() - 1;
+}
+
+std::uint32_t Places::add(const Meet& m) {
+  Pair<Bounded> p = meet_of<Bounded>(*this, m);
+  if (!is_sharp(*this, m, p)) {
+    const Pair<Twofold> q = meet_of<Twofold>(*this, m);
+    p = {q[0].bounded(), q[1].bounded()};
+    if (!is_sharp(*this, m, p)) {
+      const RationalPlacement exact = exact_meet(*this, m);
+      p = {bounded_rational(exact[0]), bounded_rational(exact[1])};
+    }
+  }
+  place.push_back({p[0].value, p[1].value});
+  error.push_back({p[0].error, p[1].error});
+  meets.push_back(m);
+  return size() - 1;
+}
+
+void Places::drop_meets(std::uint32_t count) {
+  const std::uint32_t dropped = size() - count;
+  place.resize(count);
+  error.resize(error.size() - dropped);
+  meets.resize(meets.size() - dropped);
+}
+
+RationalPlacement exact_place(const Places& places, std::uint32_t point) {
+  if (places.is_meet(point)) return exact_meet(places, places.meet(point));
+  if (!places.is_double(point)) return places.rational(point);
+  return {to_rational(places.place[point][0]), to_rational(places.place[point][1])};
+}
+
+PlanePoint nearest_place(const Places& places, std::uint32_t point) {
+  if (places.is_double(point)) return places.place[point];
+  const PlanePoint& error = places.error[point - places.doubles()];
+  if (error[0] == 0 && error[1] == 0) return places.place[point];
+  if (places.is_meet(point)) {
+    const Pair<Twofold> p = meet_of<Twofold>(places, places.meet(point));
+    if (p[0].rounds_to_value() && p[1].rounds_to_value()) return {p[0].value, p[1].value};
+  }
+  const RationalPlacement p = exact_place(places, point);
+  return {to_nearest_double(p[0]), to_nearest_double(p[1])};
+}
+
+}  // namespace strata::planar

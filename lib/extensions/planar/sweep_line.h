@@ -1,0 +1,87 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "extensions/planar/ordered_list.h"
+#include "extensions/planar/predicates.h"
+#include "extensions/planar/strands.h"
+
+namespace strata::planar {
+
+/// A segment to be swept over, on a line of the places that points from `from` to `to`. From a point to itself: this
+/// point.
+struct SweptSegment {
+  std::uint32_t line = 0, from = 0, to = 0;
+};
+
+/// The segments that a vertical line meets, in order from below, while it goes over the plane from point to point in
+/// lexicographic order. (It leans a little: of points with one x, the lower one comes first, and of what it meets
+/// there, a vertical segment is a segment as any other.) Segments that coincide at the line are one *bundle*.
+///
+/// Requires that the line stops at every end of a segment and at every crossing.
+class SweepLine {
+ public:
+  /// Segments are known by their numbers in `segments`; lines may be those of segments that stand for strands.
+  SweepLine(const Places& places, std::span<const SweptSegment> segments, const Strands* strands = nullptr);
+
+  /// An end of a segment, at a point.
+  struct End {
+    std::uint32_t point = 0, segment = 0;
+    enum class Kind : std::uint8_t { start, end, alone } kind = Kind::start;  ///< alone: the segment is this point
+  };
+  /// All ends, in the order in which the line comes to them. O(n log n).
+  [[nodiscard]] std::vector<End> ends_in_order() const;
+  /// The end that the line comes to last.
+  [[nodiscard]] std::uint32_t last_point(std::uint32_t segment) const {
+    return is_backwards_[segment] ? segments_[segment].from : segments_[segment].to;
+  }
+  [[nodiscard]] bool is_backwards(std::uint32_t segment) const { return is_backwards_[segment] != 0; }
+
+  /// Positive when a point is above a segment, which reaches as far to both sides as the point.
+  [[nodiscard]] Sign side_of(std::uint32_t point, std::uint32_t segment) const {
+    const std::uint32_t line = segments_[segment].line;
+    const Sign s = strands_ != nullptr ? strands_->side(places_, point, line) : side(places_, point, line);
+    return is_backwards_[segment] ? -s : s;
+  }
+
+  /// What happens at a point.
+  struct Event {
+    std::uint32_t point = 0;
+    std::vector<std::uint32_t> starting, ending;  ///< segments
+    std::uint32_t crossing = none;                ///< a segment known to pass through, if there is one
+  };
+  /// How the line goes on. Segments stand for their bundles; none: there is none.
+  struct Passage {
+    std::uint32_t below = none, lowest = none, highest = none, above = none;  ///< below the point, leaving it, above it
+    bool is_fold = false;  ///< several segments came to it, or leave it, the same way
+  };
+  /// Moves over a point. O(m log n + m log m) decisions, for the m segments at the point.
+  Passage move_over(const Event& event);
+  /// The segments that passed through the last point, inside.
+  [[nodiscard]] std::span<const std::uint32_t> passing() const { return passing_; }
+
+ private:
+  [[nodiscard]] bool holds(std::uint32_t place, std::uint32_t point) const {
+    return side_of(point, first_[place]) == Sign::zero;
+  }
+  void find(const Event& event);
+  bool take_out(const Event& event);
+  void turn_around();
+  bool put_in(const Event& event);
+  void put(std::uint32_t place, std::uint32_t segment);
+  [[nodiscard]] Sign turn(std::uint32_t s, std::uint32_t t) const;
+
+  const Places& places_;
+  std::span<const SweptSegment> segments_;
+  const Strands* strands_;
+  std::vector<std::uint8_t> is_backwards_;
+  OrderedList bundles_;
+  std::vector<std::uint32_t> first_;     ///< of every bundle: a segment
+  std::vector<std::uint32_t> next_;      ///< of every segment: the next one of its bundle
+  std::vector<std::uint32_t> place_of_;  ///< of every segment on the line: its bundle
+  std::uint32_t lowest_ = none, highest_ = none, below_ = none, above_ = none;  ///< bundles at and around the point
+  std::vector<std::uint32_t> passing_, leaving_;
+};
+
+}  // namespace strata::planar

@@ -1,0 +1,82 @@
+#include "extensions/scene/choose_origin.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "extensions/scene/origin_sample.h"
+#include "extensions/scene/sight.h"
+
+namespace strata {
+namespace {
+
+bool is_finite(const Carriers::Coordinates& p) {
+  return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
+}
+
+/// Is the origin on no plane of a face? Exact.
+bool sees_no_face_flat(const Scene& scene, const Origin& origin) {
+  const Sight sight(scene.carriers(), origin);
+  std::atomic<bool> flat = false;
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, scene.face_count(), 1024), [&](const auto& range) {
+    for (std::uint32_t f = range.begin(); f < range.end() && !flat.load(std::memory_order_relaxed); ++f)
+      if (sight.turn(scene.carriers().face(f)) == Sign::zero) flat = true;
+  });
+  return !flat;
+}
+
+/// The place of least cost, the first of several, in the scene's coordinates.
+Carriers::Coordinates best_place(const OriginSample& sample) {
+  std::optional<std::uint64_t> least;
+  Carriers::Coordinates best{};
+  for (const auto& place : sample.places()) {
+    const auto at = sample.in_scene(place);
+    if (!is_finite(at)) continue;
+    const std::uint64_t cost = sample.cost(place);
+    if (least && *least <= cost) continue;
+    least = cost;
+    best = at;
+  }
+  return best;
+}
+
+/// Points (k, k^2, k^3) from a place, on a lattice of doubles. A plane has at most three of the curve, so that 3 n + 1
+/// steps would be enough for n planes, as long as they are exact; nearly always the first ones are.
+class Steps {
+ public:
+  /// The lattice is finer than the scene by 2^12, as far as doubles are.
+  Steps(const OriginSample& sample, const Carriers::Coordinates& place)
+      : unit_(std::max({sample.size_exponent() - 12, sample.exponent() - 53, -1074})) {
+    for (std::size_t i = 0; i < 3; ++i) start_[i] = std::nearbyint(std::ldexp(place[i], -unit_));
+  }
+  [[nodiscard]] Carriers::Coordinates at(int k) const {
+    const double t = k;
+    return {std::ldexp(start_[0] + t, unit_), std::ldexp(start_[1] + t * t, unit_),
+            std::ldexp(start_[2] + t * t * t, unit_)};
+  }
+
+ private:
+  int unit_;
+  Carriers::Coordinates start_{};
+};
+
+}  // namespace
+
+Origin choose_origin(const Scene& scene) {
+  if (scene.face_count() == 0) return Origin::point({0, 0, 0});
+  const OriginSample sample(scene);
+  const Steps steps(sample, best_place(sample));
+  constexpr int most_steps = 1 << 16;  // as long as cubes are exact
+  for (int i = 0; i < most_steps; ++i) {
+    const Origin origin = Origin::point(steps.at(i % 2 == 0 ? -i / 2 : (i + 1) / 2));
+    if (is_finite(origin.at) && sees_no_face_flat(scene, origin)) return origin;
+  }
+  throw std::invalid_argument("no origin found that is on no plane of a face");
+}
+
+}  // namespace strata

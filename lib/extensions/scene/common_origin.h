@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/winding/surroundings.h"
+#include "extensions/scene/signed_covering.h"
+
+namespace strata {
+
+/// Winding numbers among several operands, each of one solid with a covering about the same origin: along the way from
+/// the origin, a point meets the faces that the coverings list in its direction.
+class CommonOrigin final : public Surroundings {
+ public:
+  /// `carriers` have the coverings' solids as operands, in this order. Holds references.
+  CommonOrigin(const Carriers& carriers, std::span<const SignedCovering* const> coverings)
+      : carriers_(carriers), coverings_(coverings.begin(), coverings.end()) {}
+
+  [[nodiscard]] Windings around(const Point& q, std::uint32_t own) const override;
+  [[nodiscard]] Windings above(std::uint32_t face, const Point& q,
+                               std::span<const std::uint32_t> covering) const override;
+
+ private:
+  void walk(std::uint32_t operand, const Point& q, std::span<const std::uint32_t> through_q, Windings& windings) const;
+
+  const Carriers& carriers_;
+  std::vector<const SignedCovering*> coverings_;
+};
+
+}  // namespace strata

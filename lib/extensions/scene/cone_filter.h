@@ -1,0 +1,67 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "core/kernel/carriers.h"
+
+namespace strata {
+
+/// A direction from the origin, its largest coordinate 1 or -1, and the distance of a point along it in units of a
+/// scale.
+struct ConeRay {
+  std::array<float, 3> direction{};
+  float distance = 0;
+};
+
+/// A face's tetrahedron with a point as origin, in floats: one line of the processor's cache tells most ways from the
+/// origin whether they cross the face. Bounds: theory.md, "Cones in floats".
+class ConeFilter {
+ public:
+  enum class Answer : std::uint8_t {
+    passes,   ///< the way keeps clear of the closed face
+    crosses,  ///< it goes through the inside of the face, and on
+    unknown
+  };
+
+  ConeFilter() = default;
+  /// Undecided of everything if the face is seen as too thin or too much from the side.
+  ConeFilter(const Carriers::Coordinates& origin, const std::array<Carriers::Coordinates, 3>& corners, double scale);
+
+  [[nodiscard]] Answer ask(const ConeRay& ray) const {
+    constexpr float bound = 0x1p-20f;
+    bool inside = true;
+    for (const auto& e : edges_) {
+      const float value = dot(e, ray.direction);
+      if (value < -bound) return Answer::passes;
+      inside = inside && value > bound;
+    }
+    if (!inside) return Answer::unknown;
+    const float depth = ray.distance * dot(plane_, ray.direction), error = bound * ray.distance * size_;
+    if (depth - error > 1) return Answer::crosses;
+    return depth + error < 1 ? Answer::passes : Answer::unknown;
+  }
+
+ private:
+  static float dot(const std::array<float, 3>& a, const std::array<float, 3>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+
+  std::array<std::array<float, 3>, 3> edges_{};  ///< unit normals of the planes of sight through the edges, inwards
+  std::array<float, 3> plane_{};                 ///< at distance 1 / (plane . direction) rays meet the face's plane
+  float size_ = 0;                               ///< sum of the plane's absolute coordinates
+};
+
+/// The way from the origin to q. All zero, of which every cone is uncertain, where doubles overflow or q is the origin.
+[[nodiscard]] inline ConeRay cone_ray(const Carriers::Coordinates& origin, const Carriers::Coordinates& q,
+                                      double scale) {
+  const double x = q[0] - origin[0], y = q[1] - origin[1], z = q[2] - origin[2];
+  const double largest = std::fmax(std::abs(x), std::fmax(std::abs(y), std::abs(z)));
+  const double distance = largest / scale;
+  if (!(distance > 0x1p-100 && distance < 0x1p100)) return {};
+  const double factor = 1 / largest;
+  return {{static_cast<float>(x * factor), static_cast<float>(y * factor), static_cast<float>(z * factor)},
+          static_cast<float>(distance)};
+}
+
+}  // namespace strata

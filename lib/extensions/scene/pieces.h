@@ -1,0 +1,73 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "extensions/scene/scene.h"
+#include "extensions/scene/sight.h"
+
+namespace strata {
+
+/// a x + b y + c z = d, in rationals.
+struct RationalPlane {
+  std::array<Rational, 3> normal;
+  Rational offset;
+};
+
+/// The triangles that are put in order: the faces of a scene, numbered as there, and after them what faces were cut
+/// into. A piece that was cut is replaced by its parts. Cuts are exact: new corners are rational points.
+class Pieces {
+ public:
+  explicit Pieces(const Scene& scene) : scene_(scene), carriers_(scene.carriers()) {}
+  Pieces(const Pieces&) = delete;
+  Pieces& operator=(const Pieces&) = delete;
+
+  [[nodiscard]] std::uint32_t face_count() const { return scene_.face_count(); }
+  [[nodiscard]] std::uint32_t count() const { return face_count() + static_cast<std::uint32_t>(parts_.size()); }
+  [[nodiscard]] Corners corners(std::uint32_t p) const {
+    return p < face_count() ? carriers_.face(p) : parts_[p - face_count()].corners;
+  }
+  /// The face that a piece comes from.
+  [[nodiscard]] std::uint32_t face_of(std::uint32_t p) const {
+    return p < face_count() ? p : parts_[p - face_count()].face;
+  }
+  [[nodiscard]] bool is_replaced(std::uint32_t p) const { return !replaced_.empty() && replaced_[p]; }
+  [[nodiscard]] std::uint32_t cuts() const { return cuts_; }
+
+  /// The scene's vertices and faces, and the corners made by cuts as vertices of one more operand.
+  [[nodiscard]] const Carriers& carriers() const { return carriers_; }
+
+  [[nodiscard]] RationalPoint position(std::uint32_t vertex) const;
+  [[nodiscard]] RationalPlane plane_of(std::uint32_t piece) const;
+  /// The plane through the origin and two vertices.
+  [[nodiscard]] RationalPlane plane_of_sight(const Origin& origin, std::uint32_t a, std::uint32_t b) const;
+
+  /// Replaces a piece by two or three parts along a plane; false, and nothing done, if it lies on one side. The parts
+  /// get the next numbers.
+  bool cut(std::uint32_t p, const RationalPlane& plane);
+  /// What there was at a time.
+  struct Mark {
+    std::size_t parts, points, exact;
+  };
+  [[nodiscard]] Mark mark() const { return {parts_.size(), points_.size(), exact_.size()}; }
+  /// Takes the last cut back, which was one of p.
+  void undo(std::uint32_t p, const Mark& before);
+
+ private:
+  struct Part {
+    Corners corners;
+    std::uint32_t face;
+  };
+  std::uint32_t add_point(const RationalPoint& p);
+  void renew_carriers();
+
+  Scene scene_;
+  Carriers carriers_;
+  std::vector<Part> parts_;
+  std::vector<Carriers::Coordinates> points_;  ///< made by cuts, rounded
+  std::vector<ExactVertex> exact_;
+  std::vector<bool> replaced_;
+  std::uint32_t cuts_ = 0;
+};
+
+}  // namespace strata

@@ -1,0 +1,148 @@
+#include "extensions/scene/ray_caster.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <cmath>
+
+#include "extensions/scene/ray_events.h"
+
+namespace strata {
+namespace {
+
+/// The hits of least parameter among those seen, and some that may be so: as far as doubles tell.
+class NearestHits {
+ public:
+  void take(FaceHit&& hit) {
+    if (hit.t.lower() > limit_) return;
+    const double upper = hit.t.upper();
+    if (upper < limit_) limit_ = upper;
+    hits_.push_back(std::move(hit));
+  }
+  /// All further hits beyond this parameter are of no interest.
+  [[nodiscard]] double limit() const { return limit_; }
+
+  [[nodiscard]] auto& finish() {
+    const auto is_behind = [&](const FaceHit& h) { return h.t.lower() > limit_; };
+    hits_.erase(std::remove_if(hits_.begin(), hits_.end(), is_behind), hits_.end());
+    return hits_;
+  }
+
+ private:
+  boost::container::small_vector<FaceHit, 8> hits_;
+  double limit_ = HUGE_VAL;
+};
+
+template <class Ask>
+void in_parallel(std::size_t count, const Ask& ask) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 64), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) ask(i);
+  });
+}
+
+}  // namespace
+
+/// A hit by itself inside a face is an event as it stands, and so are hits that are no stretches, by the sum of their
+/// changes. What lies behind a stretch takes all events to tell.
+std::optional<RayCaster::Found> RayCaster::find_first(const RayLine& line) const {
+  NearestHits nearest;
+  tree_.for_each_along(line.slabs(tree_.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
+    for (const std::uint32_t f : faces) line.meet(f, [&](FaceHit&& hit) { nearest.take(std::move(hit)); });
+    return nearest.limit();
+  });
+  auto& hits = nearest.finish();
+  if (hits.empty()) return std::nullopt;
+  if (hits.size() == 1 && hits[0].is_inside)
+    return Found{std::move(hits[0]), hits[0].face, scene_.solid_of(hits[0].face),
+                 hits[0].change > 0 ? Passage::entering : Passage::leaving};
+  std::vector<Found> all = find_all(line);
+  return std::move(all.front());
+}
+
+std::vector<RayCaster::Found> RayCaster::find_all(const RayLine& line) const {
+  std::vector<FaceHit> hits;
+  tree_.for_each_along(line.slabs(tree_.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
+    for (const std::uint32_t f : faces) line.meet(f, [&](FaceHit&& hit) { hits.push_back(std::move(hit)); });
+    return line.end();
+  });
+  std::vector<Found> all;
+  for (const RayEvent& e : events_of(scene_, line, hits))
+    all.push_back({std::move(hits[e.hit]), e.face, e.solid, e.passage});
+  return all;
+}
+
+bool RayCaster::any(const Segment& segment) const {
+  const RayLine line(scene_.carriers(), segment);
+  bool found = false;
+  tree_.for_each_along(line.slabs(tree_.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
+    for (const std::uint32_t f : faces) line.meet(f, [&](FaceHit&&) { found = true; });
+    return found ? -1 : line.end();
+  });
+  return found;
+}
+
+RayHit RayCaster::exact(const RayLine& line, Found& found) {
+  const Rational& t = line.exact(found.hit);
+  RayHit hit{t, line.place_at(t), {}, found.face, found.solid, found.passage};
+  for (std::size_t i = 0; i < 3; ++i) hit.rounded[i] = to_nearest_double(hit.place[i]);
+  return hit;
+}
+
+RoundedHit RayCaster::rounded(const RayLine& line, Found& found) {
+  const auto [t, place] = line.rounded(found.hit);
+  return {t, place, found.face, found.solid, found.passage};
+}
+
+std::optional<RayHit> RayCaster::first(const Ray& ray) const {
+  const RayLine line(scene_.carriers(), ray);
+  auto found = find_first(line);
+  return found ? std::optional(exact(line, *found)) : std::nullopt;
+}
+
+std::optional<RoundedHit> RayCaster::first_rounded(const Ray& ray) const {
+  const RayLine line(scene_.carriers(), ray);
+  auto found = find_first(line);
+  return found ? std::optional(rounded(line, *found)) : std::nullopt;
+}
+
+std::vector<RayHit> RayCaster::all(const Ray& ray) const {
+  const RayLine line(scene_.carriers(), ray);
+  std::vector<RayHit> hits;
+  for (Found& f : find_all(line)) hits.push_back(exact(line, f));
+  return hits;
+}
+
+std::vector<RoundedHit> RayCaster::all_rounded(const Ray& ray) const {
+  const RayLine line(scene_.carriers(), ray);
+  std::vector<RoundedHit> hits;
+  for (Found& f : find_all(line)) hits.push_back(rounded(line, f));
+  return hits;
+}
+
+std::vector<std::optional<RayHit>> RayCaster::first(std::span<const Ray> rays) const {
+  std::vector<std::optional<RayHit>> answers(rays.size());
+  in_parallel(rays.size(), [&](std::size_t i) { answers[i] = first(rays[i]); });
+  return answers;
+}
+
+std::vector<std::vector<RayHit>> RayCaster::all(std::span<const Ray> rays) const {
+  std::vector<std::vector<RayHit>> answers(rays.size());
+  in_parallel(rays.size(), [&](std::size_t i) { answers[i] = all(rays[i]); });
+  return answers;
+}
+
+void RayCaster::first_rounded(std::span<const Ray> rays, std::span<std::optional<RoundedHit>> answers) const {
+  in_parallel(rays.size(), [&](std::size_t i) { answers[i] = first_rounded(rays[i]); });
+}
+
+void RayCaster::all_rounded(std::span<const Ray> rays, std::span<std::vector<RoundedHit>> answers) const {
+  in_parallel(rays.size(), [&](std::size_t i) { answers[i] = all_rounded(rays[i]); });
+}
+
+void RayCaster::any(std::span<const Segment> segments, std::span<bool> answers) const {
+  in_parallel(segments.size(), [&](std::size_t i) { answers[i] = any(segments[i]); });
+}
+
+}  // namespace strata

@@ -1,0 +1,69 @@
+#include "extensions/scene/scene.h"
+
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/kernel/predicates.h"
+#include "strata/errors.h"
+
+namespace strata {
+namespace {
+
+Defect defect(DefectKind kind, const char* message, std::vector<std::uint32_t> faces = {}) {
+  Defect d;
+  d.kind = kind;
+  d.message = message;
+  d.faces = std::move(faces);
+  d.remedy = "make a Solid of the mesh first; it names all defects and can repair some";
+  return d;
+}
+
+void check_arrays(const Mesh& mesh, std::size_t solid) {
+  for (const Vertex& v : mesh.vertices)
+    if (!std::isfinite(v[0]) || !std::isfinite(v[1]) || !std::isfinite(v[2]))
+      throw InputError({defect(DefectKind::non_finite_coordinate, "a coordinate is not a finite number")}, solid);
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+    for (const std::uint32_t v : mesh.triangles[f])
+      if (v >= mesh.vertices.size())
+        throw InputError({defect(DefectKind::index_out_of_range, "a face names a vertex that does not exist",
+                                 {static_cast<std::uint32_t>(f)})},
+                         solid);
+}
+
+void check_faces(const Carriers& carriers) {
+  std::atomic<std::uint32_t> worst{carriers.face_count()};
+  tbb::parallel_for(std::uint32_t{0}, carriers.face_count(), [&](std::uint32_t f) {
+    if (!is_degenerate(carriers, f)) return;
+    std::uint32_t w = worst.load();
+    while (f < w && !worst.compare_exchange_weak(w, f)) {
+    }
+  });
+  if (worst == carriers.face_count()) return;
+  const std::uint32_t solid = carriers.operand_of_face(worst);
+  throw InputError(
+      {defect(DefectKind::degenerate_triangle, "a face has no area", {worst - carriers.first_face(solid)})}, solid);
+}
+
+}  // namespace
+
+Scene::Scene(std::vector<ExactMesh> solids) {
+  const auto data = std::make_shared<Data>();
+  data->solids = std::move(solids);
+  std::uint64_t vertices = 0, faces = 0;
+  for (std::size_t i = 0; i < data->solids.size(); ++i) {
+    const Mesh& mesh = data->solids[i].mesh;
+    check_arrays(mesh, i);
+    vertices += mesh.vertices.size();
+    faces += mesh.triangles.size();
+  }
+  if (vertices > 0xfffffffdu || faces > 0xfffffffdu)
+    throw std::length_error("a scene of more than 2^32 - 3 vertices or faces");
+  for (const ExactMesh& s : data->solids) data->carriers.add(s.mesh.vertices, s.mesh.triangles, s.exact);
+  check_faces(data->carriers);
+  data_ = data;
+}
+
+}  // namespace strata

@@ -1,0 +1,15 @@
+#include "extensions/scene/scene_of.h"
+
+#include <utility>
+#include <vector>
+
+namespace strata {
+
+Scene scene_of(std::span<const Solid> solids) {
+  std::vector<ExactMesh> meshes;
+  meshes.reserve(solids.size());
+  for (const Solid& s : solids) meshes.push_back(s.exact_mesh());
+  return Scene(std::move(meshes));
+}
+
+}  // namespace strata

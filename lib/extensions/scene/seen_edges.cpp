@@ -1,0 +1,102 @@
+#include "extensions/scene/seen_edges.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace strata {
+namespace {
+
+struct Side {
+  std::uint32_t a, b, face;
+  friend auto operator<=>(const Side&, const Side&) = default;
+};
+
+/// The sides of all faces, those of one edge together.
+std::vector<Side> sorted_sides(const Carriers& carriers) {
+  std::vector<Side> sides(std::size_t{3} * carriers.face_count());
+  tbb::parallel_for(std::uint32_t{0}, carriers.face_count(), [&](std::uint32_t f) {
+    const auto v = carriers.face(f);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = v[i], b = v[(i + 1) % 3];
+      sides[3 * std::size_t{f} + i] = {std::min(a, b), std::max(a, b), f};
+    }
+  });
+  tbb::parallel_sort(sides.begin(), sides.end());
+  return sides;
+}
+
+Vertex unit_normal(const Carriers& carriers, std::uint32_t face) {
+  const auto v = carriers.face(face);
+  const Vertex &a = carriers.vertex(v[0]), &b = carriers.vertex(v[1]), &c = carriers.vertex(v[2]);
+  const Vertex u{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, w{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+  const double x = u[1] * w[2] - u[2] * w[1], y = u[2] * w[0] - u[0] * w[2], z = u[0] * w[1] - u[1] * w[0];
+  const double length = std::hypot(x, y, z);
+  return length > 0 ? Vertex{x / length, y / length, z / length} : Vertex{};
+}
+
+bool are_coplanar(const Carriers& carriers, std::uint32_t f, std::uint32_t g) {
+  const auto v = carriers.face(f);
+  for (const std::uint32_t p : carriers.face(g))
+    if (orient3d(carriers, v[0], v[1], v[2], p) != Sign::zero) return false;
+  return true;
+}
+
+/// What a drawing shows an edge as, by the faces around it; nothing for edges within a plane or a smooth surface.
+std::optional<EdgeKind> kind_of(const Visibility& visibility, std::span<const Side> sides, double crease_cosine) {
+  const SignedCovering& covering = visibility.decomposition().covering();
+  const Carriers& carriers = covering.scene().carriers();
+  if (sides.size() == 1) return EdgeKind::outline;
+  const auto turn = [&](std::size_t i) { return covering.turn(sides[i].face); };
+  if (sides.size() > 2) return EdgeKind::crease;
+  if (are_coplanar(carriers, sides[0].face, sides[1].face)) return std::nullopt;
+  if (turn(0) == Sign::zero && turn(1) == Sign::zero) return std::nullopt;
+  if (turn(0) != turn(1)) return EdgeKind::outline;
+  const Vertex n = unit_normal(carriers, sides[0].face), m = unit_normal(carriers, sides[1].face);
+  if (n[0] * m[0] + n[1] * m[1] + n[2] * m[2] < crease_cosine) return EdgeKind::crease;
+  return std::nullopt;
+}
+
+/// What is seen of an edge as the border of one face or the other.
+std::vector<Stretch> united(std::vector<Stretch> stretches) {
+  std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+  std::vector<Stretch> all;
+  for (Stretch& s : stretches) {
+    if (!all.empty() && s.from <= all.back().to) {
+      all.back().to = std::max(all.back().to, s.to);
+    } else {
+      all.push_back(std::move(s));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<SeenEdge> find_seen_edges(const Visibility& visibility, double crease_angle, const Monitor& monitor) {
+  const double crease_cosine = std::cos(crease_angle * 3.14159265358979323846 / 180);
+  const auto sides = sorted_sides(visibility.decomposition().scene().carriers());
+  std::vector<std::size_t> first;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    if (i == 0 || sides[i].a != sides[i - 1].a || sides[i].b != sides[i - 1].b) first.push_back(i);
+  const std::size_t count = first.size();
+  first.push_back(sides.size());
+  std::vector<SeenEdge> edges(count);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t e) {
+    monitor.check();
+    const std::span<const Side> around = std::span(sides).subspan(first[e], first[e + 1] - first[e]);
+    const auto kind = kind_of(visibility, around, crease_cosine);
+    if (!kind) return;
+    std::vector<Stretch> seen;
+    for (const Side& s : around)
+      for (Stretch& stretch : visibility.seen_along(s.face, s.a, s.b)) seen.push_back(std::move(stretch));
+    edges[e] = {around[0].a, around[0].b, *kind, united(std::move(seen))};
+  });
+  std::erase_if(edges, [](const SeenEdge& e) { return e.seen.empty(); });
+  return edges;
+}
+
+}  // namespace strata

@@ -1,9 +1,0 @@
-#pragma once
-#include "strata/exact/rational.h"
-
-namespace strata::contact {
-
-/// The square root of a rational that is not negative, within an ulp; infinite beyond doubles. O(size of x).
-[[nodiscard]] double root(const Rational& x);
-
-}  // namespace strata::contact

@@ -1,0 +1,77 @@
+#include "extensions/scene/combine_layers.h"
+
+#include <array>
+#include <catch2/catch.hpp>
+
+#include "extensions/scene/scene_of.h"
+#include "scene/scenes.h"
+#include "support/touching.h"
+
+using namespace strata;
+
+namespace {
+
+LayerDecomposition layers_of(const Mesh& mesh, const Origin& origin) {
+  const Solid solid(mesh);
+  return {scene_of({&solid, 1}), origin};
+}
+
+}  // namespace
+
+namespace {
+
+void check_pair(std::uint64_t seed, int origins) {
+  CAPTURE(seed);
+  test::Random random(seed);
+  const auto pair = test::touching_pair(seed).meshes;
+  const std::array<Solid, 2> solids{Solid(pair[0]), Solid(pair[1])};
+  for (int n = 0; n < origins; ++n) {
+    const Origin origin = test::awkward_origin(pair, random);
+    CAPTURE(origin.is_point(), origin.at[0], origin.at[1], origin.at[2]);
+    const LayerDecomposition a = layers_of(pair[0], origin), b = layers_of(pair[1], origin);
+    const auto operation = static_cast<Operation>(random.below(4));
+    const LayerDecomposition both = combine(a, b, operation);
+    REQUIRE(both.validate(4).empty());
+    REQUIRE(Solid(both.scene().solid(0)) == combine_solids(operation, solids));
+  }
+}
+
+}  // namespace
+
+// Catches: winding numbers that depend on the origin, at origins on corners, edges and faces too.
+TEST_CASE("combinations about any origin are those of the engine", "[csg][layers][property]") {
+  check_pair(GENERATE(range(std::uint64_t{0}, std::uint64_t{60})), 4);
+}
+
+TEST_CASE("combinations of 500 pairs about ten origins each are those of the engine", "[csg][layers][property][slow]") {
+  for (std::uint64_t seed = 0; seed < 500; ++seed) check_pair(seed, 10);
+}
+
+TEST_CASE("results are operands about the same origin", "[csg][layers]") {
+  const Origin origin = Origin::point({.3, .2, .1});
+  const LayerDecomposition a = layers_of(test::box({0, 0, 0}, {4, 4, 4}), origin);
+  const LayerDecomposition b = layers_of(test::octahedron({4, 4, 4}, 3), origin);
+  const LayerDecomposition c = layers_of(test::octahedron({0, 0, 0}, 2.5), origin);
+  const LayerDecomposition chain = combine(combine(a, b, Operation::subtract), c, Operation::unite);
+  CHECK(chain.validate().empty());
+  const std::array<Solid, 3> s{Solid(test::box({0, 0, 0}, {4, 4, 4})), Solid(test::octahedron({4, 4, 4}, 3)),
+                               Solid(test::octahedron({0, 0, 0}, 2.5))};
+  CHECK(Solid(chain.scene().solid(0)) == ((s[0] - s[1]) | s[2]));
+}
+
+TEST_CASE("decompositions that do not fit are refused", "[csg][layers]") {
+  const Mesh box = test::box({0, 0, 0}, {1, 1, 1});
+  const LayerDecomposition a = layers_of(box, Origin::point({2, 2, 2}));
+  CHECK_THROWS_AS(combine(a, layers_of(box, Origin::direction({2, 2, 2})), Operation::unite), std::invalid_argument);
+  const LayerDecomposition two(test::scene_of({box, box}), Origin::point({2, 2, 2}));
+  CHECK_THROWS_AS(combine(a, two, Operation::unite), std::invalid_argument);
+}
+
+TEST_CASE("nothing in common leaves an empty decomposition", "[csg][layers]") {
+  const Origin origin = Origin::point({9, 9, 9.5});
+  const LayerDecomposition none = combine(layers_of(test::box({0, 0, 0}, {1, 1, 1}), origin),
+                                          layers_of(test::box({1, 0, 0}, {2, 1, 1}), origin), Operation::intersect);
+  CHECK(none.layer_count() == 0);
+  CHECK(none.scene().face_count() == 0);
+  CHECK(none.covering().membership({.5, .5, .5}) == Where::out);
+}
