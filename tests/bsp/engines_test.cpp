@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "extensions/bsp/combine_partitions.h"
+#include "strata/bsp.h"
 #include "strata/combine.h"
 #include "strata/measure.h"
 #include "strata/solid.h"

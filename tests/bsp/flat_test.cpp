@@ -6,9 +6,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "extensions/bsp/line.h"
-#include "extensions/bsp/measure.h"
-#include "extensions/bsp/polygon.h"
+#include "extensions/bsp/partition.h"
 #include "support/random.h"
 #include "support/rounds.h"
 

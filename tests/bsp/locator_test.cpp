@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "extensions/scene/locator.h"
+#include "strata/query.h"
 #include "support/random.h"
 #include "support/rounds.h"
 #include "support/touching.h"

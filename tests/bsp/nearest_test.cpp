@@ -1,11 +1,9 @@
-#include "extensions/bsp/nearest.h"
+#include "extensions/bsp/partition.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "extensions/bsp/line.h"
-#include "extensions/bsp/mesh.h"
-#include "extensions/bsp/polygon.h"
+#include "extensions/bsp/partition.h"
 #include "support/random.h"
 #include "support/rounds.h"
 #include "support/shapes.h"

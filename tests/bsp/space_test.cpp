@@ -1,10 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "extensions/bsp/line.h"
-#include "extensions/bsp/measure.h"
-#include "extensions/bsp/mesh.h"
-#include "extensions/bsp/transform.h"
+#include "extensions/bsp/partition.h"
 #include "strata/measure.h"
 #include "support/random.h"
 #include "support/rounds.h"

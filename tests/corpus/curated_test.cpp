@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "corpus/corpus.h"
-#include "extensions/bsp/mesh.h"
+#include "strata/bsp.h"
 #include "strata/measure.h"
 #include "support/shapes.h"
 #include "support/transform.h"

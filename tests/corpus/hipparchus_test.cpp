@@ -4,13 +4,11 @@
 #include <sstream>
 
 #include "corpus/corpus.h"
-#include "extensions/bsp/dump.h"
-#include "extensions/bsp/line.h"
-#include "extensions/bsp/measure.h"
-#include "extensions/bsp/mesh.h"
+#include "strata/bsp.h"
 #include "strata/check.h"
 #include "strata/io.h"
 #include "support/random.h"
+#include "extensions/bsp/partition.h"
 
 namespace strata::test {
 namespace {

@@ -7,11 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "extensions/scene/choose_origin.h"
-#include "extensions/scene/combine_layers.h"
-#include "extensions/scene/scene_of.h"
 #include "oracle/nef.h"
 #include "strata/io.h"
+#include "strata/query.h"
 
 namespace {
 

@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <iostream>
 
-#include "extensions/scene/locator.h"
 #include "extensions/scene/signed_covering.h"
+#include "oracle/side_of_mesh.h"
 #include "scene/rational_rays.h"
 #include "scene/scenes.h"
-#include "oracle/side_of_mesh.h"
 #include "strata/io.h"
+#include "strata/query.h"
 
 namespace strata::oracle {
 namespace {

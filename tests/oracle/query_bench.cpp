@@ -18,10 +18,9 @@
 #include <string>
 #include <vector>
 
-#include "extensions/scene/locator.h"
-#include "extensions/scene/ray_caster.h"
 #include "extensions/scene/signed_covering.h"
 #include "strata/io.h"
+#include "strata/query.h"
 #include "support/random.h"
 
 namespace {

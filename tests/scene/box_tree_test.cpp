@@ -7,6 +7,9 @@
 #include <cmath>
 
 // Seen to fail: a slab test without its widening (misses no box).
+#include "core/kernel/carriers.h"
+#include "extensions/scene/pieces.h"
+#include "extensions/scene/signed_covering.h"
 #include "scene/rational_rays.h"
 #include "scene/scenes.h"
 

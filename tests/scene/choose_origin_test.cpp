@@ -1,13 +1,16 @@
-#include "extensions/scene/choose_origin.h"
+#include "strata/query.h"
 
 #include <tbb/task_arena.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "extensions/scene/layer_decomposition.h"
+#include "core/kernel/carriers.h"
+#include "extensions/scene/pieces.h"
 #include "extensions/scene/sight.h"
+#include "extensions/scene/signed_covering.h"
 #include "scene/scenes.h"
+#include "strata/query.h"
 
 using namespace strata;
 

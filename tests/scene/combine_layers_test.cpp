@@ -1,10 +1,13 @@
-#include "extensions/scene/combine_layers.h"
+#include "strata/query.h"
 
 #include <array>
 #include <catch2/catch.hpp>
 
-#include "extensions/scene/scene_of.h"
+#include "core/kernel/carriers.h"
+#include "extensions/scene/pieces.h"
+#include "extensions/scene/signed_covering.h"
 #include "scene/scenes.h"
+#include "strata/query.h"
 #include "support/touching.h"
 
 using namespace strata;

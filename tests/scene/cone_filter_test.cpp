@@ -3,7 +3,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/kernel/carriers.h"
 #include "core/kernel/predicates.h"
+#include "extensions/scene/pieces.h"
+#include "extensions/scene/signed_covering.h"
 #include "support/random.h"
 
 using namespace strata;

@@ -1,8 +1,11 @@
-#include "extensions/scene/layer_decomposition.h"
+#include "strata/query.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/kernel/carriers.h"
+#include "extensions/scene/pieces.h"
+#include "extensions/scene/signed_covering.h"
 #include "extensions/scene/subordination.h"
 #include "scene/rational_rays.h"
 #include "scene/scenes.h"

@@ -1,8 +1,10 @@
-#include "extensions/scene/locator.h"
+#include "strata/query.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/kernel/carriers.h"
+#include "extensions/scene/pieces.h"
 #include "extensions/scene/signed_covering.h"
 #include "scene/rational_rays.h"
 #include "scene/scenes.h"

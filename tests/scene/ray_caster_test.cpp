@@ -1,4 +1,4 @@
-#include "extensions/scene/ray_caster.h"
+#include "strata/query.h"
 
 #include <tbb/global_control.h>
 
@@ -10,6 +10,9 @@
 
 // Seen to fail: boxes without the step around rational vertices (rational corner), all faces at a rim counted as
 // crossed, filter bounds taken for zero, hits at 0 left out (rays that love to touch).
+#include "core/kernel/carriers.h"
+#include "extensions/scene/pieces.h"
+#include "extensions/scene/signed_covering.h"
 #include "scene/rational_rays.h"
 #include "scene/scenes.h"
 

@@ -1,8 +1,11 @@
-#include "extensions/scene/scene.h"
+#include "strata/query.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/kernel/carriers.h"
+#include "extensions/scene/pieces.h"
+#include "extensions/scene/signed_covering.h"
 #include "scene/scenes.h"
 #include "strata/errors.h"
 

@@ -2,9 +2,8 @@
 #include <utility>
 #include <vector>
 
-#include "extensions/scene/origin.h"
-#include "extensions/scene/scene.h"
 #include "strata/mesh.h"
+#include "strata/query.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/touching.h"

@@ -3,9 +3,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "extensions/scene/locator.h"
+#include "core/kernel/carriers.h"
+#include "extensions/scene/pieces.h"
 #include "scene/rational_rays.h"
 #include "scene/scenes.h"
+#include "strata/query.h"
 
 using namespace strata;
 

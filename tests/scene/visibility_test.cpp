@@ -1,11 +1,14 @@
-#include "extensions/scene/visibility.h"
+#include "strata/query.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "extensions/scene/seen_edges.h"
+#include "core/kernel/carriers.h"
+#include "extensions/scene/pieces.h"
+#include "extensions/scene/signed_covering.h"
 #include "scene/rational_rays.h"
 #include "scene/scenes.h"
+#include "strata/query.h"
 
 using namespace strata;
 

@@ -4,12 +4,13 @@
 #include <utility>
 
 #include "cell_file.h"
-#include "extensions/bsp/mesh.h"
 #include "report.h"
 #include "scene_input.h"
 #include "stopwatch.h"
+#include "strata/bsp.h"
 #include "verbs.h"
 #include "watch.h"
+#include "extensions/bsp/partition.h"
 
 namespace {
 

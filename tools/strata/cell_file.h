@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "extensions/bsp/partition.h"
 #include "palette.h"
+#include "strata/bsp.h"
 
 /// Convex cells as polygons, seen counter-clockwise from outside.
 using CellPolygons = std::vector<std::vector<std::array<double, 3>>>;

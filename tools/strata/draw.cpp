@@ -9,13 +9,15 @@
 #include <utility>
 
 #include "core/csg/arena.h"
-#include "extensions/scene/scene_of.h"
-#include "extensions/scene/seen_edges.h"
+#include "core/kernel/carriers.h"
+#include "extensions/scene/pieces.h"
+#include "extensions/scene/signed_covering.h"
 #include "files.h"
 #include "progress.h"
 #include "report.h"
 #include "scene_input.h"
 #include "stopwatch.h"
+#include "strata/query.h"
 #include "strata/solid.h"
 #include "svg.h"
 #include "svg_to_png.h"

@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
-#include "extensions/scene/ray_caster.h"
 #include "scene_input.h"
+#include "strata/query.h"
 
 /// How many rays there were, how many of them met a solid, and rows about hits.
 struct RayCounts {

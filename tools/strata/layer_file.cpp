@@ -11,6 +11,9 @@
 
 #include "core/io/binary.h"
 #include "core/io/blocks.h"
+#include "core/kernel/carriers.h"
+#include "extensions/scene/pieces.h"
+#include "extensions/scene/signed_covering.h"
 #include "output_file.h"
 #include "palette.h"
 #include "strata/mesh.h"

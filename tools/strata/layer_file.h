@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "extensions/scene/layer_decomposition.h"
+#include "strata/query.h"
 
 /// Writes the pieces of a decomposition as a binary PLY file, whole or not at all: faces with the list vertex_indices,
 /// a colour (uchar red, green, blue) per layer, the layer (int, 0 for flat faces, which are grey) and the solid (int).

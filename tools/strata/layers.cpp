@@ -4,14 +4,16 @@
 #include <string>
 #include <utility>
 
-#include "extensions/scene/choose_origin.h"
-#include "extensions/scene/layer_decomposition.h"
+#include "core/kernel/carriers.h"
+#include "extensions/scene/pieces.h"
+#include "extensions/scene/signed_covering.h"
 #include "layer_file.h"
 #include "origin_option.h"
 #include "progress.h"
 #include "report.h"
 #include "scene_input.h"
 #include "stopwatch.h"
+#include "strata/query.h"
 #include "threads.h"
 #include "verbs.h"
 #include "watch.h"

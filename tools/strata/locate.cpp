@@ -5,16 +5,16 @@
 #include <utility>
 
 #include "byte_source.h"
-#include "extensions/bsp/combine_partitions.h"
 #include "extensions/bsp/locator.h"
-#include "extensions/scene/locator.h"
 #include "location_table.h"
 #include "point_source.h"
 #include "progress.h"
 #include "report.h"
 #include "row_file.h"
 #include "stopwatch.h"
+#include "strata/bsp.h"
 #include "strata/io.h"
+#include "strata/query.h"
 #include "stream_blocks.h"
 #include "threads.h"
 #include "verbs.h"

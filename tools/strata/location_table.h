@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "core/winding/location.h"
+#include "extensions/scene/location.h"
 #include "scene_input.h"
 #include "strata/mesh.h"
 

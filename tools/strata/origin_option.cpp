@@ -9,8 +9,8 @@
 namespace {
 
 /// Three finite numbers with commas between them, or nothing.
-std::optional<strata::Carriers::Coordinates> three_numbers(std::string_view text) {
-  strata::Carriers::Coordinates x{};
+std::optional<strata::Vertex> three_numbers(std::string_view text) {
+  strata::Vertex x{};
   const char *at = text.data(), *const end = at + text.size();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto [last, error] = std::from_chars(at, end, x[axis]);
@@ -31,7 +31,7 @@ std::optional<strata::Origin> parse_origin(const std::string& text) {
   const auto x = three_numbers(std::string_view(text).substr(is_direction ? towards.size() : 0));
   if (!x) throw UsageError(fmt::format("expected x,y,z, direction:x,y,z or auto for --origin, found '{}'", text));
   if (!is_direction) return strata::Origin::point(*x);
-  if (*x == strata::Carriers::Coordinates{}) throw UsageError("the direction of --origin is zero");
+  if (*x == strata::Vertex{}) throw UsageError("the direction of --origin is zero");
   return strata::Origin::direction(*x);
 }
 

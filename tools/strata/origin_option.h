@@ -2,8 +2,8 @@
 #include <optional>
 #include <string>
 
-#include "extensions/scene/origin.h"
 #include "report.h"
+#include "strata/query.h"
 
 /// The origin that --origin asks for: x,y,z or direction:x,y,z; nothing for auto. Throws UsageError.
 [[nodiscard]] std::optional<strata::Origin> parse_origin(const std::string& text);

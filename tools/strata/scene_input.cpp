@@ -1,6 +1,6 @@
 #include "scene_input.h"
 
-#include "extensions/scene/scene_of.h"
+#include "strata/query.h"
 
 strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, strata::InputClass input) {
   try {

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "extensions/scene/scene.h"
 #include "files.h"
+#include "strata/query.h"
 #include "strata/solid.h"
 
 /// A solid made from operand k; errors name that operand. Throws strata::InputError.

@@ -1,5 +1,5 @@
-#include "extensions/bsp/combine_partitions.h"
 #include "settings.h"
+#include "strata/bsp.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "extensions/scene/origin.h"
 #include "strata/mesh.h"
+#include "strata/query.h"
 
 /// Places on the paper: x to the right, y down.
 using PaperPoint = std::array<double, 2>;

@@ -10,7 +10,7 @@
 #include "core/csg/arena.h"
 #include "core/csg/broken_operands.h"
 #include "core/csg/stopwatch.h"
-#include "extensions/bsp/mesh.h"
+#include "extensions/bsp/partition.h"
 
 namespace strata {
 namespace {

@@ -11,6 +11,4 @@ namespace strata {
 [[nodiscard]] BooleanResult combine_partitions(Operation operation, std::span<const Operand> operands,
                                                const Options& options);
 
-extern const Engine bsp_engine;
-
 }  // namespace strata

@@ -1,4 +1,4 @@
-#include "extensions/bsp/dump.h"
+#include "extensions/bsp/partition.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "extensions/bsp/line.h"
+#include "extensions/bsp/partition.h"
 
 #include <algorithm>
 

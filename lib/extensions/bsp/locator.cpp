@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/kernel/point.h"
-#include "extensions/bsp/mesh.h"
+#include "extensions/bsp/partition.h"
 #include "extensions/scene/closed_face.h"
 
 namespace strata::bsp {
@@ -59,7 +59,7 @@ Location PartitionLocator::locate(const Vertex& q) const {
         if (is_on_closed_face(data_->scene.carriers(), face, point)) contacts.push_back({s, face});
     }
   }
-  return Location::of(std::move(windings), std::move(contacts));
+  return location_of(std::move(windings), std::move(contacts));
 }
 
 }  // namespace strata::bsp

@@ -1,10 +1,10 @@
 #pragma once
 #include <memory>
 
-#include "core/winding/location.h"
-#include "extensions/scene/scene.h"
+#include "extensions/scene/location.h"
 #include "strata/mesh.h"
 #include "strata/options.h"
+#include "strata/query.h"
 
 namespace strata::bsp {
 

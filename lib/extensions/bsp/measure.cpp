@@ -1,4 +1,4 @@
-#include "extensions/bsp/measure.h"
+#include "extensions/bsp/partition.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "extensions/bsp/mesh.h"
+#include "extensions/bsp/partition.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "extensions/bsp/nearest.h"
+#include "extensions/bsp/partition.h"
 
 #include <algorithm>
 #include <cmath>

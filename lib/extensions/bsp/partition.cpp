@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "extensions/bsp/merge.h"
@@ -75,6 +76,13 @@ Partition<D> Partition<D>::of(HyperplaneTable<D> table, Tree tree) {
 template <int D>
 Partition<D> Partition<D>::all() {
   return of({}, {{}, leaf_in, 0});
+}
+
+template <int D>
+Partition<D> Partition<D>::half_space(const std::array<Rational, D + 1>& coefficients) {
+  if (std::all_of(coefficients.begin(), coefficients.end() - 1, [](const Rational& x) { return x.is_zero(); }))
+    throw std::invalid_argument("a half-space has a normal that is not zero");
+  return half_space(oriented_hyperplane<D>(coefficients));
 }
 
 template <int D>

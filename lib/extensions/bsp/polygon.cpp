@@ -1,4 +1,4 @@
-#include "extensions/bsp/polygon.h"
+#include "extensions/bsp/partition.h"
 
 #include <stdexcept>
 #include <utility>

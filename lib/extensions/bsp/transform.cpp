@@ -1,4 +1,4 @@
-#include "extensions/bsp/transform.h"
+#include "extensions/bsp/partition.h"
 
 #include <stdexcept>
 #include <utility>

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/mesh/prepare.h"
-#include "extensions/bsp/mesh.h"
+#include "extensions/bsp/partition.h"
 #include "extensions/bsp/triangle_facets.h"
 #include "extensions/convex/wedges.h"
 #include "strata/measure.h"

@@ -1,5 +1,7 @@
 #include "extensions/scene/box_tree.h"
 
+#include "core/kernel/carriers.h"
+
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>

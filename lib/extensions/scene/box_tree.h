@@ -4,8 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "core/kernel/carriers.h"
 #include "extensions/scene/ray_slabs.h"
-#include "extensions/scene/scene.h"
+#include "strata/query.h"
 
 namespace strata {
 

@@ -1,4 +1,5 @@
-#include "extensions/scene/choose_origin.h"
+#include "core/kernel/carriers.h"
+#include "strata/query.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

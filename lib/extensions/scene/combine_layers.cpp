@@ -1,4 +1,5 @@
-#include "extensions/scene/combine_layers.h"
+#include "core/kernel/carriers.h"
+#include "strata/query.h"
 
 #include <array>
 #include <optional>

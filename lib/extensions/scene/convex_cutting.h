@@ -4,10 +4,10 @@
 
 #include "extensions/scene/pieces.h"
 
+#include "strata/query.h"
+
 namespace strata {
 
-/// A convex polygon in space, counter-clockwise like the face that it is in.
-using ExactPolygon = std::vector<RationalPoint>;
 
 [[nodiscard]] Rational value_at(const RationalPlane& plane, const RationalPoint& p);
 [[nodiscard]] RationalPlane opposite(const RationalPlane& plane);

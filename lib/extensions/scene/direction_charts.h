@@ -2,8 +2,9 @@
 #include <array>
 #include <cstddef>
 
+#include "core/kernel/carriers.h"
 #include "core/kernel/filters.h"
-#include "extensions/scene/origin.h"
+#include "strata/query.h"
 
 namespace strata {
 

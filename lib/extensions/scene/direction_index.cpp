@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/kernel/carriers.h"
 #include "extensions/scene/direction_index_builder.h"
 
 namespace strata {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "extensions/scene/direction_charts.h"
-#include "extensions/scene/scene.h"
+#include "strata/query.h"
 
 namespace strata {
 

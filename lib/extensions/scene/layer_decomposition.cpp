@@ -1,4 +1,5 @@
-#include "extensions/scene/layer_decomposition.h"
+#include "core/kernel/carriers.h"
+#include "strata/query.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +8,36 @@
 #include "core/cells/walk.h"
 #include "extensions/scene/closed_face.h"
 #include "extensions/scene/dominance.h"
+#include "extensions/scene/location.h"
+#include "extensions/scene/painters_order.h"
+#include "extensions/scene/signed_covering.h"
 
 namespace strata {
+
+struct LayerDecomposition::Data {
+  explicit Data(SignedCovering c) : covering(std::move(c)), pieces(covering.scene()) {}
+  SignedCovering covering;
+  Pieces pieces;
+  LayerOrder order;
+  std::vector<std::uint32_t> sorted, first;  ///< pieces by layer; where each layer begins
+  std::uint64_t pairs_tested = 0;
+};
+
+const Scene& LayerDecomposition::scene() const { return data_->covering.scene(); }
+const Origin& LayerDecomposition::origin() const { return data_->covering.origin(); }
+const SignedCovering& LayerDecomposition::covering() const { return data_->covering; }
+const Pieces& LayerDecomposition::pieces() const { return data_->pieces; }
+std::uint32_t LayerDecomposition::layer_count() const { return data_->order.layer_count; }
+std::uint32_t LayerDecomposition::piece_count() const { return data_->pieces.count(); }
+std::uint32_t LayerDecomposition::layer(std::uint32_t piece) const { return data_->order.layer[piece]; }
+bool LayerDecomposition::is_replaced(std::uint32_t piece) const { return data_->pieces.is_replaced(piece); }
+std::uint32_t LayerDecomposition::face_of(std::uint32_t piece) const { return data_->pieces.face_of(piece); }
+int LayerDecomposition::sign(std::uint32_t piece) const { return -to_int(covering().turn(face_of(piece))); }
+std::span<const std::uint32_t> LayerDecomposition::back_to_front() const { return data_->sorted; }
+std::uint32_t LayerDecomposition::cuts_at_crossings() const { return data_->order.cuts_at_crossings; }
+std::uint32_t LayerDecomposition::cuts_of_cycles() const { return data_->order.cuts_of_cycles; }
+std::uint64_t LayerDecomposition::domination_count() const { return data_->order.dominators.size(); }
+std::uint64_t LayerDecomposition::pairs_tested() const { return data_->pairs_tested; }
 
 LayerDecomposition::LayerDecomposition(Scene scene, const Origin& origin, const Monitor& monitor) {
   const auto data = std::make_shared<Data>(SignedCovering(std::move(scene), origin, true));
@@ -108,7 +137,7 @@ std::vector<std::string> LayerDecomposition::validate(std::size_t samples) const
   for (std::size_t n = 0; n < samples && scene().face_count() != 0; ++n) {
     const Vertex q = sample_point(scene(), n);
     const auto windings = walk_past_all(scene(), q);
-    if (windings && !(covering().locate(q).windings == *windings))
+    if (windings && !(covering().locate(q).windings == numbers_of(*windings)))
       wrong.push_back("the covering does not sum to the winding numbers at sample " + std::to_string(n));
   }
   return wrong;

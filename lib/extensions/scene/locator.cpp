@@ -1,4 +1,5 @@
-#include "extensions/scene/locator.h"
+#include "core/kernel/carriers.h"
+#include "strata/query.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -7,6 +8,7 @@
 
 #include "core/cells/cell_tree.h"
 #include "core/cells/walk.h"
+#include "extensions/scene/location.h"
 #include "extensions/scene/walk_step.h"
 
 namespace strata {
@@ -77,7 +79,7 @@ Location Locator::locate(const Vertex& q) const {
         windings.add(scene().solid_of(face), step.change);
         if (step.on) faces.push_back({scene().solid_of(face), face});
       });
-  return Location::of(std::move(windings), std::move(faces));
+  return location_of(std::move(windings), std::move(faces));
 }
 
 void Locator::membership(std::span<const Vertex> q, std::span<Where> answers) const {

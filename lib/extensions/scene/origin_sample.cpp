@@ -1,5 +1,7 @@
 #include "extensions/scene/origin_sample.h"
 
+#include "core/kernel/carriers.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -5,7 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "extensions/scene/scene.h"
+#include "core/kernel/carriers.h"
+#include "strata/query.h"
 
 namespace strata {
 

@@ -3,8 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "extensions/scene/scene.h"
+#include "core/kernel/carriers.h"
 #include "extensions/scene/sight.h"
+#include "strata/query.h"
 
 namespace strata {
 

@@ -1,4 +1,5 @@
-#include "extensions/scene/ray_caster.h"
+#include "core/kernel/carriers.h"
+#include "strata/query.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -7,7 +8,9 @@
 #include <boost/container/small_vector.hpp>
 #include <cmath>
 
+#include "extensions/scene/box_tree.h"
 #include "extensions/scene/ray_events.h"
+#include "extensions/scene/ray_line.h"
 
 namespace strata {
 namespace {
@@ -42,11 +45,43 @@ void in_parallel(std::size_t count, const Ask& ask) {
   });
 }
 
+struct Found {
+  FaceHit hit;
+  std::uint32_t face = 0, solid = 0;
+  Passage passage = Passage::entering;
+};
+
+RayHit exact(const RayLine& line, Found& found) {
+  const Rational& t = line.exact(found.hit);
+  RayHit hit{t, line.place_at(t), {}, found.face, found.solid, found.passage};
+  for (std::size_t i = 0; i < 3; ++i) hit.rounded[i] = to_nearest_double(hit.place[i]);
+  return hit;
+}
+
+RoundedHit rounded(const RayLine& line, Found& found) {
+  const auto [t, place] = line.rounded(found.hit);
+  return {t, place, found.face, found.solid, found.passage};
+}
+
 }  // namespace
+
+struct RayCaster::Data {
+  explicit Data(Scene s) : scene_(std::move(s)), tree_(scene_) {}
+
+  [[nodiscard]] std::optional<Found> find_first(const RayLine& line) const;
+  [[nodiscard]] std::vector<Found> find_all(const RayLine& line) const;
+
+  Scene scene_;
+  BoxTree tree_;
+};
+
+RayCaster::RayCaster(Scene scene) : data_(std::make_shared<const Data>(std::move(scene))) {}
+const Scene& RayCaster::scene() const { return data_->scene_; }
+const BoxTree& RayCaster::tree() const { return data_->tree_; }
 
 /// A hit by itself inside a face is an event as it stands, and so are hits that are no stretches, by the sum of their
 /// changes. What lies behind a stretch takes all events to tell.
-std::optional<RayCaster::Found> RayCaster::find_first(const RayLine& line) const {
+std::optional<Found> RayCaster::Data::find_first(const RayLine& line) const {
   NearestHits nearest;
   tree_.for_each_along(line.slabs(tree_.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
     for (const std::uint32_t f : faces) line.meet(f, [&](FaceHit&& hit) { nearest.take(std::move(hit)); });
@@ -61,7 +96,7 @@ std::optional<RayCaster::Found> RayCaster::find_first(const RayLine& line) const
   return std::move(all.front());
 }
 
-std::vector<RayCaster::Found> RayCaster::find_all(const RayLine& line) const {
+std::vector<Found> RayCaster::Data::find_all(const RayLine& line) const {
   std::vector<FaceHit> hits;
   tree_.for_each_along(line.slabs(tree_.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
     for (const std::uint32_t f : faces) line.meet(f, [&](FaceHit&& hit) { hits.push_back(std::move(hit)); });
@@ -74,50 +109,38 @@ std::vector<RayCaster::Found> RayCaster::find_all(const RayLine& line) const {
 }
 
 bool RayCaster::any(const Segment& segment) const {
-  const RayLine line(scene_.carriers(), segment);
+  const RayLine line(data_->scene_.carriers(), segment);
   bool found = false;
-  tree_.for_each_along(line.slabs(tree_.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
+  data_->tree_.for_each_along(line.slabs(data_->tree_.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
     for (const std::uint32_t f : faces) line.meet(f, [&](FaceHit&&) { found = true; });
     return found ? -1 : line.end();
   });
   return found;
 }
 
-RayHit RayCaster::exact(const RayLine& line, Found& found) {
-  const Rational& t = line.exact(found.hit);
-  RayHit hit{t, line.place_at(t), {}, found.face, found.solid, found.passage};
-  for (std::size_t i = 0; i < 3; ++i) hit.rounded[i] = to_nearest_double(hit.place[i]);
-  return hit;
-}
-
-RoundedHit RayCaster::rounded(const RayLine& line, Found& found) {
-  const auto [t, place] = line.rounded(found.hit);
-  return {t, place, found.face, found.solid, found.passage};
-}
-
 std::optional<RayHit> RayCaster::first(const Ray& ray) const {
-  const RayLine line(scene_.carriers(), ray);
-  auto found = find_first(line);
+  const RayLine line(data_->scene_.carriers(), ray);
+  auto found = data_->find_first(line);
   return found ? std::optional(exact(line, *found)) : std::nullopt;
 }
 
 std::optional<RoundedHit> RayCaster::first_rounded(const Ray& ray) const {
-  const RayLine line(scene_.carriers(), ray);
-  auto found = find_first(line);
+  const RayLine line(data_->scene_.carriers(), ray);
+  auto found = data_->find_first(line);
   return found ? std::optional(rounded(line, *found)) : std::nullopt;
 }
 
 std::vector<RayHit> RayCaster::all(const Ray& ray) const {
-  const RayLine line(scene_.carriers(), ray);
+  const RayLine line(data_->scene_.carriers(), ray);
   std::vector<RayHit> hits;
-  for (Found& f : find_all(line)) hits.push_back(exact(line, f));
+  for (Found& f : data_->find_all(line)) hits.push_back(exact(line, f));
   return hits;
 }
 
 std::vector<RoundedHit> RayCaster::all_rounded(const Ray& ray) const {
-  const RayLine line(scene_.carriers(), ray);
+  const RayLine line(data_->scene_.carriers(), ray);
   std::vector<RoundedHit> hits;
-  for (Found& f : find_all(line)) hits.push_back(rounded(line, f));
+  for (Found& f : data_->find_all(line)) hits.push_back(rounded(line, f));
   return hits;
 }
 

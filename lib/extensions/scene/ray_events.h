@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "extensions/scene/ray_line.h"
-#include "extensions/scene/scene.h"
+#include "strata/query.h"
 
 namespace strata {
 

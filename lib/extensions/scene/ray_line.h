@@ -5,9 +5,10 @@
 #include <utility>
 
 #include "core/exact/twofold.h"
+#include "core/kernel/carriers.h"
 #include "core/kernel/predicates.h"
-#include "extensions/scene/ray.h"
 #include "extensions/scene/ray_slabs.h"
+#include "strata/query.h"
 
 namespace strata {
 

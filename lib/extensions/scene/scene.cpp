@@ -1,4 +1,5 @@
-#include "extensions/scene/scene.h"
+#include "core/kernel/carriers.h"
+#include "strata/query.h"
 
 #include <tbb/parallel_for.h>
 
@@ -48,6 +49,20 @@ void check_faces(const Carriers& carriers) {
 }
 
 }  // namespace
+
+struct Scene::Data {
+  std::vector<ExactMesh> solids;
+  Carriers carriers;
+};
+
+std::uint32_t Scene::solid_count() const { return data_->carriers.operand_count(); }
+std::uint32_t Scene::face_count() const { return data_->carriers.face_count(); }
+const ExactMesh& Scene::solid(std::uint32_t i) const { return data_->solids[i]; }
+std::uint32_t Scene::solid_of(std::uint32_t face) const { return data_->carriers.operand_of_face(face); }
+std::uint32_t Scene::local(std::uint32_t face) const {
+  return face - data_->carriers.first_face(data_->carriers.operand_of_face(face));
+}
+const Carriers& Scene::carriers() const { return data_->carriers; }
 
 Scene::Scene(std::vector<ExactMesh> solids) {
   const auto data = std::make_shared<Data>();

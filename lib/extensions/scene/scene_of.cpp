@@ -1,4 +1,4 @@
-#include "extensions/scene/scene_of.h"
+#include "strata/query.h"
 
 #include <utility>
 #include <vector>

@@ -1,4 +1,9 @@
-#include "extensions/scene/seen_edges.h"
+#include "core/kernel/carriers.h"
+#include "strata/query.h"
+
+#include "core/kernel/predicates.h"
+#include "extensions/scene/pieces.h"
+#include "extensions/scene/signed_covering.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>

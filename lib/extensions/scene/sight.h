@@ -2,9 +2,10 @@
 #include <array>
 #include <cstdint>
 
+#include "core/kernel/carriers.h"
 #include "core/kernel/filtered_plane.h"
 #include "core/kernel/predicates.h"
-#include "extensions/scene/origin.h"
+#include "strata/query.h"
 
 namespace strata {
 

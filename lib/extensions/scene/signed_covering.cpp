@@ -140,7 +140,7 @@ Location SignedCovering::locate(const Vertex& q) const {
     windings.add(scene_.solid_of(f), s.change);
     if (s.on) faces.push_back({scene_.solid_of(f), f});
   });
-  return Location::of(std::move(windings), std::move(faces));
+  return location_of(std::move(windings), std::move(faces));
 }
 
 void SignedCovering::membership(std::span<const Vertex> q, std::span<Where> answers) const {

@@ -5,11 +5,11 @@
 
 #include "core/cells/windings.h"
 #include "core/kernel/point.h"
-#include "core/winding/location.h"
 #include "extensions/scene/cone_filter.h"
 #include "extensions/scene/direction_index.h"
-#include "extensions/scene/scene.h"
+#include "extensions/scene/location.h"
 #include "extensions/scene/walk_step.h"
+#include "strata/query.h"
 
 namespace strata {
 

@@ -1,4 +1,5 @@
-#include "extensions/scene/visibility.h"
+#include "core/kernel/carriers.h"
+#include "strata/query.h"
 
 #include <tbb/parallel_for.h>
 
@@ -7,6 +8,9 @@
 #include <utility>
 
 #include "extensions/scene/convex_cutting.h"
+#include "extensions/scene/pieces.h"
+#include "extensions/scene/sight.h"
+#include "extensions/scene/signed_covering.h"
 
 namespace strata {
 namespace {
@@ -26,7 +30,25 @@ std::vector<Stretch> without(std::vector<Stretch> hidden) {
 
 }  // namespace
 
-Visibility::Visibility(LayerDecomposition decomposition)
+struct Visibility::Data {
+  explicit Data(LayerDecomposition decomposition);
+
+  [[nodiscard]] std::vector<Stretch> seen_along(std::uint32_t face, std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] std::vector<ExactPolygon> seen_region(std::uint32_t face) const;
+
+  [[nodiscard]] std::span<const std::uint32_t> before(std::uint32_t face) const {
+    return std::span(before_).subspan(first_[face], first_[face + 1] - first_[face]);
+  }
+  bool hides(std::uint32_t piece, std::uint32_t face, std::uint32_t a, std::uint32_t b, Stretch& hidden) const;
+  [[nodiscard]] std::vector<RationalPlane> shadow(std::uint32_t piece, std::uint32_t face) const;
+  [[nodiscard]] bool covers(std::uint32_t piece, std::uint32_t face) const;
+
+  LayerDecomposition decomposition_;
+  Sight sight_;
+  std::vector<std::uint32_t> first_, before_;  ///< per face, the pieces that come before some of it
+};
+
+Visibility::Data::Data(LayerDecomposition decomposition)
     : decomposition_(std::move(decomposition)), sight_(decomposition_.pieces().carriers(), decomposition_.origin()) {
   // The dominators of a piece turned around: for every face the pieces that one of its own dominates.
   const LayerDecomposition& d = decomposition_;
@@ -46,7 +68,7 @@ Visibility::Visibility(LayerDecomposition decomposition)
 
 /// The stretch of the edge ab of a face that a piece before some of the face hides: what lies within its rim and beyond
 /// its plane. Where the edge runs along the rim as seen, or in the plane, the face's own side of it decides.
-bool Visibility::hides(std::uint32_t piece, std::uint32_t face, std::uint32_t a, std::uint32_t b,
+bool Visibility::Data::hides(std::uint32_t piece, std::uint32_t face, std::uint32_t a, std::uint32_t b,
                        Stretch& hidden) const {
   const Pieces& pieces = decomposition_.pieces();
   const Corners q = pieces.corners(piece), f = pieces.corners(face);
@@ -81,7 +103,7 @@ bool Visibility::hides(std::uint32_t piece, std::uint32_t face, std::uint32_t a,
          hidden.from < hidden.to;
 }
 
-std::vector<Stretch> Visibility::seen_along(std::uint32_t face, std::uint32_t a, std::uint32_t b) const {
+std::vector<Stretch> Visibility::Data::seen_along(std::uint32_t face, std::uint32_t a, std::uint32_t b) const {
   if (decomposition_.covering().turn(face) == Sign::zero) return {};
   std::vector<Stretch> hidden;
   for (const std::uint32_t p : before(face)) {
@@ -94,7 +116,7 @@ std::vector<Stretch> Visibility::seen_along(std::uint32_t face, std::uint32_t a,
 }
 
 /// Is all of the face within the rim of the piece, as seen, and beyond its plane?
-bool Visibility::covers(std::uint32_t piece, std::uint32_t face) const {
+bool Visibility::Data::covers(std::uint32_t piece, std::uint32_t face) const {
   const Pieces& pieces = decomposition_.pieces();
   const Corners q = pieces.corners(piece);
   const Sign turn = sight_.turn(q);
@@ -109,7 +131,7 @@ bool Visibility::covers(std::uint32_t piece, std::uint32_t face) const {
 }
 
 /// The planes of sight through a piece's edges and its own plane if it cuts the face, positive where the piece hides.
-std::vector<RationalPlane> Visibility::shadow(std::uint32_t piece, std::uint32_t face) const {
+std::vector<RationalPlane> Visibility::Data::shadow(std::uint32_t piece, std::uint32_t face) const {
   const Pieces& pieces = decomposition_.pieces();
   const Corners q = pieces.corners(piece);
   const Sign turn = sight_.turn(q);
@@ -129,7 +151,7 @@ std::vector<RationalPlane> Visibility::shadow(std::uint32_t piece, std::uint32_t
   return planes;
 }
 
-std::vector<ExactPolygon> Visibility::seen_region(std::uint32_t face) const {
+std::vector<ExactPolygon> Visibility::Data::seen_region(std::uint32_t face) const {
   if (decomposition_.covering().turn(face) == Sign::zero) return {};
   for (const std::uint32_t p : before(face))
     if (covers(p, face)) return {};
@@ -146,8 +168,19 @@ std::vector<ExactPolygon> Visibility::seen_region(std::uint32_t face) const {
   return seen;
 }
 
+Visibility::Visibility(LayerDecomposition decomposition)
+    : data_(std::make_shared<const Data>(std::move(decomposition))) {}
+
+const LayerDecomposition& Visibility::decomposition() const { return data_->decomposition_; }
+
+std::vector<Stretch> Visibility::seen_along(std::uint32_t face, std::uint32_t a, std::uint32_t b) const {
+  return data_->seen_along(face, a, b);
+}
+
+std::vector<ExactPolygon> Visibility::seen_region(std::uint32_t face) const { return data_->seen_region(face); }
+
 std::vector<std::uint32_t> Visibility::seen_faces() const {
-  const std::uint32_t count = decomposition_.scene().face_count();
+  const std::uint32_t count = decomposition().scene().face_count();
   std::vector<std::uint8_t> seen(count);
   tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t f) { seen[f] = !seen_region(f).empty(); });
   std::vector<std::uint32_t> faces;

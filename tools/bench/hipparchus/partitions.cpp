@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "extensions/bsp/measure.h"
-#include "extensions/bsp/mesh.h"
+#include "strata/bsp.h"
 #include "strata/io.h"
 #include "support/shapes.h"
 #include "support/transform.h"

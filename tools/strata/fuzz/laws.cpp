@@ -11,11 +11,11 @@
 
 #include "core/exact/failure.h"
 #include "core/io/file.h"
-#include "extensions/bsp/mesh.h"
 #include "fuzz/membership.h"
 #include "fuzz/step_text.h"
 #include "json_place.h"
 #include "scratch.h"
+#include "strata/bsp.h"
 #include "strata/incremental.h"
 #include "strata/io.h"
 #include "strata/measure.h"

@@ -6,8 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "extensions/scene/locator.h"
-#include "extensions/scene/scene_of.h"
+#include "strata/query.h"
 #include "support/random.h"
 
 namespace fuzz {
@@ -46,7 +45,7 @@ bool joined(strata::Operation operation, bool a, bool b) {
 }
 
 /// Where a point off the operands should be; they are numbered as the names of the steps.
-Where wanted(const verify::Steps& steps, const strata::Windings& windings) {
+Where wanted(const verify::Steps& steps, const strata::WindingNumbers& windings) {
   std::vector<bool> values;
   for (std::uint32_t o = 0; o < steps.names.size(); ++o) values.push_back(windings[o] > 0);
   for (const verify::Step& s : steps.steps) values.push_back(joined(s.operation, values[s.first], values[s.second]));

@@ -1,0 +1,14 @@
+#pragma once
+#include <vector>
+
+#include "core/cells/windings.h"
+#include "strata/query.h"
+
+namespace strata {
+
+[[nodiscard]] WindingNumbers numbers_of(const Windings& windings);
+
+/// A point at which these are the winding numbers, if it is off the surfaces, and which lies on `faces` of the scene.
+[[nodiscard]] Location location_of(Windings windings, std::vector<Contact> faces);
+
+}  // namespace strata
