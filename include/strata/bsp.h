@@ -1,5 +1,9 @@
 #pragma once
-/// Binary space partitions: regular regions of the line, the plane and space, bounded or not, exact.
+/// Regions of the line, the plane and space as binary space partitions: exact, bounded or not, with all Booleans.
+///
+/// A hyperplane is given by an AffineForm, a region is a Partition. Make one from half-spaces, a mesh, polygons or
+/// intervals; combine it with | & - ^ and `complement`; ask it for its size, where points and lines are in it, what is
+/// nearest; get its boundary back as a mesh, sides or intervals, or its inside as convex cells. D is 1, 2 or 3.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "strata/combine.h"
@@ -19,103 +24,73 @@
 
 namespace strata {
 
-template <int D>
-class HyperplaneTable;  // internal
-template <int D>
-struct OrientedHyperplane;  // internal
-
-/// The engine `bsp` of `combine`: merged binary space partitions, exact, of other mathematics than the arrangement. The same
-/// solid, divided into other triangles: facets in one plane are merged. The source of a triangle is some face of an operand
-/// in its plane. For some thousand faces. Throws as `combine` does.
+/// Computes `combine` by merging binary space partitions (Options::engine). Exact, by other mathematics than the
+/// arrangement: the same solid, but other triangles, since facets in one plane are merged and divided anew. The source
+/// of a triangle is some face of an operand in its plane. Meant for checking results and for a few thousand faces: at
+/// worst the tree of n faces has O(n^3) leaves. Throws as `combine` does.
 extern const Engine bsp_engine;
 
 }  // namespace strata
 
 namespace strata::bsp {
 
-template <int D>
-struct Facet;  // internal
-template <int D>
-struct Piece;  // internal
-
 /// A point or a vector of D-space.
 template <int D>
 using RationalVector = std::array<Rational, D>;
 
-/// A node of a tree or a leaf.
-using Link = std::uint32_t;
+/// The affine function f(x) = n . x + c, as the components of n and then c. With n != 0 it stands for the hyperplane
+/// f = 0 (a point of the line, a line of the plane, a plane of space), which looks to where f > 0, and for the closed
+/// half-space f <= 0 behind it. Positive multiples stand for the same.
+template <int D>
+using AffineForm = std::array<Rational, D + 1>;
 
-/// Leaves: parts of space that are outside and inside.
-inline constexpr Link leaf_out = 0xffff'fffe, leaf_in = 0xffff'ffff;
-
-[[nodiscard]] constexpr bool is_leaf(Link link) { return link >= leaf_out; }
-[[nodiscard]] constexpr Link leaf(bool is_inside) { return is_inside ? leaf_in : leaf_out; }
-[[nodiscard]] constexpr Link other(Link leaf) { return leaf == leaf_in ? leaf_out : leaf_in; }
-
-/// A hyperplane that divides a part of space in two.
-struct Node {
-  std::uint32_t hyperplane = 0;
-  Link minus = leaf_out, plus = leaf_out;
-};
-
-/// A binary space partition: convex leaves, each inside or outside.
-struct Tree {
-  std::vector<Node> nodes;
-  Link root = leaf_out;
-  std::size_t splits = 0;  ///< facets that were divided when it was built
-};
-
-/// A regular region of the line (D = 1), the plane (2) or space (3), bounded or not, as a binary space partition: cuts
-/// by hyperplanes, convex leaves that are inside or outside. All decisions are exact for whatever rationals it is made
-/// of. Hyperplanes are those of the input and, where trees are built, axis-parallel ones through doubles: coefficients
-/// do not grow, whatever is combined.
+/// A regular region (the closure of its interior) of the line, the plane or space, as a tree: every node cuts its
+/// convex part of space by a hyperplane, every leaf is inside or outside. It may be unbounded, have cavities and
+/// several parts, and touch itself; the empty set and all of space are regions.
 ///
-/// An immutable value, cheap to copy, safe to read from many threads.
+/// Every decision is exact, for rationals of any size. The hyperplanes are those of the input and, where trees are
+/// built, axis-parallel ones through doubles: coefficients do not grow, however often regions are combined.
+///
+/// An immutable value, cheap to copy, safe to read from many threads. D = 1, 2, 3.
+/// Sources: Fuchs, Kedem, Naylor 1980 (the trees); Thibault, Naylor 1987 (trees as solids).
 template <int D>
 class Partition {
  public:
   Partition();  ///< the empty region
 
   [[nodiscard]] static Partition all();  ///< the whole line, plane or space
-  /// What is behind a hyperplane as it was given, the side that it does not look to.
-  [[nodiscard]] static Partition half_space(const OrientedHyperplane<D>& hyperplane);  // internal
-  /// The points x with n . x + c <= 0, for coefficients n, then c. Throws std::invalid_argument for n = 0.
-  [[nodiscard]] static Partition half_space(const std::array<Rational, D + 1>& coefficients);
-  /// What is behind all of these: convex, may be empty. Merged by halves, and built anew with
-  /// axis-parallel cuts where that is less deep.
-  [[nodiscard]] static Partition convex(std::span<const OrientedHyperplane<D>> hyperplanes);  // internal
-  /// A tree over a table. Every node must divide its part of space; `pruned` makes trees so.
-  [[nodiscard]] static Partition of(HyperplaneTable<D> table, Tree tree);  // internal
+  /// The closed half-space f <= 0. Throws std::invalid_argument where the normal is zero.
+  [[nodiscard]] static Partition half_space(const AffineForm<D>& f);
+  /// The points where no form is positive, up to what has no interior: convex, may be empty or unbounded; of no forms,
+  /// all of space. Merged by halves, and built anew with axis-parallel cuts where that is less deep: a ball of 600
+  /// half-spaces is less than 120 deep. Throws std::invalid_argument where a normal is zero.
+  [[nodiscard]] static Partition convex(std::span<const AffineForm<D>> forms);
 
-  [[nodiscard]] const HyperplaneTable<D>& table() const;  // internal: the hyperplanes of nodes by number
-  [[nodiscard]] const Tree& tree() const;
-
-  [[nodiscard]] bool is_empty() const { return tree().root == leaf_out; }
-  [[nodiscard]] bool is_full() const { return tree().root == leaf_in; }
-  [[nodiscard]] bool is_bounded() const;
-  /// True when another region is part of this one.
+  [[nodiscard]] bool is_empty() const;    ///< O(1)
+  [[nodiscard]] bool is_full() const;     ///< all of space; O(1)
+  [[nodiscard]] bool is_bounded() const;  ///< O(leaves that reach infinity * depth)
+  /// True when another region is a subset of this one. Merges the two.
   [[nodiscard]] bool contains(const Partition& other) const;
 
-  /// Descends from the root; on a hyperplane both sides are asked. Exact. O(depth) for most points.
+  /// Where a point lies, exactly. Requires finite coordinates. O(depth), but on the hyperplane of a node both sides are
+  /// asked.
   [[nodiscard]] Where classify(const std::array<double, D>& p) const;
   [[nodiscard]] Where classify_exact(const RationalVector<D>& p) const;  ///< the same for rationals
 
-  /// Convex facets with their interiors apart; `table()` has their corners.
-  [[nodiscard]] std::vector<Facet<D>> boundary() const;  // internal; see boundary_mesh, sides_of, intervals_of
-
-  /// The parts of a piece over this table that are in the region or on its boundary, convex and with interiors apart.
-  [[nodiscard]] std::vector<Piece<D>> part_inside(const Piece<D>& piece) const;  // internal
+  struct Data;                                               ///< internal: lib/extensions/bsp/partition_data.h
+  [[nodiscard]] const Data& data() const { return *data_; }  ///< internal
+  explicit Partition(std::shared_ptr<const Data> data) : data_(std::move(data)) {}  ///< internal
 
  private:
-  struct Data;
-  explicit Partition(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
   std::shared_ptr<const Data> data_;
 };
 
-/// The regularized combination, by merging the trees. Laws: those of sets, up to the choice of leaves.
-/// Depths add up at worst: where many are combined, do it by halves, or use `rebuilt_if_deep` (recursion is as deep
-/// as trees are: a depth of a thousand fits on any thread's stack). Expected output-sensitive; at worst every node of
-/// one tree meets every node of the other. Throws Cancelled.
+/// The regularized Boolean of two regions, by merging their trees. `subtract` is a - b, `exclude` what is in one only.
+/// Laws: those of sets (commutative, associative, distributive, De Morgan), as point sets; trees may differ.
+/// Depths add up at worst: combine many regions by halves, not one after the other, or use `rebuilt_if_deep`. Recursion
+/// is as deep as the trees: a depth of a thousand fits on any thread's stack. Expected output-sensitive; at worst every
+/// node of one tree meets every node of the other. Throws Cancelled.
+/// Source: Naylor, Amanatides, Thibault 1990.
 template <int D>
 [[nodiscard]] Partition<D> combined(Operation operation, const Partition<D>& a, const Partition<D>& b,
                                     const Monitor& monitor = {});
@@ -140,28 +115,33 @@ template <int D>
 template <int D>
 [[nodiscard]] Partition<D> complement(const Partition<D>& region);
 
-/// Equal as point sets.
+/// Equal as point sets. Merges the two.
 template <int D>
 [[nodiscard]] bool operator==(const Partition<D>& a, const Partition<D>& b) {
   return (a ^ b).is_empty();
 }
 
-/// The same tree, without hyperplanes that are not in it.
+/// The same tree, without hyperplanes that are not in it. O(nodes).
 template <int D>
 [[nodiscard]] Partition<D> compact(const Partition<D>& region);
 
-/// The same region, its tree built anew from its boundary.
+/// The same region, its tree built anew from its boundary. Expected O(n log^2 n) for n facets.
 template <int D>
 [[nodiscard]] Partition<D> rebuilt(const Partition<D>& region);
 
-/// The same region, its tree built anew if it is deep for its size: deeper than 30 + 6 log2(leaves).
+/// The same region, its tree built anew if it is deeper than 30 + 6 log2(leaves).
 template <int D>
 [[nodiscard]] Partition<D> rebuilt_if_deep(const Partition<D>& region);
 
 /// Sizes of a tree, for reports.
 struct TreeSize {
-  std::size_t nodes = 0, leaves = 0, inside = 0, depth = 0, hyperplanes = 0, bytes = 0;
-  double mean_depth = 0;  ///< of leaves
+  std::size_t nodes = 0, leaves = 0;
+  std::size_t inside = 0;       ///< of the leaves
+  std::size_t depth = 0;        ///< nodes above the deepest leaf
+  std::size_t hyperplanes = 0;  ///< different ones
+  std::size_t splits = 0;       ///< facets that were divided when it was built from facets; 0 for merged trees
+  std::size_t bytes = 0;        ///< held, roughly
+  double mean_depth = 0;        ///< of leaves
 };
 template <int D>
 [[nodiscard]] TreeSize size_of_tree(const Partition<D>& region);
@@ -170,9 +150,46 @@ extern template class Partition<1>;
 extern template class Partition<2>;
 extern template class Partition<3>;
 
-/// The region that a closed mesh bounds, whose winding numbers are 0 and 1; a mesh turned inside out bounds all else.
-/// Triangles without area do not count. Requires that the mesh does not cross itself (`check` tells).
-/// Expected O(n log^2 n); `built` has the choice of cuts.
+// --- Boundary and cells, any D ---
+
+/// A convex part of the boundary, of dimension D - 1: a point, a segment or a convex polygon.
+template <int D>
+struct BoundaryFacet {
+  AffineForm<D> outward{};  ///< coprime integers; not positive in the region near the facet
+  /// One point; or from, to, with the region on the left; or a polygon, counter-clockwise as seen from outside.
+  std::vector<RationalVector<D>> corners;
+};
+
+/// The boundary as convex facets with interiors apart, in the order of the tree. They are as the tree divides them:
+/// several may lie in one plane, and corners may lie in the middle of sides of others (`boundary_mesh` is without
+/// that). Throws std::domain_error when the boundary is not bounded. O(sum over nodes of depth and of leaves next to
+/// the node).
+template <int D>
+[[nodiscard]] std::vector<BoundaryFacet<D>> boundary_facets(const Partition<D>& region);
+
+/// Shows the facets of `boundary_facets` sorted by depth, as seen from a point: none hides a part of an earlier one.
+/// (The painter's order is the reverse.) Facets in a hyperplane through the point are seen from the side and hide
+/// nothing. Throws std::domain_error when the boundary is not bounded, maybe after some facets.
+/// Source: Fuchs, Kedem, Naylor 1980.
+template <int D>
+void for_each_front_to_back(const Partition<D>& region, const RationalVector<D>& from,
+                            const std::function<void(const BoundaryFacet<D>& facet)>& visit);
+
+/// Shows the inside leaves, convex cells with interiors apart that cover the region. A cell is the set of points where
+/// none of its forms is positive; each form bounds it in a facet. Cells may be unbounded; all of space has no forms.
+/// In the order of the tree. O(leaves * depth^2).
+template <int D>
+void for_each_cell(const Partition<D>& region,
+                   const std::function<void(const std::vector<AffineForm<D>>& cell)>& visit);
+
+// --- Space: meshes ---
+
+/// The region that a closed mesh bounds. Requires winding numbers 0 and 1, or 0 and -1: a mesh turned inside out bounds
+/// all of space but the solid. Triangles without area do not count, an empty mesh is the empty region. Requires that
+/// the mesh does not cross itself (`check` tells), which is not asked here: for others the region is unspecified.
+/// Expected O(n log^2 n) for n triangles; bad are long needles in all directions and grids of slabs, up to O(n^3).
+/// Cuts are chosen to avoid dividing facets, then for balance; axis-parallel ones keep convex solids from becoming
+/// lists. Throws Cancelled.
 [[nodiscard]] Partition<3> partition_of(ExactMeshView mesh, const Monitor& monitor = {});
 
 /// A mesh and the oriented planes of its triangles, each once.
@@ -182,21 +199,29 @@ struct BoundaryMesh {
   std::vector<std::uint32_t> plane_of;  ///< per triangle
 };
 
-/// The boundary as a closed triangle mesh with outward normals: facets in one plane are merged and divided anew, and
-/// every vertex on an edge is a corner of all triangles there. Vertices in lexicographic order, coordinates rounded to
-/// nearest doubles, exact places beside them. O(n log n) beside `boundary()`.
-/// Throws std::domain_error when the boundary is not bounded.
+/// The boundary as a closed triangle mesh with outward normals: facets in one plane are merged and triangulated anew,
+/// and every vertex on an edge is a corner of all triangles there. Vertices in lexicographic order, coordinates rounded
+/// to nearest doubles, exact places beside them. Depends on the point set alone, not on the tree. O(n log n) for n
+/// facets, and finding them. Throws std::domain_error when the boundary is not bounded.
 [[nodiscard]] BoundaryMesh boundary_mesh(const Partition<3>& region);
 [[nodiscard]] ExactMesh exact_mesh_of(const Partition<3>& region);  ///< the mesh alone
 
-/// The boundary's one description; `canonical_form` of the mesh.
+/// The boundary's one description, equal for equal regions: `canonical_form` of the mesh. Throws as `boundary_mesh`.
 [[nodiscard]] CanonicalForm canonical_form_of(const Partition<3>& region);
 
-/// The numbers between two ends, the ends with them; an end that is not there is infinite.
+// --- The line: intervals ---
+
+/// The closed interval from `lower` to `upper`; an end that is not there is infinite.
 struct Interval {
   std::optional<Rational> lower, upper;
   friend bool operator==(const Interval&, const Interval&) = default;
 };
+
+/// The region of the line that intervals cover together; they may overlap. Those with lower >= upper do not count.
+[[nodiscard]] Partition<1> partition_of(std::span<const Interval> intervals);
+
+/// The components of a region of the line, in increasing order; none touch.
+[[nodiscard]] std::vector<Interval> intervals_of(const Partition<1>& region);
 
 /// The points p + t d.
 template <int D>
@@ -204,15 +229,9 @@ struct ParametricLine {
   RationalVector<D> p, d;
 };
 
-/// The region of the line that intervals cover together, which may overlap; those without length do not count.
-[[nodiscard]] Partition<1> partition_of(std::span<const Interval> intervals);
-
-/// The components of a region of the line, in increasing order.
-[[nodiscard]] std::vector<Interval> intervals_of(const Partition<1>& region);
-
-/// Where a line is in the closed region: intervals of t, apart, in increasing order. Where it lies in the boundary it
-/// is in; where it meets the region in a point only, the interval is this point. Requires d != 0. O(nodes that the line
-/// meets * depth); the numbers are rationals of bounded size over the region's hyperplanes.
+/// Where a line is in the closed region: intervals of t, apart, in increasing order. Where it runs within the boundary
+/// it counts as in; where it meets the region in a point only, the interval is that point. Requires d != 0. O(nodes
+/// that the line meets); each end is one quotient of the line and a hyperplane.
 template <int D>
 [[nodiscard]] std::vector<Interval> intersection(const Partition<D>& region, const ParametricLine<D>& line);
 
@@ -220,7 +239,9 @@ template <int D>
 template <int D>
 [[nodiscard]] std::vector<Interval> ray_intersection(const Partition<D>& region, const ParametricLine<D>& ray);
 
-/// A closed polygon; what it bounds is on the left of its sides.
+// --- The plane: polygons ---
+
+/// A closed polygon, its last point joined to the first; what it bounds is on the left of its sides.
 using PolygonLoop = std::vector<RationalVector<2>>;
 
 /// A directed side with the region on its left.
@@ -228,17 +249,20 @@ struct PlaneSide {
   RationalVector<2> from, to;
 };
 
-/// The region of the plane that sides bound. They must be the whole boundary of a region, without crossings and
-/// overlaps; sides without length do not count.
+/// The region of the plane that sides bound, in any order. They must be the whole boundary of a region, without
+/// crossings and overlaps, which is not asked; sides without length do not count. Expected O(n log^2 n).
 [[nodiscard]] Partition<2> partition_of(std::span<const PlaneSide> sides);
 
 /// The same for the sides of loops: outer ones counter-clockwise, holes clockwise.
 [[nodiscard]] Partition<2> partition_of(std::span<const PolygonLoop> loops);
 
-/// The boundary as directed sides; throws std::domain_error when it is not bounded.
+/// The boundary as directed sides, as the tree divides them. Throws std::domain_error when it is not bounded.
 [[nodiscard]] std::vector<PlaneSide> sides_of(const Partition<2>& region);
 
-/// Length, area or volume, exact; nothing when it is infinite. Unbounded regions are infinite: they are regular.
+// --- Measures, any D ---
+
+/// Length, area or volume, exact; nothing when it is infinite, which it is exactly for unbounded regions (they contain
+/// a ball and a ray).
 template <int D>
 [[nodiscard]] std::optional<Rational> size(const Partition<D>& region);
 
@@ -246,8 +270,8 @@ template <int D>
 template <int D>
 [[nodiscard]] std::optional<RationalVector<D>> barycentre(const Partition<D>& region);
 
-/// Of the boundary: number of points, length or area; facets to a few units in the last place, summed in
-/// doubles; infinity when it has no end.
+/// Of the boundary: number of points, length or area; every facet to a few units in the last place, summed in doubles;
+/// infinity when it is not bounded.
 template <int D>
 [[nodiscard]] double boundary_size(const Partition<D>& region);
 
@@ -259,14 +283,14 @@ struct NearestPoint {
   double distance = 0;  ///< correctly rounded; negative for points inside, 0 on the boundary
 };
 
-/// The nearest point of the boundary; of several the one met first, front to back. Nothing when there is no boundary.
-/// Exact. Visits the leaf of p and whatever is nearer than the best so far: O(depth^2) for points near the boundary.
+/// The nearest point of the boundary, exact; of several at one distance the one met first, front to back. Nothing when
+/// there is no boundary. Descends to the leaf of p and visits whatever is nearer than the best so far: O(depth^2) for
+/// points near the boundary, all facets at worst.
 template <int D>
 [[nodiscard]] std::optional<NearestPoint<D>> nearest_boundary_point(const Partition<D>& region,
                                                                     const RationalVector<D>& p);
 
-/// The double nearest to the square root of q >= 0.
-[[nodiscard]] double nearest_square_root(const Rational& q);
+// --- Maps, any D ---
 
 /// x -> matrix x + shift.
 template <int D>
@@ -275,22 +299,18 @@ struct AffineMap {
   RationalVector<D> shift{};
 };
 
-/// The image of a region, exact: every hyperplane is mapped, the tree stays. O(nodes). Coefficients grow by those of
-/// the map. Throws std::invalid_argument when the map is singular.
+/// The image of a region, exact: every hyperplane is mapped, the tree stays. Laws: images of combinations are
+/// combinations of images; the size is multiplied by |det|, also for reflections (inside stays inside). O(nodes).
+/// Coefficients grow by those of the map. Throws std::invalid_argument when the map is singular.
 template <int D>
 [[nodiscard]] Partition<D> transformed(const Partition<D>& region, const AffineMap<D>& map);
 
-/// Shows the nodes of a tree in the order in which they are met from a point: what is on the point's side of a node
-/// comes before the node, what is on the other side behind it. Of two nodes no part of the later one hides a part of
-/// the earlier one. A point in a hyperplane counts as on the minus side.
-template <int D>
-void for_each_front_to_back(const Partition<D>& region, const RationalVector<D>& from,
-                            const std::function<void(Link node)>& visit);
+// --- Files ---
 
-/// Reads a tree as Hipparchus and Commons Math dump it ("PolyhedronsSet", a tolerance, then nodes from the root, each
-/// "internal" with a point and the normal of its plane, minus child first, or "leaf true|false"). Numbers are doubles,
-/// taken as they are written; the tolerances are not used. Throws std::runtime_error with the line of what cannot be
-/// read.
+/// Reads a tree of space as Hipparchus and Apache Commons Math dump it: "PolyhedronsSet", a tolerance, then nodes from
+/// the root, each "internal" with a point and the normal of its plane, minus child first, or "leaf true|false". Numbers
+/// are doubles, taken as they are written; tolerances are not used, and nodes that do not divide their part of space
+/// are passed over. Throws std::runtime_error with the line of what cannot be read.
 [[nodiscard]] Partition<3> read_polyhedrons_set(std::string_view text);
 
 }  // namespace strata::bsp

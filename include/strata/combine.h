@@ -56,8 +56,9 @@ struct BooleanResult {
 [[nodiscard]] BooleanResult combine(const Formula& formula, std::span<const Operand> operands,
                                     const Options& options = {});
 
-/// Another way to compute what `combine` does, exact and with mathematics of its own. Extensions bring them: `bsp_engine`
-/// (bsp.h), `layer_engine` (query.h). Every engine gives the same solid as a point set, for any number of threads.
+/// Another way to compute what `combine` does, exact and with mathematics of its own. Extensions bring them:
+/// `bsp_engine` (bsp.h), `layer_engine` (query.h). Every engine gives the same solid as a point set, for any number of
+/// threads.
 struct Engine {
   const char* name;  ///< as on the command line
   BooleanResult (*combine)(Operation operation, std::span<const Operand> operands, const Options& options);

@@ -1,9 +1,10 @@
 #pragma once
 /// What can go wrong, and how it is told: defects of meshes, and every exception that Strata throws of its own.
 ///
-/// InputError: the caller's mesh is not what was declared. IoError: a file. ParseError: a text. Cancelled: the caller asked
-/// to stop. LogicError: a fault of Strata itself. Besides these std::invalid_argument (arguments that mean nothing),
-/// std::length_error (more than 2^32 - 2 vertices or faces) and std::bad_alloc are thrown where a function says so.
+/// InputError: the caller's mesh is not what was declared. IoError: a file. ParseError: a text. Cancelled: the caller
+/// asked to stop. LogicError: a fault of Strata itself. Besides these std::invalid_argument (arguments that mean
+/// nothing), std::length_error (more than 2^32 - 2 vertices or faces) and std::bad_alloc are thrown where a function
+/// says so.
 #include <cstddef>
 #include <cstdint>
 #include <optional>

@@ -127,8 +127,8 @@ class LoopsBuilder {
 /// counter-clockwise, its holes are clockwise: the polygon lies to the left of every edge. Where a polygon's boundary
 /// touches itself, loops share the vertex, so a polygon without holes is simple. Vertices are corners, or are on the
 /// boundary more than once: no edge goes straight on elsewhere. Every loop starts at its lexicographically least
-/// vertex; polygons, and the holes of each, are in the order of their first vertices, then of their second ones: what is
-/// listed, and in which order, depends on the set alone. `places.place` of every point is its nearest double.
+/// vertex; polygons, and the holes of each, are in the order of their first vertices, then of their second ones: what
+/// is listed, and in which order, depends on the set alone. `places.place` of every point is its nearest double.
 struct Region {
   Loops loops;
   std::vector<std::uint32_t> first_loop{
@@ -359,8 +359,8 @@ struct PlanarFile {
 
 /// Reads polygons; coordinates become their nearest doubles, quotients and sums of relative coordinates stay exact.
 /// Of SVG, paths that are drawn where they stand; clip paths, fill rules and other shapes are told in notes. A byte
-/// order mark is passed over. Throws IoError: missing, unreadable or malformed files, other geometries, curves in paths, and
-/// transformations. O(size of the file).
+/// order mark is passed over. Throws IoError: missing, unreadable or malformed files, other geometries, curves in
+/// paths, and transformations. O(size of the file).
 [[nodiscard]] PlanarFile read_planar(const std::filesystem::path& path, std::optional<PlanarFormat> format = {});
 [[nodiscard]] PlanarFile read_planar(std::string_view data, PlanarFormat format, std::string name);
 

@@ -1,7 +1,8 @@
 #pragma once
 /// Questions about solids in space: where points lie, what rays meet, what is seen from an origin, and in which layers.
 ///
-/// A Scene keeps the solids; everything else is made of a scene, immutable, cheap to copy, and safe to use from many threads.
+/// A Scene keeps the solids; everything else is made of a scene, immutable, cheap to copy, and safe to use from many
+/// threads.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,11 +20,6 @@
 
 namespace strata {
 
-class BoxTree;         // internal
-class Carriers;        // internal
-class Pieces;          // internal
-class SignedCovering;  // internal
-
 /// Solids in one numbering of vertices and faces, those of the first solid first. An immutable value, cheap to copy.
 class Scene {
  public:
@@ -39,10 +35,11 @@ class Scene {
   [[nodiscard]] std::uint32_t solid_of(std::uint32_t face) const;
   /// The number of a face within its solid.
   [[nodiscard]] std::uint32_t local(std::uint32_t face) const;
-  [[nodiscard]] const Carriers& carriers() const;  // internal
+
+  struct Data;                                               ///< internal
+  [[nodiscard]] const Data& data() const { return *data_; }  ///< internal
 
  private:
-  struct Data;
   std::shared_ptr<const Data> data_;
 };
 
@@ -188,7 +185,6 @@ class RayCaster {
   explicit RayCaster(Scene scene);
 
   [[nodiscard]] const Scene& scene() const;
-  [[nodiscard]] const BoxTree& tree() const;  // internal
 
   /// The first event of all solids; nothing if the ray meets none.
   [[nodiscard]] std::optional<RayHit> first(const Ray& ray) const;
@@ -208,8 +204,10 @@ class RayCaster {
   void all_rounded(std::span<const Ray> rays, std::span<std::vector<RoundedHit>> answers) const;
   void any(std::span<const Segment> segments, std::span<bool> answers) const;
 
+  struct Data;                                               ///< internal
+  [[nodiscard]] const Data& data() const { return *data_; }  ///< internal
+
  private:
-  struct Data;
   std::shared_ptr<const Data> data_;
 };
 
@@ -254,7 +252,6 @@ class LayerDecomposition {
 
   [[nodiscard]] const Scene& scene() const;
   [[nodiscard]] const Origin& origin() const;
-  [[nodiscard]] const SignedCovering& covering() const;
 
   [[nodiscard]] std::uint32_t layer_count() const;
   /// Faces and parts of faces, replaced ones included.
@@ -265,7 +262,6 @@ class LayerDecomposition {
   [[nodiscard]] std::uint32_t face_of(std::uint32_t piece) const;
   /// Exact; corners made by cuts are rationals. Counter-clockwise seen from outside.
   [[nodiscard]] std::array<RationalPoint, 3> triangle(std::uint32_t piece) const;
-  [[nodiscard]] const Pieces& pieces() const;
   /// The sign of a piece's tetrahedron: +1 when the outward normal points away from the origin, -1 when towards it, 0
   /// when flat.
   [[nodiscard]] int sign(std::uint32_t piece) const;
@@ -289,8 +285,10 @@ class LayerDecomposition {
   /// points the winding numbers that walks from infinity past all faces give. O(n + k) and O(n) per sample.
   [[nodiscard]] std::vector<std::string> validate(std::size_t samples = 16) const;
 
+  struct Data;                                               ///< internal
+  [[nodiscard]] const Data& data() const { return *data_; }  ///< internal
+
  private:
-  struct Data;
   std::shared_ptr<const Data> data_;
 };
 

@@ -2,8 +2,8 @@
 /// Integers and fractions of any size: the numbers in which Strata states exact results.
 ///
 /// Values are immutable in the sense of ordinary arithmetic types: copies are independent, reading is thread-safe. The
-/// arithmetic is that of a library chosen when Strata is built (GMP, or Boost.Multiprecision's own integers); neither is
-/// seen here.
+/// arithmetic is that of a library chosen when Strata is built (GMP, or Boost.Multiprecision's own integers); neither
+/// is seen here.
 #include <array>
 #include <compare>
 #include <concepts>

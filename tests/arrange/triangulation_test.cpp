@@ -184,12 +184,13 @@ TEST_CASE("paths of a surface that crosses a face are cut at once; rings are not
 
 // Four vertices, or nearly, in a plane whose trace no coordinate shows: below two doubles' reach of it, if at all.
 // Catches: edges taken for coplanar because they are neighbours, and the exact turn asked where they are.
-TEST_CASE("where a quadrilateral crosses a face, its sides and diagonal tell if the trace bends", "[arrange][degenerate]") {
+TEST_CASE("where a quadrilateral crosses a face, its sides and diagonal tell if the trace bends",
+          "[arrange][degenerate]") {
   const double least = 1e-60;
   for (const double off : {-least, 0.0, least}) {
     CAPTURE(off);
-    const std::vector<Carriers::Coordinates> points{{0, 0, 0}, {64, 0, 0}, {0, 64, 0},      // the face
-                                                    {3, 3, -3}, {5, 5, 5}, {7, 7, -4}, {off, 0, 7}};
+    const std::vector<Carriers::Coordinates> points{{0, 0, 0},  {64, 0, 0}, {0, 64, 0},  // the face
+                                                    {3, 3, -3}, {5, 5, 5},  {7, 7, -4}, {off, 0, 7}};
     const std::vector<Carriers::Indices> faces{{0, 1, 2}, {3, 5, 4}, {4, 5, 6}};
     Carriers carriers;
     carriers.add(points, faces);

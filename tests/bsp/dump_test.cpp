@@ -1,8 +1,8 @@
-#include "extensions/bsp/partition.h"
-
 #include <catch2/catch.hpp>
 #include <stdexcept>
 #include <string>
+
+#include "strata/bsp.h"
 
 namespace strata::bsp {
 
@@ -31,7 +31,7 @@ TEST_CASE("planes of a dump that do not divide their part of space are passed ov
       "PolyhedronsSet\ntolerance 1e-8\nplus internal 0 0 0 1 0 0 1e-8\n"
       " minus internal 1 0 0 2 0 0 1e-8\n  minus internal 0 5 0 -3 0 0 1e-8\n   minus leaf false\n   plus leaf true\n"
       "  plus leaf false\n plus leaf false\n");
-  CHECK(half.tree().nodes.size() == 1);
+  CHECK(size_of_tree(half).nodes == 1);
   CHECK(half.classify({-1, 0, 0}) == Where::in);
   CHECK(half.classify({1, 0, 0}) == Where::out);
 }

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "extensions/bsp/partition.h"
+#include "extensions/bsp/partition_data.h"
 #include "support/random.h"
 #include "support/rounds.h"
 
@@ -119,7 +119,7 @@ Partition<2> random_half_plane(Random& random) {
   const RationalVector<2> p{random.between(-1, 5), random.between(-1, 5)};
   RationalVector<2> q = p;
   while (q == p) q = {random.between(-1, 5), random.between(-1, 5)};
-  return Partition<2>::half_space(line_through(p, q));
+  return behind(line_through(p, q));
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
-#include "extensions/bsp/partition.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "extensions/bsp/partition.h"
+#include "extensions/bsp/partition_data.h"
 #include "support/random.h"
 #include "support/rounds.h"
 #include "support/shapes.h"
@@ -74,7 +72,9 @@ TEST_CASE("nearest points of solids are those that asking every triangle finds",
 
 TEST_CASE("nearest points of what has no end", "[bsp]") {
   const auto behind = [](std::size_t axis, int value) {
-    return Partition<3>::half_space({axis_hyperplane<3>(axis, value), false});
+    AffineForm<3> form{0, 0, 0, -value};
+    form[axis] = 1;
+    return Partition<3>::half_space(form);
   };
   const Partition<3> half = behind(2, 0), wedge = half & behind(0, 0), outer = complement(wedge),
                      slab = half - behind(2, -2);
@@ -103,7 +103,7 @@ TEST_CASE("nearest points on the line and in the plane", "[bsp]") {
   CHECK(nearest_boundary_point<2>(r, {Rational(2), Rational(4)})->distance == -1);
   CHECK(nearest_boundary_point<2>(r, {Rational(12), Rational(13)})->point == RationalVector<2>{9, 9});
   CHECK(nearest_boundary_point<2>(r, {Rational(12), Rational(13)})->distance == 5);
-  const auto half = Partition<2>::half_space(line_through({0, 0}, {1, 1}));
+  const auto half = behind(line_through({0, 0}, {1, 1}));
   CHECK(nearest_boundary_point<2>(half, {Rational(0), Rational(2)})->point == RationalVector<2>{1, 1});
 }
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "extensions/bsp/partition.h"
+#include "extensions/bsp/partition_data.h"
 #include "strata/measure.h"
 #include "support/random.h"
 #include "support/rounds.h"
@@ -22,7 +22,7 @@ Partition<3> random_half_space(Random& random) {
   std::array<Integer, 4> form{};
   while (form[0] == 0 && form[1] == 0 && form[2] == 0)
     for (Integer& x : form) x = random.between(-2, 2);
-  return Partition<3>::half_space(oriented_hyperplane<3>(form));
+  return behind(oriented_hyperplane<3>(form));
 }
 
 /// Touching solids and half-spaces, one seldom turned inside out.
@@ -35,7 +35,7 @@ Partition<3> random_region(Random& random) {
 /// Every node divides its part of space, children are not the same leaf, no node is reached twice, and next to a leaf
 /// there is boundary on the cut.
 void check_invariants(const Partition<3>& r) {
-  const Tree& tree = r.tree();
+  const Tree& tree = tree_of(r);
   std::vector<int> reached(tree.nodes.size());
   Path path;
   const auto visit = [&](const auto& self, Link link) -> void {
@@ -43,9 +43,9 @@ void check_invariants(const Partition<3>& r) {
     const Node& node = tree.nodes[link];
     CHECK(++reached[link] == 1);
     CHECK_FALSE((node.minus == node.plus && is_leaf(node.minus)));
-    CHECK_NOTHROW(part_within(r.table(), node.hyperplane, path));
+    CHECK_NOTHROW(part_within(table_of(r), node.hyperplane, path));
     std::size_t facets = 0;
-    for_each_facet<3>(r.table(), tree, link, path, [&](const Facet<3>&) { ++facets; });
+    for_each_facet<3>(table_of(r), tree, link, path, [&](const Facet<3>&) { ++facets; });
     CHECK((facets > 0 || !(is_leaf(node.minus) || is_leaf(node.plus))));
     path.push_back({node.hyperplane, Sign::negative});
     self(self, node.minus);
@@ -60,7 +60,7 @@ void check_invariants(const Partition<3>& r) {
 
 TEST_CASE("a cube is six nodes, and points are where they are", "[bsp]") {
   const Partition<3> cube = unit_cube();
-  CHECK(cube.tree().nodes.size() == 6);
+  CHECK(tree_of(cube).nodes.size() == 6);
   CHECK(cube.classify({0.5, 0.5, 0.5}) == Where::in);
   CHECK(cube.classify({0.5, 0.5, 1}) == Where::on);
   CHECK(cube.classify({1, 1, 1}) == Where::on);
@@ -136,7 +136,7 @@ TEST_CASE("what is behind many half-spaces is not a deep tree, and points are wh
     planes.push_back(oriented_hyperplane<3>(
         std::array<Rational, 4>{to_rational(n[0]), to_rational(n[1]), to_rational(n[2]), to_rational(c)}));
   }
-  const Partition<3> ball = Partition<3>::convex(planes);
+  const Partition<3> ball = behind_all<3>(planes);
   check_invariants(ball);
   CHECK(size_of_tree(ball).depth < 120);
   CHECK(to_nearest_double(size(ball).value()) == Approx(4.19).epsilon(0.03));
@@ -205,7 +205,7 @@ TEST_CASE("points are in combinations as they are in operands", "[bsp][property]
 }
 
 TEST_CASE("a half-space without a cube is unbounded and has a hole", "[bsp]") {
-  const auto half = Partition<3>::half_space({axis_hyperplane<3>(2, 3), false});  // z <= 3
+  const auto half = behind<3>({axis_hyperplane<3>(2, 3), false});  // z <= 3
   const Partition<3> rest = half - unit_cube();
   CHECK_FALSE(size(rest).has_value());
   CHECK(std::isinf(boundary_size(rest)));
@@ -221,24 +221,23 @@ TEST_CASE("a half-space without a cube is unbounded and has a hole", "[bsp]") {
 TEST_CASE("wedges that meet very far away meet", "[bsp]") {
   // z <= 0 and z >= x / 2^200 - 1 overlap for x < 2^200 only.
   const Integer steep = Integer(1) << 200;
-  const auto below = Partition<3>::half_space({axis_hyperplane<3>(2, 0), false});
-  const auto wedge =
-      below & Partition<3>::half_space(oriented_hyperplane<3>(std::array<Integer, 4>{1, 0, -steep, -steep}));
+  const auto below = behind<3>({axis_hyperplane<3>(2, 0), false});
+  const auto wedge = below & behind(oriented_hyperplane<3>(std::array<Integer, 4>{1, 0, -steep, -steep}));
   CHECK_FALSE(wedge.is_empty());
-  const auto beyond = Partition<3>::half_space({axis_hyperplane<3>(0, Rational(steep)), true});
+  const auto beyond = behind<3>({axis_hyperplane<3>(0, Rational(steep)), true});
   CHECK((wedge & beyond).is_empty());
-  CHECK_FALSE((wedge & Partition<3>::half_space({axis_hyperplane<3>(0, Rational(steep - 1)), true})).is_empty());
+  CHECK_FALSE((wedge & behind<3>({axis_hyperplane<3>(0, Rational(steep - 1)), true})).is_empty());
 }
 
 TEST_CASE("half-spaces make a tetrahedron with its volume, or nothing", "[bsp]") {
   const std::array<RationalVector<3>, 4> v{{{1, 2, 3}, {2, 2, 4}, {2, 3, 3}, {1, 3, 4}}};
   const std::array planes{plane_through(v[0], v[2], v[1]), plane_through(v[0], v[3], v[2]),
                           plane_through(v[0], v[1], v[3]), plane_through(v[1], v[2], v[3])};
-  Partition<3> tetrahedron = Partition<3>::convex(planes);
+  Partition<3> tetrahedron = behind_all<3>(planes);
   if (tetrahedron.is_empty() || !tetrahedron.is_bounded()) {  // the vertices are the other way round
     std::vector<OrientedHyperplane<3>> turned(planes.begin(), planes.end());
     for (auto& p : turned) p.is_turned = !p.is_turned;
-    tetrahedron = Partition<3>::convex(turned);
+    tetrahedron = behind_all<3>(turned);
   }
   CHECK(size(tetrahedron) == Rational(1, 3));
   CHECK(barycentre(tetrahedron) == RationalVector<3>{Rational(3, 2), Rational(5, 2), Rational(7, 2)});
@@ -246,10 +245,10 @@ TEST_CASE("half-spaces make a tetrahedron with its volume, or nothing", "[bsp]")
   for (const auto& p : v) CHECK(tetrahedron.classify_exact(p) == Where::on);
   const std::array opposite{OrientedHyperplane<3>{axis_hyperplane<3>(0, 0), false},
                             OrientedHyperplane<3>{axis_hyperplane<3>(0, 1), true}};
-  CHECK(Partition<3>::convex(opposite).is_empty());
+  CHECK(behind_all<3>(opposite).is_empty());
   const std::array touching{OrientedHyperplane<3>{axis_hyperplane<3>(0, 0), false},
                             OrientedHyperplane<3>{axis_hyperplane<3>(0, 0), true}};
-  CHECK(Partition<3>::convex(touching).is_empty());  // a plane is no region
+  CHECK(behind_all<3>(touching).is_empty());  // a plane is no region
 }
 
 TEST_CASE("lines and rays are cut at the boundary, exactly", "[bsp]") {
@@ -293,14 +292,14 @@ TEST_CASE("nodes are shown front to back: none is hidden by a later one", "[bsp]
   const Partition<3> r = region(test::lattice_solid(random)) | region(test::lattice_solid(random));
   const RationalVector<3> eye{Rational(-7, 3), Rational(-5, 3), Rational(-11, 3)};
   std::vector<Link> order;
-  for_each_front_to_back<3>(r, eye, [&](Link node) { order.push_back(node); });
-  CHECK(order.size() == r.tree().nodes.size());
+  for_each_node_front_to_back<3>(r, eye, [&](Link node) { order.push_back(node); });
+  CHECK(order.size() == tree_of(r).nodes.size());
   // What is on the eye's side of a node comes before it.
   std::vector<std::size_t> place(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
   for (Link n = 0; n < order.size(); ++n) {
-    const Node& node = r.tree().nodes[n];
-    const bool is_plus = r.table().side(node.hyperplane, eye) == Sign::positive;
+    const Node& node = tree_of(r).nodes[n];
+    const bool is_plus = table_of(r).side(node.hyperplane, eye) == Sign::positive;
     const Link front = is_plus ? node.plus : node.minus, back = is_plus ? node.minus : node.plus;
     if (!is_leaf(front)) CHECK(place[front] < place[n]);
     if (!is_leaf(back)) CHECK(place[back] > place[n]);
@@ -309,13 +308,13 @@ TEST_CASE("nodes are shown front to back: none is hidden by a later one", "[bsp]
 
 TEST_CASE("part of a plane inside a region", "[bsp]") {
   const Partition<3> r = unit_cube() | region(test::box({2, 0, 0}, {3, 1, 1}));
-  HyperplaneTable<3> table = r.table();
+  HyperplaneTable<3> table = table_of(r);
   const std::uint32_t middle = table.add(axis_hyperplane<3>(2, Rational(1, 2))),
                       top = table.add(axis_hyperplane<3>(2, 1)), above = table.add(axis_hyperplane<3>(2, 2));
-  const auto same = Partition<3>::of(table, r.tree());
-  CHECK(same.part_inside(whole(table, middle)).size() == 2);
-  CHECK(same.part_inside(whole(table, top)).size() == 2);  // in the boundary
-  CHECK(same.part_inside(whole(table, above)).empty());
+  const auto same = partition_from(table, tree_of(r));
+  CHECK(part_inside(same, whole(table, middle)).size() == 2);
+  CHECK(part_inside(same, whole(table, top)).size() == 2);  // in the boundary
+  CHECK(part_inside(same, whole(table, above)).empty());
 }
 
 }  // namespace strata::bsp

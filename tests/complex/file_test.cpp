@@ -1,10 +1,9 @@
-#include "strata/complex.h"
-
 #include <catch2/catch.hpp>
 #include <random>
 #include <sstream>
 
 #include "random_complex.h"
+#include "strata/complex.h"
 #include "strata/errors.h"
 #include "support/rounds.h"
 

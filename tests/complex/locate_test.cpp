@@ -1,8 +1,7 @@
-#include "strata/complex.h"
-
 #include <catch2/catch.hpp>
 
 #include "random_complex.h"
+#include "strata/complex.h"
 #include "support/rounds.h"
 
 namespace strata::complex {

@@ -1,5 +1,3 @@
-#include "strata/contact.h"
-
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "contact/parts.h"
 #include "core/kernel/disjoint_sets.h"
 #include "extensions/contact/box_pairs.h"
+#include "strata/contact.h"
 #include "support/random.h"
 #include "support/touching.h"
 

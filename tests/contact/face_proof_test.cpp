@@ -32,11 +32,11 @@ bool prove(const Corners& g) { return proof(g).has_value(); }
 
 // The long side of the face in z = 0 goes from (8, -4) to (-4, 8). Catches: hanging taken for standing.
 TEST_CASE("a face that reaches below another inside of it proves interference", "[contact][degenerate]") {
-  CHECK(prove({{{0, 0, -1}, {1, 0, 1}, {0, 1, 1}}}));          // crosses
-  CHECK(prove({{{0, 0, 0}, {2, 1, 0}, {1, 1, -3}}}));          // hangs by an edge
+  CHECK(prove({{{0, 0, -1}, {1, 0, 1}, {0, 1, 1}}}));  // crosses
+  CHECK(prove({{{0, 0, 0}, {2, 1, 0}, {1, 1, -3}}}));  // hangs by an edge
   CHECK(prove({{{2, 1, 0}, {0, 0, 0}, {1, 1, -3}}}));
-  CHECK(prove({{{0, 0, 0}, {9, 0, 0}, {1, 1, -3}}}));          // by an edge that goes beyond
-  CHECK_FALSE(prove({{{0, 0, 0}, {2, 1, 0}, {1, 1, 3}}}));     // stands upon an edge
+  CHECK(prove({{{0, 0, 0}, {9, 0, 0}, {1, 1, -3}}}));       // by an edge that goes beyond
+  CHECK_FALSE(prove({{{0, 0, 0}, {2, 1, 0}, {1, 1, 3}}}));  // stands upon an edge
   CHECK_FALSE(prove({{{2, 1, 0}, {0, 0, 0}, {1, 1, 3}}}));
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("a face that reaches below another along an edge of it, or in a point,
   CHECK_FALSE(prove({{{-2, -4, 0}, {2, -4, 0}, {0, -3, -3}}}));
   CHECK_FALSE(prove({{{2, -4, 0}, {-2, -4, 0}, {0, -3, -3}}}));
   CHECK_FALSE(prove({{{-2, -4, 0}, {2, -4, 0}, {0, -5, 3}}}));
-  CHECK_FALSE(prove({{{0, 0, 0}, {1, 0, -1}, {0, 1, -1}}}));     // in a point
+  CHECK_FALSE(prove({{{0, 0, 0}, {1, 0, -1}, {0, 1, -1}}}));  // in a point
   CHECK_FALSE(prove({{{-9, -4, 0}, {-4, -4, 0}, {0, -4, -3}}}));
 }
 

@@ -110,13 +110,13 @@ Solid plate_with_hole(double width) {
 TEST_CASE("parts that interlock are told apart without a plane between", "[contact][degenerate]") {
   const Solid plate = plate_with_hole(4);  // the hole is [4, 8]^2
   const double up = 0x1p-40;
-  CHECK(relation(plate, box({4, 4, -3}, {8, 8, 9})) == contact);                  // all round, through
-  CHECK(relation(plate, box({4, 4, 1}, {8, 8, 3})) == contact);                   // all round, within
+  CHECK(relation(plate, box({4, 4, -3}, {8, 8, 9})) == contact);  // all round, through
+  CHECK(relation(plate, box({4, 4, 1}, {8, 8, 3})) == contact);   // all round, within
   CHECK(relation(plate, box({4 + up, 4 + up, -3}, {8 - up, 8 - up, 9})) == apart);
-  CHECK(relation(plate, box({4, 4 + up, -3}, {8 - up, 8 - up, 9})) == contact);   // on one side
+  CHECK(relation(plate, box({4, 4 + up, -3}, {8 - up, 8 - up, 9})) == contact);  // on one side
   CHECK(relation(plate, box({4, 4, -3}, {8, 8 + up, 9})) == interfering);
   CHECK(relation(plate, box({4 - up, 4, 1}, {8, 8, 3})) == interfering);
-  const Solid headed = box({4, 4, 0}, {8, 8, 8}) | box({2, 2, 4}, {10, 10, 8});   // a peg with a head on the plate
+  const Solid headed = box({4, 4, 0}, {8, 8, 8}) | box({2, 2, 4}, {10, 10, 8});  // a peg with a head on the plate
   CHECK(relation(plate, headed) == contact);
   CHECK(counts(region(plate, headed)) == std::vector<std::size_t>{5, 0, 0});
   const Solid sunk = box({4, 4, 0}, {8, 8, 8}) | box({2, 2, 4 - up}, {10, 10, 8});
@@ -128,9 +128,8 @@ TEST_CASE("parts that interlock are told apart without a plane between", "[conta
 
 // Catches: faces that are joined by a vertex on the other surface.
 TEST_CASE("parts interfere where one goes through the other's surface in a vertex only", "[contact][degenerate]") {
-  const Solid two_tips(Mesh{
-      {{0, 0, 0}, {1, 0, -1}, {-1, 1, -1}, {-1, -1, -1}, {1, 0, 1}, {-1, 1, 1}, {-1, -1, 1}},
-      {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}, {0, 5, 4}, {0, 6, 5}, {0, 4, 6}, {4, 5, 6}}});
+  const Solid two_tips(Mesh{{{0, 0, 0}, {1, 0, -1}, {-1, 1, -1}, {-1, -1, -1}, {1, 0, 1}, {-1, 1, 1}, {-1, -1, 1}},
+                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}, {0, 5, 4}, {0, 6, 5}, {0, 4, 6}, {4, 5, 6}}});
   CHECK(two_tips.volume() > 0);
   const Solid below = box({-4, -5, -8}, {5, 7, 0});  // no edge of it goes through the tips
   CHECK(relation(two_tips, below) == interfering);
@@ -348,8 +347,8 @@ void check_loose_parts(const Mesh& a, const Mesh& b, std::size_t (&seen)[3]) {
   if (expected == contact) CHECK(are_equal(region(first, second), region(resolved_first, resolved_second)));
 }
 
-// Parts that touch themselves inside of faces, with walls in them and cavities that reach their surface. Catches: proofs
-// by faces that are not alone where they are; edges of a contact that are inside of its facets.
+// Parts that touch themselves inside of faces, with walls in them and cavities that reach their surface. Catches:
+// proofs by faces that are not alone where they are; edges of a contact that are inside of its facets.
 TEST_CASE("parts may touch themselves anywhere", "[contact][property][degenerate]") {
   std::size_t seen[3] = {};
   for (std::uint64_t seed = 0; seed < 500; ++seed) {

@@ -25,17 +25,17 @@ TEST_CASE("twins tell of neighbours that have corners in common with them and no
     const Twins twins(parts, 0, 1);
     REQUIRE(twins.pairs().size() == 1);
     CHECK_FALSE(twins.pairs()[0].look_the_same_way);
-    CHECK(twins.tell(0, 4));                                            // themselves
+    CHECK(twins.tell(0, 4));                                             // themselves
     for (const std::uint32_t g : {5u, 6u, 7u}) CHECK(twins.tell(0, g));  // faces of the same tetrahedron
     return twins.tell(0, 8);
   };
   CHECK(tell({-3, -1, 2}, {-1, -3, 2}));
-  CHECK(tell({-3, -1, 0}, {-1, -3, 0}));        // in its plane
-  CHECK_FALSE(tell({1, 1, 0}, {-1, -3, -2}));   // with a vertex inside of it
-  CHECK_FALSE(tell({1, 1, 0}, {3, 1, -2}));     // with an edge inside of it
-  CHECK_FALSE(tell({4, 0, 0}, {1, -3, -2}));    // with a vertex on an edge
-  CHECK_FALSE(tell({9, 9, 0}, {3, 1, -2}));     // with a part of an edge inside of it
-  CHECK_FALSE(tell({1, 1, -2}, {1, 2, 3}));     // through it
+  CHECK(tell({-3, -1, 0}, {-1, -3, 0}));       // in its plane
+  CHECK_FALSE(tell({1, 1, 0}, {-1, -3, -2}));  // with a vertex inside of it
+  CHECK_FALSE(tell({1, 1, 0}, {3, 1, -2}));    // with an edge inside of it
+  CHECK_FALSE(tell({4, 0, 0}, {1, -3, -2}));   // with a vertex on an edge
+  CHECK_FALSE(tell({9, 9, 0}, {3, 1, -2}));    // with a part of an edge inside of it
+  CHECK_FALSE(tell({1, 1, -2}, {1, 2, 3}));    // through it
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
-#include "strata/convex.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "convex/decomposition_check.h"
+#include "strata/convex.h"
 #include "strata/transform.h"
 #include "support/random.h"
 #include "support/rounds.h"

@@ -1,5 +1,3 @@
-#include "strata/convex.h"
-
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -8,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "strata/convex.h"
 #include "strata/measure.h"
 #include "support/random.h"
 #include "support/rounds.h"

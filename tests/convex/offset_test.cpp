@@ -1,5 +1,3 @@
-#include "strata/convex.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -1,10 +1,9 @@
-#include "strata/convex.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "convex/hull_check.h"
 #include "extensions/convex/convex_solid.h"
+#include "strata/convex.h"
 #include "strata/measure.h"
 #include "support/shapes.h"
 #include "support/transform.h"

@@ -1,8 +1,7 @@
-#include "strata/convex.h"
-
 #include <catch2/catch.hpp>
 
 #include "convex/decomposition_check.h"
+#include "strata/convex.h"
 #include "support/rounds.h"
 #include "support/shapes.h"
 #include "support/touching.h"

@@ -8,7 +8,6 @@
 #include "strata/check.h"
 #include "strata/io.h"
 #include "support/random.h"
-#include "extensions/bsp/partition.h"
 
 namespace strata::test {
 namespace {
@@ -37,13 +36,13 @@ TEST_CASE("the dumped cube of Hipparchus is met before every ray from its middle
   CHECK(bsp::boundary_size(cube) == 24);
   Random random(1211);
   for (int k = 0; k < 1000; ++k) {
-    RationalVector<3> d;
+    bsp::RationalVector<3> d;
     for (Rational& x : d) x = to_rational(random.unit() - 0.5);
     const std::vector<bsp::Interval> inside = bsp::ray_intersection<3>(cube, {{0, 0, 0}, d});
     REQUIRE(inside.size() == 1);
     REQUIRE(inside[0].upper.has_value());
     CHECK(*inside[0].upper > 0);
-    RationalVector<3> exit;
+    bsp::RationalVector<3> exit;
     for (std::size_t i = 0; i < 3; ++i) exit[i] = *inside[0].upper * d[i];
     CHECK(cube.classify_exact(exit) == Where::on);
   }

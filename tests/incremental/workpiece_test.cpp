@@ -1,10 +1,9 @@
-#include "strata/incremental.h"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <vector>
 
 #include "strata/check.h"
+#include "strata/incremental.h"
 #include "strata/transform.h"
 #include "support/random.h"
 #include "support/shapes.h"
@@ -28,8 +27,7 @@ std::size_t bits_of(const Solid& solid) {
   std::size_t most = 0;
   for (const ExactVertex& e : solid.exact_mesh().exact)
     for (const Rational& x : e.position)
-      for (const Integer& n : {abs(numerator(x)), denominator(x)})
-        most = std::max(most, bit_length(n + 1) - 1);
+      for (const Integer& n : {abs(numerator(x)), denominator(x)}) most = std::max(most, bit_length(n + 1) - 1);
   return most;
 }
 

@@ -137,14 +137,14 @@ TEST_CASE("exact steps notice what mixed magnitudes lose", "[kernel][property][d
 TEST_CASE("exact steps refuse what rounds, vanishes or overflows", "[kernel]") {
   const double up = std::nextafter(1.0, 2.0), tiny = std::numeric_limits<double>::denorm_min();
   const auto refused = [](const Four& p) { return !found(p); };
-  CHECK(refused({{{-4, -4, 0}, {1, 1, 0}, {1, up, 0}, {3, 5, 1}}}));                     // differences
-  CHECK(refused({{{0, 0, 0}, {up, 1, 0}, {1, up, 0}, {0, 0, 1}}}));                      // products of two
-  CHECK(refused({{{0, 0, 0}, {0x1p60, 1, 0}, {1, 1, 0}, {0, 0, 1}}}));                   // their difference
-  CHECK(refused({{{0, 0, 0}, {tiny, 0, 0}, {0, tiny, 0}, {0, 0, 1}}}));                  // a product vanishes
-  CHECK(refused({{{0, 0, 0}, {0x1p-400, 0, 0}, {0, 0x1p-400, 0}, {0, 0, 0x1p-400}}}));   // the last one does
-  CHECK(refused({{{0, 0, 0}, {0x1p600, 0, 0}, {0, 0x1p600, 0}, {0, 0, 1}}}));            // a product overflows
-  CHECK(refused({{{0, 0, 0}, {0x1p400, 0, 0}, {0, 0x1p400, 0}, {0, 0, 0x1p400}}}));      // the last one does
-  CHECK(refused({{{-1.7e308, 0, 0}, {1.7e308, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));           // a difference does
+  CHECK(refused({{{-4, -4, 0}, {1, 1, 0}, {1, up, 0}, {3, 5, 1}}}));                    // differences
+  CHECK(refused({{{0, 0, 0}, {up, 1, 0}, {1, up, 0}, {0, 0, 1}}}));                     // products of two
+  CHECK(refused({{{0, 0, 0}, {0x1p60, 1, 0}, {1, 1, 0}, {0, 0, 1}}}));                  // their difference
+  CHECK(refused({{{0, 0, 0}, {tiny, 0, 0}, {0, tiny, 0}, {0, 0, 1}}}));                 // a product vanishes
+  CHECK(refused({{{0, 0, 0}, {0x1p-400, 0, 0}, {0, 0x1p-400, 0}, {0, 0, 0x1p-400}}}));  // the last one does
+  CHECK(refused({{{0, 0, 0}, {0x1p600, 0, 0}, {0, 0x1p600, 0}, {0, 0, 1}}}));           // a product overflows
+  CHECK(refused({{{0, 0, 0}, {0x1p400, 0, 0}, {0, 0x1p400, 0}, {0, 0, 0x1p400}}}));     // the last one does
+  CHECK(refused({{{-1.7e308, 0, 0}, {1.7e308, 0, 0}, {0, 1, 0}, {0, 0, 1}}}));          // a difference does
   const double most = std::numeric_limits<double>::max();
   CHECK(found({{{0, 0, 0}, {1, 0, 0}, {-1, 1, 0}, {most, most, most}}}) == Sign::positive);
 }

@@ -16,9 +16,7 @@ using Exact = ExactEvaluation<Integer>;
 
 constexpr std::array named_kinds{Kind::input, Kind::edge_edge, Kind::edge_face, Kind::three_faces, Kind::weighted};
 
-int bits_of(const Integer& x) {
-  return static_cast<int>(bit_length(x));
-}
+int bits_of(const Integer& x) { return static_cast<int>(bit_length(x)); }
 
 /// Vertices at the corners of the cube of b bits: every coordinate is plus or minus 2^b - 1, or nearly, or one.
 struct Extremes {

@@ -1,11 +1,10 @@
-#include "strata/measure.h"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <random>
 
 #include "shapes.h"
+#include "strata/measure.h"
 
 using namespace strata;
 using namespace strata::shapes;

@@ -1,6 +1,6 @@
-#include "strata/errors.h"
-
 #include <catch2/catch.hpp>
+
+#include "strata/errors.h"
 
 using namespace strata;
 

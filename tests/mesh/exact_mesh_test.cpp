@@ -1,6 +1,6 @@
-#include "strata/mesh.h"
-
 #include <catch2/catch.hpp>
+
+#include "strata/mesh.h"
 
 using namespace strata;
 

@@ -28,7 +28,9 @@ bool is_refused(const ExactMesh& mesh, DefectKind kind) {
 }
 
 /// Corner a is moved out of the plane of the others, which has it in doubles.
-Mesh flat_tetrahedron() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {.25, .25, 0}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}; }
+Mesh flat_tetrahedron() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {.25, .25, 0}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+}
 
 }  // namespace
 

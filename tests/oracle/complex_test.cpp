@@ -1,4 +1,6 @@
 // Complexes beside CGAL's Nef polyhedra of the plane and of space: the same cells, with the same marks.
+#include "strata/complex.h"
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
@@ -9,7 +11,6 @@
 #include "oracle/isolated.h"
 #include "oracle/nef.h"
 #include "oracle/nef_complex.h"
-#include "strata/complex.h"
 #include "strata/errors.h"
 
 namespace strata::oracle {

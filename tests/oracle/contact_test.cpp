@@ -1,3 +1,5 @@
+#include "strata/contact.h"
+
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include "oracle/comparison.h"
 #include "oracle/isolated.h"
 #include "oracle/nef.h"
-#include "strata/contact.h"
 #include "support/touching.h"
 #include "support/transform.h"
 

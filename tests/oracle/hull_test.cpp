@@ -1,11 +1,11 @@
-#include "strata/convex.h"
+#include "oracle/hull.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
 
-#include "oracle/hull.h"
+#include "strata/convex.h"
 #include "strata/measure.h"
 #include "support/random.h"
 

@@ -1,8 +1,6 @@
-#include "core/exact/native.h"
 #include "oracle/nef.h"
 
 #include <CGAL/Nef_2/debug.h>  // minkowski_sum_3.h uses what it does not include
-
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_incremental_builder_3.h>
 #include <CGAL/assertions_behaviour.h>
@@ -13,6 +11,7 @@
 #include <exception>
 #include <type_traits>
 
+#include "core/exact/native.h"
 #include "oracle/combine_nef.h"
 #include "oracle/sheets.h"
 

@@ -1,4 +1,3 @@
-#include "core/exact/native.h"
 #include "oracle/nef_complex.h"
 
 #include <CGAL/Cartesian.h>
@@ -10,6 +9,8 @@
 #include <CGAL/Polyhedron_incremental_builder_3.h>
 
 #include <stdexcept>
+
+#include "core/exact/native.h"
 
 namespace strata::oracle {
 namespace {

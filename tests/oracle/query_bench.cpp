@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "extensions/scene/ray_caster_data.h"
 #include "extensions/scene/signed_covering.h"
 #include "strata/io.h"
 #include "strata/query.h"
@@ -128,7 +129,7 @@ void run(const std::string& path, std::size_t rays, std::size_t points) {
   std::unique_ptr<strata::RayCaster> caster;
   std::unique_ptr<strata::SignedCovering> covering;
   const double tree_time = seconds_of([&] { caster = std::make_unique<strata::RayCaster>(scene); });
-  const strata::Box& box = caster->tree().bounds();
+  const strata::Box& box = tree_of(*caster).bounds();
   Vertex middle;
   for (std::size_t i = 0; i < 3; ++i) middle[i] = (box.lower[i] + box.upper[i]) / 2;
   const double covering_time =
@@ -144,7 +145,7 @@ void run(const std::string& path, std::size_t rays, std::size_t points) {
   std::printf(
       "built in s (bytes per face): box tree %.3f (%.1f), covering %.3f (%.1f), locator %.3f (%.1f), CGAL's tree "
       "%.3f\n",
-      tree_time, per_face(caster->tree().bytes()), covering_time, per_face(covering->bytes()), locator_time,
+      tree_time, per_face(tree_of(*caster).bytes()), covering_time, per_face(covering->bytes()), locator_time,
       per_face(locator->bytes()), cgal_time);
   const Questions q = questions(box, rays, points);
   compare_rays(*caster, tree, q.rays);

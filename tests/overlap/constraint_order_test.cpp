@@ -37,8 +37,7 @@ TEST_CASE("constraints are ordered by face, other face and discovery", "[overlap
     std::vector<ConstraintPlace> expected;
     for (std::uint32_t c = 0; c < cells.size(); ++c)
       for (std::uint32_t i = 0; i < cells[c].constraints.size(); ++i)
-        expected.push_back(
-            {std::uint64_t{cells[c].constraints[i].face} << 32 | cells[c].constraints[i].other, c, i});
+        expected.push_back({std::uint64_t{cells[c].constraints[i].face} << 32 | cells[c].constraints[i].other, c, i});
     std::sort(expected.begin(), expected.end());
     REQUIRE((order_by_face(cells, face_count) == expected));
   }

@@ -73,15 +73,15 @@ TEST_CASE("faces in a plane are off each other beyond a line, and along it beyon
   const Corners f{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
   const auto is_off = [&](const Corners& g) { return Neighbours(f, g).is_off(); };
   CHECK(is_off({{{0, -1, 0}, {3, -1, 0}, {1, -5, 0}}}));
-  CHECK(is_off({{{0, 0, 0}, {4, 0, 0}, {1, -5, 0}}}));          // an edge in common
-  CHECK(is_off({{{0, 0, 0}, {-2, -1, 0}, {-1, -2, 0}}}));       // a corner
-  CHECK(is_off({{{0, 0, 0}, {-2, 0, 0}, {-2, -2, 0}}}));        // and along an edge's line beyond it
-  CHECK(is_off({{{4, 0, 0}, {6, 0, 0}, {4, -2, 7}}}));          // out of the plane, seen along its normal
-  CHECK_FALSE(is_off({{{0, 0, 0}, {2, 0, 0}, {2, -2, 0}}}));    // along the edge itself
+  CHECK(is_off({{{0, 0, 0}, {4, 0, 0}, {1, -5, 0}}}));        // an edge in common
+  CHECK(is_off({{{0, 0, 0}, {-2, -1, 0}, {-1, -2, 0}}}));     // a corner
+  CHECK(is_off({{{0, 0, 0}, {-2, 0, 0}, {-2, -2, 0}}}));      // and along an edge's line beyond it
+  CHECK(is_off({{{4, 0, 0}, {6, 0, 0}, {4, -2, 7}}}));        // out of the plane, seen along its normal
+  CHECK_FALSE(is_off({{{0, 0, 0}, {2, 0, 0}, {2, -2, 0}}}));  // along the edge itself
   CHECK_FALSE(is_off({{{0, 0, 0}, {6, 0, 0}, {2, -2, 0}}}));
   CHECK_FALSE(is_off({{{4, 0, 0}, {-6, 0, 0}, {2, -2, 0}}}));
-  CHECK_FALSE(is_off({{{2, 0, 0}, {3, -2, 0}, {1, -2, 0}}}));   // a corner on the edge
-  CHECK_FALSE(is_off({{{0, 0, 0}, {4, 0, 0}, {1, 5, 0}}}));     // on the same side of the edge
+  CHECK_FALSE(is_off({{{2, 0, 0}, {3, -2, 0}, {1, -2, 0}}}));  // a corner on the edge
+  CHECK_FALSE(is_off({{{0, 0, 0}, {4, 0, 0}, {1, 5, 0}}}));    // on the same side of the edge
   CHECK_FALSE(is_off({{{0, 0, 0}, {-2, 0, 0}, {1, 1, 0}}}));
 }
 

@@ -1,8 +1,7 @@
-#include "strata/planar.h"
-
 #include <catch2/catch.hpp>
 
 #include "planar/shapes.h"
+#include "strata/planar.h"
 
 using namespace strata;
 using namespace strata::planar;
@@ -132,7 +131,8 @@ TEST_CASE("negative zero is written as the number zero", "[planar][degenerate]")
 // Catches: paths found in comments, data and values of attributes; transformations behind a tab or a line end.
 TEST_CASE("paths of SVG are elements, and transformations attributes", "[planar]") {
   const std::string square = "<path\td = 'M0 0h1v1h-1z' />";
-  const std::string hidden = "<!-- " + square + " ' -->\n<![CDATA[" + square + "]]><?xml version=\"1.0\"?><!DOCTYPE svg>" +
+  const std::string hidden = "<!-- " + square + " ' -->\n<![CDATA[" + square +
+                             "]]><?xml version=\"1.0\"?><!DOCTYPE svg>" +
                              "<g id=\"<path d='M0 0h5v5z'/> d=M\"><pathology d=\"M0 0h5v5z\"/>it's</g>";
   CHECK(read_region("<svg>" + hidden + "</svg>", PlanarFormat::svg).empty());
   CHECK(area(read_region("<svg>" + hidden + square + "</svg>", PlanarFormat::svg)) == 1);
@@ -140,11 +140,11 @@ TEST_CASE("paths of SVG are elements, and transformations attributes", "[planar]
   for (const char* space : {" ", "\n", "\t"})
     CHECK_THAT(refusal("<svg><g" + (space + ("transform = 'scale(2)'>" + square)) + "</g></svg>", PlanarFormat::svg),
                Catch::Contains("transformations are not applied"));
-  CHECK_THAT(refusal("<svg>\n<path d=M0/></svg>", PlanarFormat::svg), Catch::Contains("text:2: expected a quoted value"));
+  CHECK_THAT(refusal("<svg>\n<path d=M0/></svg>", PlanarFormat::svg),
+             Catch::Contains("text:2: expected a quoted value"));
   CHECK_THAT(refusal("<svg>\n<!-- ", PlanarFormat::svg), Catch::Contains("text:2: expected '-->'"));
-  for (const std::string& unquoted :
-       {std::string("<?it's?>"), "<?a x > " + square + " \" ?>",
-        std::string("<!DOCTYPE svg [<!-- don't > --><!ENTITY a \"'>\"> <?b '?>]>")}) {
+  for (const std::string& unquoted : {std::string("<?it's?>"), "<?a x > " + square + " \" ?>",
+                                      std::string("<!DOCTYPE svg [<!-- don't > --><!ENTITY a \"'>\"> <?b '?>]>")}) {
     CAPTURE(unquoted);
     CHECK(area(read_region(unquoted + "<svg>" + square + "</svg>" + unquoted, PlanarFormat::svg)) == 1);
   }
@@ -153,7 +153,8 @@ TEST_CASE("paths of SVG are elements, and transformations attributes", "[planar]
   CHECK(notes == std::vector<std::string>{"only paths are read: rect was left out"});
 }
 
-// Catches: shapes of a clip path or a symbol taken for drawn ones; what would change the drawn shape passed over in silence.
+// Catches: shapes of a clip path or a symbol taken for drawn ones; what would change the drawn shape passed over in
+// silence.
 TEST_CASE("paths of SVG are drawn where they stand, or it is told", "[planar]") {
   const std::string square = "<path d='M0 0h1v1h-1z'/>", other = "<path d='M5 0h1v1h-1z'></path>";
   const auto read = [](const std::string& inside) {
@@ -185,8 +186,8 @@ TEST_CASE("paths of SVG are drawn where they stand, or it is told", "[planar]") 
 TEST_CASE("a byte order mark is passed over", "[planar]") {
   const std::string mark = "\xEF\xBB\xBF";
   CHECK(area(read_region(mark + "POLYGON ((0 0, 1 0, 0 1))", PlanarFormat::wkt)) == Rational(1) / 2);
-  CHECK(area(read_region(mark + R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]})", PlanarFormat::geojson)) ==
-        Rational(1) / 2);
+  CHECK(area(read_region(mark + R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]})",
+                         PlanarFormat::geojson)) == Rational(1) / 2);
   CHECK(area(read_region(mark + "M0 0h1v1z", PlanarFormat::svg)) == Rational(1) / 2);
 }
 

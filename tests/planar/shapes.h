@@ -53,8 +53,7 @@ inline std::vector<Loop> random_arcs(Random& random, int grid, double unit = 1) 
   std::vector<Loop> all;
   for (const Loop& corners : random_grid_loops(random, grid)) {
     Loop& loop = all.emplace_back();
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      add_arc(corners[i], corners[(i + 1) % corners.size()], unit, loop);
+    for (std::size_t i = 0; i < corners.size(); ++i) add_arc(corners[i], corners[(i + 1) % corners.size()], unit, loop);
   }
   return all;
 }

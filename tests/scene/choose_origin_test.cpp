@@ -1,5 +1,3 @@
-#include "strata/query.h"
-
 #include <tbb/task_arena.h>
 
 #include <catch2/catch.hpp>
@@ -7,6 +5,7 @@
 
 #include "core/kernel/carriers.h"
 #include "extensions/scene/pieces.h"
+#include "extensions/scene/scene_data.h"
 #include "extensions/scene/sight.h"
 #include "extensions/scene/signed_covering.h"
 #include "scene/scenes.h"
@@ -17,9 +16,9 @@ using namespace strata;
 namespace {
 
 std::uint32_t flat_faces(const Scene& scene, const Origin& origin) {
-  const Sight sight(scene.carriers(), origin);
+  const Sight sight(carriers_of(scene), origin);
   std::uint32_t flat = 0;
-  for (std::uint32_t f = 0; f < scene.face_count(); ++f) flat += sight.turn(scene.carriers().face(f)) == Sign::zero;
+  for (std::uint32_t f = 0; f < scene.face_count(); ++f) flat += sight.turn(carriers_of(scene).face(f)) == Sign::zero;
   return flat;
 }
 

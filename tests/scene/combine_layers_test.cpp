@@ -1,9 +1,8 @@
-#include "strata/query.h"
-
 #include <array>
 #include <catch2/catch.hpp>
 
 #include "core/kernel/carriers.h"
+#include "extensions/scene/layer_decomposition_data.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/signed_covering.h"
 #include "scene/scenes.h"
@@ -76,5 +75,5 @@ TEST_CASE("nothing in common leaves an empty decomposition", "[csg][layers]") {
                                           layers_of(test::box({1, 0, 0}, {2, 1, 1}), origin), Operation::intersect);
   CHECK(none.layer_count() == 0);
   CHECK(none.scene().face_count() == 0);
-  CHECK(none.covering().membership({.5, .5, .5}) == Where::out);
+  CHECK(covering_of(none).membership({.5, .5, .5}) == Where::out);
 }

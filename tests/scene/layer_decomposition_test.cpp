@@ -1,5 +1,3 @@
-#include "strata/query.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -9,6 +7,7 @@
 #include "extensions/scene/subordination.h"
 #include "scene/rational_rays.h"
 #include "scene/scenes.h"
+#include "strata/query.h"
 
 using namespace strata;
 

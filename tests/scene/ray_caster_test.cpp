@@ -1,5 +1,3 @@
-#include "strata/query.h"
-
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -8,10 +6,13 @@
 #include <memory>
 #include <set>
 
+#include "strata/query.h"
+
 // Seen to fail: boxes without the step around rational vertices (rational corner), all faces at a rim counted as
 // crossed, filter bounds taken for zero, hits at 0 left out (rays that love to touch).
 #include "core/kernel/carriers.h"
 #include "extensions/scene/pieces.h"
+#include "extensions/scene/scene_data.h"
 #include "extensions/scene/signed_covering.h"
 #include "scene/rational_rays.h"
 #include "scene/scenes.h"
@@ -91,7 +92,7 @@ std::vector<RayHit> plain_hits(const Scene& scene, const Ray& ray, test::Random&
   std::vector<RayHit> hits;
   for (std::uint32_t s = 0; s < scene.solid_count(); ++s)
     for (const auto& e : PlainSolid(scene.solid(s)).events(ray, random)) {
-      RayHit hit{e.t, {}, {}, scene.carriers().first_face(s) + e.face, s, e.passage};
+      RayHit hit{e.t, {}, {}, carriers_of(scene).first_face(s) + e.face, s, e.passage};
       for (std::size_t i = 0; i < 3; ++i) {
         hit.place[i] = to_rational(ray.from[i]) + e.t * to_rational(ray.direction[i]);
         hit.rounded[i] = to_nearest_double(hit.place[i]);

@@ -1,5 +1,3 @@
-#include "strata/query.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -8,6 +6,7 @@
 #include "extensions/scene/signed_covering.h"
 #include "scene/scenes.h"
 #include "strata/errors.h"
+#include "strata/query.h"
 
 using namespace strata;
 

@@ -1,10 +1,10 @@
-#include "strata/query.h"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "core/kernel/carriers.h"
+#include "extensions/scene/layer_decomposition_data.h"
 #include "extensions/scene/pieces.h"
+#include "extensions/scene/scene_data.h"
 #include "extensions/scene/signed_covering.h"
 #include "scene/rational_rays.h"
 #include "scene/scenes.h"
@@ -71,10 +71,10 @@ TEST_CASE("seen stretches and regions agree with rational rays", "[layers][prope
   const Scene scene = test::scene_of(meshes);
   const Visibility visibility{LayerDecomposition(scene, origin)};
   const PlainView plain(scene, origin);
-  const auto& carriers = scene.carriers();
+  const auto& carriers = carriers_of(scene);
   for (int n = 0; n < 40; ++n) {
     const auto face = static_cast<std::uint32_t>(random.below(scene.face_count()));
-    if (visibility.decomposition().covering().turn(face) == Sign::zero) {
+    if (covering_of(visibility.decomposition()).turn(face) == Sign::zero) {
       REQUIRE(visibility.seen_region(face).empty());
       continue;
     }
@@ -109,7 +109,7 @@ TEST_CASE("an edge seen end on is not drawn", "[layers][visibility][degenerate]"
   const Visibility visibility{LayerDecomposition(scene, Origin::point({0, 0, 5}))};
   std::size_t drawn = 0;
   for (const SeenEdge& e : find_seen_edges(visibility, 30)) {
-    const auto at = [&](std::uint32_t v) { return scene.carriers().vertex(v); };
+    const auto at = [&](std::uint32_t v) { return carriers_of(scene).vertex(v); };
     CHECK_FALSE((at(e.a)[0] == 0 && at(e.b)[0] == 0 && at(e.a)[1] == 0 && at(e.b)[1] == 0));
     drawn += e.seen.empty() ? 0 : 1;
   }
@@ -138,7 +138,7 @@ TEST_CASE("edges that coincide as seen are hidden by what lies on their own side
   REQUIRE(faces.size() == 2);
   for (const std::uint32_t f : faces) CHECK(scene.solid_of(f) == 0);
   for (std::uint32_t f = 12; f < 24; ++f) {
-    const auto v = scene.carriers().face(f);
+    const auto v = carriers_of(scene).face(f);
     for (std::size_t i = 0; i < 3; ++i) CHECK(visibility.seen_along(f, v[i], v[(i + 1) % 3]).empty());
   }
 }

@@ -1,10 +1,10 @@
-#include "core/cells/windings.h"
 #include "strata/formula.h"
 
 #include <catch2/catch.hpp>
 #include <functional>
 #include <vector>
 
+#include "core/cells/windings.h"
 #include "support/random.h"
 
 using namespace strata;

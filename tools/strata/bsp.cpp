@@ -1,16 +1,17 @@
+#include "strata/bsp.h"
+
 #include <fmt/format.h>
 
 #include <string>
 #include <utility>
 
 #include "cell_file.h"
+#include "extensions/bsp/partition_data.h"
 #include "report.h"
 #include "scene_input.h"
 #include "stopwatch.h"
-#include "strata/bsp.h"
 #include "verbs.h"
 #include "watch.h"
-#include "extensions/bsp/partition.h"
 
 namespace {
 
@@ -24,8 +25,8 @@ Json tree_report(const Partition<3>& region) {
           {"depth", size.depth},
           {"mean_depth", size.mean_depth},
           {"planes", size.hyperplanes},
-          {"splits", region.tree().splits},
-          {"facets", region.boundary().size()},
+          {"splits", size.splits},
+          {"facets", strata::bsp::facets_of(region).size()},
           {"bytes", size.bytes}};
 }
 

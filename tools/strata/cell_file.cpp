@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "extensions/bsp/cells.h"
+#include "extensions/bsp/partition_data.h"
 #include "output_file.h"
 #include "palette.h"
 
@@ -167,7 +167,7 @@ void write_cells(const std::string& path, const std::vector<CellPolygons>& cells
 
 void write_cells(const std::string& path, const Partition<3>& region) {
   std::vector<CellPolygons> cells;
-  strata::bsp::for_each_cell<3>(region,
-                                [&](const std::vector<Facet<3>>& facets) { cells.push_back(polygons_of(facets)); });
+  strata::bsp::for_each_inside_leaf<3>(
+      region, [&](const std::vector<Facet<3>>& facets) { cells.push_back(polygons_of(facets)); });
   write_cells(path, cells, exploded);
 }

@@ -1,5 +1,3 @@
-#include "strata/convex.h"
-
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -11,6 +9,7 @@
 #include "report.h"
 #include "scene_input.h"
 #include "stopwatch.h"
+#include "strata/convex.h"
 #include "strata/measure.h"
 #include "verbs.h"
 #include "watch.h"

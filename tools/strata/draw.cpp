@@ -10,6 +10,7 @@
 
 #include "core/csg/arena.h"
 #include "core/kernel/carriers.h"
+#include "extensions/scene/layer_decomposition_data.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/signed_covering.h"
 #include "files.h"
@@ -47,7 +48,7 @@ std::vector<strata::Solid> make_solids(std::span<const LoadedMesh> operands, str
 strata::LayerDecomposition decompose(const std::vector<strata::Solid>& solids, const strata::Origin& origin,
                                      const strata::Monitor& monitor) {
   strata::LayerDecomposition layers(strata::scene_of(solids), origin, monitor);
-  const auto& inside = layers.covering().windings_of_origin();
+  const auto& inside = covering_of(layers).windings_of_origin();
   if (layers.cuts_at_crossings() == 0 || inside.begin() != inside.end()) return layers;
   const strata::Solid all = strata::unite(solids);
   return strata::LayerDecomposition(strata::scene_of({&all, 1}), origin, monitor);
@@ -78,7 +79,7 @@ Vertex rounded(const strata::RationalPoint& p) {
 /// Lines of one kind: the stretches' ends are exact until they are projected.
 std::vector<PaperPath> draw_lines(const strata::Visibility& visibility, std::span<const strata::SeenEdge> edges,
                                   strata::EdgeKind kind, const View& view) {
-  const strata::Pieces& pieces = visibility.decomposition().pieces();
+  const strata::Pieces& pieces = pieces_of(visibility.decomposition());
   std::vector<PaperPath> lines;
   for (const strata::SeenEdge& e : edges) {
     if (e.kind != kind) continue;
@@ -108,7 +109,7 @@ Vertex unit_normal(const std::array<Vertex, 3>& t) {
 
 /// The painter's way: everything that faces the eye, back to front.
 void fill_back_to_front(const strata::LayerDecomposition& layers, const View& view, SvgPage& page) {
-  const auto& inside = layers.covering().windings_of_origin();
+  const auto& inside = covering_of(layers).windings_of_origin();
   const bool from_outside = inside.begin() == inside.end();
   for (const std::uint32_t p : layers.back_to_front()) {
     if (from_outside && layers.sign(p) > 0) continue;  // turned away: something is before it

@@ -1,5 +1,3 @@
-#include "strata/convex.h"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -13,6 +11,7 @@
 #include "report.h"
 #include "result_file.h"
 #include "stopwatch.h"
+#include "strata/convex.h"
 #include "verbs.h"
 #include "watch.h"
 

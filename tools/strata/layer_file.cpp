@@ -13,6 +13,7 @@
 #include "core/io/blocks.h"
 #include "core/kernel/carriers.h"
 #include "extensions/scene/pieces.h"
+#include "extensions/scene/scene_data.h"
 #include "extensions/scene/signed_covering.h"
 #include "output_file.h"
 #include "palette.h"
@@ -30,7 +31,7 @@ Colour colour_of(std::uint32_t layer) { return layer == 0 ? grey : palette_colou
 class PieceMesh {
  public:
   explicit PieceMesh(const LayerDecomposition& layers) : layers_(layers) {
-    const strata::Carriers& carriers = layers.scene().carriers();
+    const strata::Carriers& carriers = carriers_of(layers.scene());
     for (std::uint32_t s = 0; s < carriers.operand_count(); ++s)
       vertices.insert(vertices.end(), carriers.points(s).begin(), carriers.points(s).end());
     for (std::uint32_t p = 0; p < layers.piece_count(); ++p) {
@@ -48,7 +49,7 @@ class PieceMesh {
   /// Corners of the face stay what they are; others are made once per solid and place.
   Triangle triangle_of_part(std::uint32_t piece) {
     const std::uint32_t face = layers_.face_of(piece);
-    const Triangle own = layers_.scene().carriers().face(face);
+    const Triangle own = carriers_of(layers_.scene()).face(face);
     const auto places = layers_.triangle(piece);
     Triangle t{};
     for (std::size_t i = 0; i < 3; ++i) {

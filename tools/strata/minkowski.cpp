@@ -1,5 +1,3 @@
-#include "strata/convex.h"
-
 #include <fmt/format.h>
 
 #include <functional>

@@ -1,9 +1,10 @@
 #include "settings.h"
-#include "strata/bsp.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
+
+#include "strata/bsp.h"
 
 void add_common_options(CLI::App& verb, Settings& settings, int least, int most) {
   verb.add_option("MESH", settings.operands, "Mesh files; - is standard input")

@@ -21,9 +21,9 @@ struct Settings {
   std::string input_format;                                ///< of all operands; empty: by extension
   strata::InputClass input = strata::InputClass::solid;
   const strata::Engine* engine = nullptr;  ///< none: the arrangement
-  std::string output;         ///< path; "-" is stdout
-  std::string output_format;  ///< empty: by extension
-  std::string report;         ///< path of the JSON report; "-" is stdout; empty: none
+  std::string output;                      ///< path; "-" is stdout
+  std::string output_format;               ///< empty: by extension
+  std::string report;                      ///< path of the JSON report; "-" is stdout; empty: none
   bool certify = false;
   std::string origin = "auto";   ///< x,y,z, direction:x,y,z or auto
   std::string points;            ///< path of the points to locate; "-" is stdin

@@ -1,5 +1,3 @@
-#include "strata/complex.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -17,8 +17,9 @@ namespace strata::detail {
 struct Native {
 #ifdef STRATA_WITHOUT_GMP
   using I = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
-  using Q = boost::multiprecision::number<boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
-                                          boost::multiprecision::et_off>;
+  using Q =
+      boost::multiprecision::number<boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
+                                    boost::multiprecision::et_off>;
 #else
   using I = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
   using Q = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;

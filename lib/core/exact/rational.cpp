@@ -99,7 +99,9 @@ Integer Integer::operator-() && {
 }
 
 int Integer::sign() const noexcept { return native(*this).sign(); }
-std::strong_ordering Integer::compare(const Integer& b) const noexcept { return native(*this).compare(native(b)) <=> 0; }
+std::strong_ordering Integer::compare(const Integer& b) const noexcept {
+  return native(*this).compare(native(b)) <=> 0;
+}
 std::strong_ordering Integer::compare(std::int64_t b) const noexcept {
   return b == 0 ? sign() <=> 0 : native(*this).compare(b) <=> 0;
 }
@@ -286,8 +288,8 @@ namespace {
 /// floor(log2(n / d)) for positive n and d.
 long floor_log2(const Integer& n, const Integer& d) {
   const long estimate = static_cast<long>(bit_length(n)) - static_cast<long>(bit_length(d));  // right or one too large
-  const bool reached = estimate >= 0 ? n >= (d << static_cast<std::size_t>(estimate))
-                                     : (n << static_cast<std::size_t>(-estimate)) >= d;
+  const bool reached =
+      estimate >= 0 ? n >= (d << static_cast<std::size_t>(estimate)) : (n << static_cast<std::size_t>(-estimate)) >= d;
   return reached ? estimate : estimate - 1;
 }
 

@@ -1,6 +1,6 @@
-#include "strata/errors.h"
-
 #include <utility>
+
+#include "strata/errors.h"
 
 namespace strata {
 namespace {

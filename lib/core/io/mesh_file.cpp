@@ -1,5 +1,3 @@
-#include "strata/io.h"
-
 #include <algorithm>
 #include <array>
 #include <ostream>
@@ -8,6 +6,7 @@
 #include "core/io/readers.h"
 #include "core/io/sink.h"
 #include "core/io/writers.h"
+#include "strata/io.h"
 
 namespace strata {
 namespace {

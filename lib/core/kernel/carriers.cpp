@@ -1,7 +1,7 @@
 #include "core/kernel/carriers.h"
 
-#include <cmath>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 

@@ -1,5 +1,3 @@
-#include "strata/measure.h"
-
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -8,6 +6,7 @@
 #include "core/mesh/planar_facets.h"
 #include "core/mesh/planar_levels.h"
 #include "core/mesh/planar_loops.h"
+#include "strata/measure.h"
 
 namespace strata {
 namespace {

@@ -1,8 +1,8 @@
-#include "strata/errors.h"
-
 #include <algorithm>
 #include <charconv>
 #include <utility>
+
+#include "strata/errors.h"
 
 namespace strata {
 namespace {

@@ -1,6 +1,6 @@
-#include "strata/mesh.h"
-
 #include <algorithm>
+
+#include "strata/mesh.h"
 
 namespace strata {
 

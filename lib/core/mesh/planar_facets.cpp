@@ -1,11 +1,11 @@
 #include "core/mesh/planar_facets.h"
 
-#include "core/exact/native.h"
-
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
+
+#include "core/exact/native.h"
 
 namespace strata::facets {
 namespace {

@@ -1,8 +1,8 @@
 #include "core/mesh/product_sum.h"
 
-#include "core/exact/native.h"
-
 #include <bit>
+
+#include "core/exact/native.h"
 
 namespace strata {
 namespace {

@@ -158,9 +158,8 @@ Screening screen(MeshView mesh) {
   const Chunks chunks(mesh.triangles.size());
   const ZeroAreaTest is_zero(mesh);
   std::vector<Tally> parts(chunks.count);
-  chunks.for_each([&](std::size_t k, std::size_t first, std::size_t last) {
-    parts[k] = tally_of(mesh, first, last, o, is_zero);
-  });
+  chunks.for_each(
+      [&](std::size_t k, std::size_t first, std::size_t last) { parts[k] = tally_of(mesh, first, last, o, is_zero); });
   Tally total;
   for (const Tally& part : parts) total.add(part);
   result.finite = total.finite || !total.indices_valid;

@@ -18,8 +18,9 @@ struct ConstraintPlace {
   friend bool operator==(const ConstraintPlace&, const ConstraintPlace&) = default;
 };
 
-/// The constraints of all cells, by face and other face, those of a pair in the order in which they were found. Requires
-/// that those of a pair are in one cell. O(n log m) for n constraints, m of them on neighbouring faces; in parallel.
+/// The constraints of all cells, by face and other face, those of a pair in the order in which they were found.
+/// Requires that those of a pair are in one cell. O(n log m) for n constraints, m of them on neighbouring faces; in
+/// parallel.
 [[nodiscard]] std::vector<ConstraintPlace> order_by_face(const std::vector<Meetings>& per_cell,
                                                          std::uint32_t face_count);
 

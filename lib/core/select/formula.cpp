@@ -1,10 +1,10 @@
 #include "strata/formula.h"
 
-#include "core/cells/windings.h"
-
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <functional>
+
+#include "core/cells/windings.h"
 
 namespace strata {
 

@@ -1,6 +1,6 @@
-#include "extensions/bsp/cells.h"
-
 #include <algorithm>
+
+#include "extensions/bsp/partition_data.h"
 
 namespace strata::bsp {
 namespace {
@@ -15,7 +15,7 @@ class CellVisitor {
   void go(Link link) {
     if (link == leaf_in) visit_(facets());
     if (is_leaf(link)) return;
-    const Node& node = region_.tree().nodes[link];
+    const Node& node = tree_of(region_).nodes[link];
     path_.push_back({node.hyperplane, Sign::negative});
     go(node.minus);
     path_.back().side = Sign::positive;
@@ -28,9 +28,9 @@ class CellVisitor {
   [[nodiscard]] std::vector<Facet<D>> facets() const {
     std::vector<Facet<D>> facets;
     for (const HalfSpace& wall : path_) {
-      Piece<D> piece = whole(region_.table(), wall.hyperplane);
+      Piece<D> piece = whole(table_of(region_), wall.hyperplane);
       const bool is_wall = std::all_of(path_.rbegin(), path_.rend(), [&](const HalfSpace& h) {
-        return h.hyperplane == wall.hyperplane || clip(region_.table(), piece, h);
+        return h.hyperplane == wall.hyperplane || clip(table_of(region_), piece, h);
       });
       if (is_wall) facets.push_back({std::move(piece), wall.side == Sign::negative});
     }
@@ -45,12 +45,25 @@ class CellVisitor {
 }  // namespace
 
 template <int D>
-void for_each_cell(const Partition<D>& region, const std::function<void(const std::vector<Facet<D>>& facets)>& visit) {
-  CellVisitor<D>(region, visit).go(region.tree().root);
+void for_each_inside_leaf(const Partition<D>& region,
+                          const std::function<void(const std::vector<Facet<D>>& facets)>& visit) {
+  CellVisitor<D>(region, visit).go(tree_of(region).root);
 }
 
-#define STRATA_INSTANTIATE(D) \
-  template void for_each_cell(const Partition<D>&, const std::function<void(const std::vector<Facet<D>>&)>&);
+template <int D>
+void for_each_cell(const Partition<D>& region,
+                   const std::function<void(const std::vector<AffineForm<D>>& cell)>& visit) {
+  for_each_inside_leaf<D>(region, [&](const std::vector<Facet<D>>& facets) {
+    std::vector<AffineForm<D>> cell;
+    for (const Facet<D>& f : facets) cell.push_back(form_of(table_of(region)[f.piece.hyperplane], f.faces_plus));
+    visit(cell);
+  });
+}
+
+#define STRATA_INSTANTIATE(D)                                                                      \
+  template void for_each_inside_leaf<D>(const Partition<D>&,                                       \
+                                        const std::function<void(const std::vector<Facet<D>>&)>&); \
+  template void for_each_cell<D>(const Partition<D>&, const std::function<void(const std::vector<AffineForm<D>>&)>&);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)
 STRATA_INSTANTIATE(3)

@@ -1,5 +1,3 @@
-#include "extensions/bsp/combine_partitions.h"
-
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
@@ -10,7 +8,9 @@
 #include "core/csg/arena.h"
 #include "core/csg/broken_operands.h"
 #include "core/csg/stopwatch.h"
-#include "extensions/bsp/partition.h"
+#include "core/kernel/hyperplane_table.h"
+#include "strata/bsp.h"
+#include "strata/combine.h"
 
 namespace strata {
 namespace {
@@ -88,10 +88,6 @@ BooleanResult resolved(const Operand& operand, const Options& options, std::uint
   }
 }
 
-}  // namespace
-
-const Engine bsp_engine{"bsp", combine_partitions};
-
 BooleanResult combine_partitions(Operation operation, std::span<const Operand> operands, const Options& options) {
   BooleanResult result;
   const Monitor monitor(options.cancel, &options.progress);
@@ -138,5 +134,9 @@ BooleanResult combine_partitions(Operation operation, std::span<const Operand> o
   monitor.report(1);
   return result;
 }
+
+}  // namespace
+
+const Engine bsp_engine{"bsp", combine_partitions};
 
 }  // namespace strata

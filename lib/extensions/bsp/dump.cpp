@@ -1,5 +1,3 @@
-#include "extensions/bsp/partition.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>

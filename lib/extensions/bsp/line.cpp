@@ -1,6 +1,6 @@
-#include "extensions/bsp/partition.h"
-
 #include <algorithm>
+
+#include "extensions/bsp/partition_data.h"
 
 namespace strata::bsp {
 namespace {
@@ -37,7 +37,7 @@ class LineCutter {
   LineCutter(const Partition<D>& region, const ParametricLine<D>& line) : region_(region), line_(line) {}
 
   std::vector<Interval> cut(Interval whole) {
-    visit(region_.tree().root, std::move(whole));
+    visit(tree_of(region_).root, std::move(whole));
     return joined(std::move(found_));
   }
 
@@ -47,8 +47,8 @@ class LineCutter {
       if (link == leaf_in) found_.push_back(std::move(part));
       return;
     }
-    const Node& node = region_.tree().nodes[link];
-    const auto& form = region_.table()[node.hyperplane].exact();
+    const Node& node = tree_of(region_).nodes[link];
+    const auto& form = table_of(region_)[node.hyperplane].exact();
     Rational value = form[D], slope = 0;
     for (std::size_t i = 0; i < D; ++i) {
       value += form[i] * line_.p[i];
@@ -90,7 +90,7 @@ Partition<1> partition_of(std::span<const Interval> intervals) {
     add(i.upper, true);
   }
   Tree tree = built(table, std::move(facets));
-  return compact(Partition<1>::of(std::move(table), std::move(tree)));
+  return compact(partition_from(std::move(table), std::move(tree)));
 }
 
 std::vector<Interval> intervals_of(const Partition<1>& region) { return intersection<1>(region, {{0}, {1}}); }

@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "core/kernel/point.h"
-#include "extensions/bsp/partition.h"
+#include "extensions/bsp/partition_data.h"
 #include "extensions/scene/closed_face.h"
+#include "extensions/scene/scene_data.h"
 
 namespace strata::bsp {
 namespace {
@@ -18,7 +19,7 @@ std::vector<std::vector<std::uint32_t>> faces_by_plane(const Scene& scene, std::
   for (std::uint32_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
     const auto [a, b, c] = mesh.mesh.triangles[t];
     const auto plane = table.find(plane_through(mesh.position(a), mesh.position(b), mesh.position(c)).hyperplane);
-    if (plane) faces[*plane].push_back(scene.carriers().first_face(solid) + t);
+    if (plane) faces[*plane].push_back(carriers_of(scene).first_face(solid) + t);
   }
   return faces;
 }
@@ -39,7 +40,7 @@ PartitionLocator::PartitionLocator(Scene scene, const Monitor& monitor) {
   Data data{std::move(scene), {}};
   for (std::uint32_t s = 0; s < data.scene.solid_count(); ++s) {
     const Partition<3> partition = partition_of(data.scene.solid(s), monitor);
-    data.regions.push_back({partition, faces_by_plane(data.scene, s, partition.table())});
+    data.regions.push_back({partition, faces_by_plane(data.scene, s, table_of(partition))});
   }
   data_ = std::make_shared<const Data>(std::move(data));
 }
@@ -54,9 +55,9 @@ Location PartitionLocator::locate(const Vertex& q) const {
     if (where == Where::in) windings.add(s, 1);
     if (where != Where::on) continue;
     for (std::uint32_t plane = 0; plane < faces.size(); ++plane) {
-      if (partition.table().side(plane, q) != Sign::zero) continue;
+      if (table_of(partition).side(plane, q) != Sign::zero) continue;
       for (const std::uint32_t face : faces[plane])
-        if (is_on_closed_face(data_->scene.carriers(), face, point)) contacts.push_back({s, face});
+        if (is_on_closed_face(carriers_of(data_->scene), face, point)) contacts.push_back({s, face});
     }
   }
   return location_of(std::move(windings), std::move(contacts));

@@ -1,10 +1,9 @@
-#include "extensions/bsp/partition.h"
-
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "core/exact/pairwise_sum.h"
+#include "extensions/bsp/partition_data.h"
 
 namespace strata::bsp {
 namespace {
@@ -76,8 +75,8 @@ template <int D>
 std::optional<Rational> size(const Partition<D>& region) {
   if (!region.is_bounded()) return std::nullopt;
   PairwiseSum sum;
-  for (const Facet<D>& f : region.boundary()) {
-    const View<D> view(region.table(), f);
+  for (const Facet<D>& f : facets_of(region)) {
+    const View<D> view(table_of(region), f);
     sum.add(view.height() * view.size());
   }
   return sum.value() / D;
@@ -88,8 +87,8 @@ std::optional<RationalVector<D>> barycentre(const Partition<D>& region) {
   if (region.is_empty() || !region.is_bounded()) return std::nullopt;
   PairwiseSum total;
   std::array<PairwiseSum, D> sums;
-  for (const Facet<D>& f : region.boundary()) {
-    const View<D> view(region.table(), f);
+  for (const Facet<D>& f : facets_of(region)) {
+    const View<D> view(table_of(region), f);
     view.for_each_simplex([&](const Rational& part, const RationalVector<D>& corners) {
       const Rational weight = view.height() * part;
       total.add(weight);
@@ -105,9 +104,9 @@ std::optional<RationalVector<D>> barycentre(const Partition<D>& region) {
 template <int D>
 double boundary_size(const Partition<D>& region) {
   double sum = 0;
-  for (const Facet<D>& f : region.boundary()) {
+  for (const Facet<D>& f : facets_of(region)) {
     if (!f.piece.is_bounded()) return HUGE_VAL;
-    const View<D> view(region.table(), f);
+    const View<D> view(table_of(region), f);
     sum += view.stretch() * to_nearest_double(view.size());
   }
   return sum;

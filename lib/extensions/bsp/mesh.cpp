@@ -1,5 +1,3 @@
-#include "extensions/bsp/partition.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,6 +7,7 @@
 
 #include "core/kernel/filters.h"
 #include "core/mesh/polygon_sweep.h"
+#include "extensions/bsp/partition_data.h"
 #include "extensions/bsp/triangle_facets.h"
 
 namespace strata::bsp {
@@ -16,10 +15,10 @@ namespace {
 
 std::vector<ExactFacet> exact_facets(const Partition<3>& region) {
   std::vector<ExactFacet> facets;
-  for (const Facet<3>& f : region.boundary()) {
+  for (const Facet<3>& f : facets_of(region)) {
     if (!f.piece.is_bounded()) throw std::domain_error("the boundary of the region is not bounded");
     std::vector<RationalPoint> loop;
-    for (const Corner<3>& c : f.piece.corners) loop.push_back(region.table().position(c));
+    for (const Corner<3>& c : f.piece.corners) loop.push_back(table_of(region).position(c));
     if (!f.faces_plus) std::reverse(loop.begin(), loop.end());
     facets.push_back({std::move(loop)});
   }
@@ -171,7 +170,7 @@ Partition<3> partition_of(ExactMeshView mesh, const Monitor& monitor) {
   HyperplaneTable<3> table;
   std::vector<Facet<3>> facets = triangle_facets(table, mesh);
   Tree tree = built(table, std::move(facets), monitor);
-  return compact(Partition<3>::of(std::move(table), std::move(tree)));
+  return compact(partition_from(std::move(table), std::move(tree)));
 }
 
 CanonicalForm canonical_form_of(const Partition<3>& region) { return canonical_form(exact_facets(region)); }

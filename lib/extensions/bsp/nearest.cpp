@@ -1,7 +1,7 @@
-#include "extensions/bsp/partition.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "extensions/bsp/partition_data.h"
 
 namespace strata::bsp {
 namespace {
@@ -129,7 +129,7 @@ template <int D>
 class NearestFinder {
  public:
   NearestFinder(const Partition<D>& region, const RationalVector<D>& p)
-      : table_(region.table()), tree_(region.tree()), p_(p), projector_(table_, p_) {}
+      : table_(table_of(region)), tree_(tree_of(region)), p_(p), projector_(table_, p_) {}
 
   [[nodiscard]] std::optional<NearestPoint<D>> find() {
     visit(tree_.root);

@@ -1,19 +1,12 @@
-#include "extensions/bsp/partition.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "extensions/bsp/merge.h"
+#include "extensions/bsp/partition_data.h"
 
 namespace strata::bsp {
-
-template <int D>
-struct Partition<D>::Data {
-  HyperplaneTable<D> table;
-  Tree tree;
-};
 
 namespace {
 
@@ -26,7 +19,7 @@ class Compaction {
   Partition<D> of(Link root, std::size_t splits = 0) {
     tree_.root = copied(root);
     tree_.splits = splits;
-    return Partition<D>::of(std::move(table_), std::move(tree_));
+    return partition_from(std::move(table_), std::move(tree_));
   }
 
  private:
@@ -63,56 +56,63 @@ Where classify_in(const HyperplaneTable<D>& table, const std::vector<Node>& node
   return link == leaf_in ? Where::in : Where::out;
 }
 
+template <int D>
+OrientedHyperplane<D> oriented(const AffineForm<D>& f) {
+  if (std::all_of(f.begin(), f.end() - 1, [](const Rational& x) { return x.is_zero(); }))
+    throw std::invalid_argument("a half-space has a normal that is not zero");
+  return oriented_hyperplane<D>(f);
+}
+
 }  // namespace
 
 template <int D>
 Partition<D>::Partition() : Partition(std::make_shared<const Data>()) {}
 
 template <int D>
-Partition<D> Partition<D>::of(HyperplaneTable<D> table, Tree tree) {
-  return Partition(std::make_shared<const Data>(Data{std::move(table), std::move(tree)}));
-}
-
-template <int D>
 Partition<D> Partition<D>::all() {
-  return of({}, {{}, leaf_in, 0});
+  return partition_from(HyperplaneTable<D>(), {{}, leaf_in, 0});
 }
 
 template <int D>
-Partition<D> Partition<D>::half_space(const std::array<Rational, D + 1>& coefficients) {
-  if (std::all_of(coefficients.begin(), coefficients.end() - 1, [](const Rational& x) { return x.is_zero(); }))
-    throw std::invalid_argument("a half-space has a normal that is not zero");
-  return half_space(oriented_hyperplane<D>(coefficients));
+Partition<D> Partition<D>::half_space(const AffineForm<D>& f) {
+  return behind(oriented<D>(f));
 }
 
 template <int D>
-Partition<D> Partition<D>::half_space(const OrientedHyperplane<D>& hyperplane) {
+Partition<D> Partition<D>::convex(std::span<const AffineForm<D>> forms) {
+  std::vector<OrientedHyperplane<D>> hyperplanes;
+  for (const AffineForm<D>& f : forms) hyperplanes.push_back(oriented<D>(f));
+  return behind_all<D>(hyperplanes);
+}
+
+template <int D>
+Partition<D> behind(const OrientedHyperplane<D>& hyperplane) {
   HyperplaneTable<D> table;
   const std::uint32_t h = table.add(hyperplane.hyperplane);
-  return of(std::move(table), {{{h, leaf(!hyperplane.is_turned), leaf(hyperplane.is_turned)}}, 0, 0});
+  return partition_from(std::move(table), {{{h, leaf(!hyperplane.is_turned), leaf(hyperplane.is_turned)}}, 0, 0});
 }
 
 template <int D>
-Partition<D> Partition<D>::convex(std::span<const OrientedHyperplane<D>> hyperplanes) {
-  if (hyperplanes.empty()) return all();
-  if (hyperplanes.size() == 1) return half_space(hyperplanes[0]);
+Partition<D> behind_all(std::span<const OrientedHyperplane<D>> hyperplanes) {
+  if (hyperplanes.empty()) return Partition<D>::all();
+  if (hyperplanes.size() == 1) return behind(hyperplanes[0]);
   const std::size_t half = hyperplanes.size() / 2;
-  return rebuilt_if_deep(convex(hyperplanes.first(half)) & convex(hyperplanes.subspan(half)));
+  return rebuilt_if_deep(behind_all(hyperplanes.first(half)) & behind_all(hyperplanes.subspan(half)));
 }
 
 template <int D>
-const HyperplaneTable<D>& Partition<D>::table() const {
-  return data_->table;
+bool Partition<D>::is_empty() const {
+  return data_->tree.root == leaf_out;
 }
 
 template <int D>
-const Tree& Partition<D>::tree() const {
-  return data_->tree;
+bool Partition<D>::is_full() const {
+  return data_->tree.root == leaf_in;
 }
 
 template <int D>
 bool Partition<D>::is_bounded() const {
-  return !reaches_infinity(table(), tree());
+  return !reaches_infinity(data_->table, data_->tree);
 }
 
 template <int D>
@@ -122,60 +122,56 @@ bool Partition<D>::contains(const Partition& other) const {
 
 template <int D>
 Where Partition<D>::classify(const std::array<double, D>& p) const {
-  return classify_in(table(), tree().nodes, tree().root, p);
+  return classify_in(data_->table, data_->tree.nodes, data_->tree.root, p);
 }
 
 template <int D>
 Where Partition<D>::classify_exact(const RationalVector<D>& p) const {
-  return classify_in(table(), tree().nodes, tree().root, p);
+  return classify_in(data_->table, data_->tree.nodes, data_->tree.root, p);
 }
 
 template <int D>
-std::vector<Facet<D>> Partition<D>::boundary() const {
-  return bsp::boundary(table(), tree());
-}
-
-template <int D>
-std::vector<Piece<D>> Partition<D>::part_inside(const Piece<D>& piece) const {
+std::vector<Piece<D>> part_inside(const Partition<D>& region, const Piece<D>& piece) {
   std::vector<Piece<D>> parts;
-  for_each_part<D>(table(), tree(), tree().root, piece, [&](Link leaf, const Piece<D>& part) {
-    if (leaf == leaf_in) parts.push_back(part);
-  });
+  for_each_part<D>(table_of(region), tree_of(region), tree_of(region).root, piece,
+                   [&](Link leaf, const Piece<D>& part) {
+                     if (leaf == leaf_in) parts.push_back(part);
+                   });
   return parts;
 }
 
 template <int D>
 Partition<D> combined(Operation operation, const Partition<D>& a, const Partition<D>& b, const Monitor& monitor) {
-  HyperplaneTable<D> table = a.table();
-  std::vector<Node> nodes = a.tree().nodes;
+  HyperplaneTable<D> table = table_of(a);
+  std::vector<Node> nodes = tree_of(a).nodes;
   const auto first = static_cast<Link>(nodes.size());
   const auto moved = [&](Link link) { return is_leaf(link) ? link : link + first; };
   std::vector<std::uint32_t> number;
-  for (std::uint32_t h = 0; h < b.table().size(); ++h) number.push_back(table.adopt(b.table(), h));
-  for (const Node& n : b.tree().nodes) nodes.push_back({number[n.hyperplane], moved(n.minus), moved(n.plus)});
-  const Link root = merged(table, nodes, operation, a.tree().root, moved(b.tree().root), monitor);
+  for (std::uint32_t h = 0; h < table_of(b).size(); ++h) number.push_back(table.adopt(table_of(b), h));
+  for (const Node& n : tree_of(b).nodes) nodes.push_back({number[n.hyperplane], moved(n.minus), moved(n.plus)});
+  const Link root = merged(table, nodes, operation, tree_of(a).root, moved(tree_of(b).root), monitor);
   return Compaction<D>(table, nodes).of(root);
 }
 
 template <int D>
 Partition<D> complement(const Partition<D>& region) {
-  Tree tree = region.tree();
+  Tree tree = tree_of(region);
   const auto turned = [](Link link) { return is_leaf(link) ? other(link) : link; };
   for (Node& n : tree.nodes) n = {n.hyperplane, turned(n.minus), turned(n.plus)};
   tree.root = turned(tree.root);
-  return Partition<D>::of(region.table(), std::move(tree));
+  return partition_from(table_of(region), std::move(tree));
 }
 
 template <int D>
 Partition<D> compact(const Partition<D>& region) {
-  return Compaction<D>(region.table(), region.tree().nodes).of(region.tree().root, region.tree().splits);
+  return Compaction<D>(table_of(region), tree_of(region).nodes).of(tree_of(region).root, tree_of(region).splits);
 }
 
 template <int D>
 Partition<D> rebuilt(const Partition<D>& region) {
-  if (is_leaf(region.tree().root)) return region;
-  HyperplaneTable<D> table = region.table();
-  const Tree tree = built(table, region.boundary());
+  if (is_leaf(tree_of(region).root)) return region;
+  HyperplaneTable<D> table = table_of(region);
+  const Tree tree = built(table, facets_of(region));
   return Compaction<D>(table, tree.nodes).of(tree.root, tree.splits);
 }
 
@@ -188,9 +184,13 @@ Partition<D> rebuilt_if_deep(const Partition<D>& region) {
 
 template <int D>
 TreeSize size_of_tree(const Partition<D>& region) {
-  const Tree& tree = region.tree();
-  TreeSize size{tree.nodes.size(), tree.nodes.size() + 1, 0, 0, region.table().size(), 0, 0};
-  size.bytes = tree.nodes.size() * sizeof(Node) + region.table().bytes();
+  const Tree& tree = tree_of(region);
+  TreeSize size;
+  size.nodes = tree.nodes.size();
+  size.leaves = tree.nodes.size() + 1;
+  size.hyperplanes = table_of(region).size();
+  size.splits = tree.splits;
+  size.bytes = tree.nodes.size() * sizeof(Node) + table_of(region).bytes();
   std::vector<std::pair<Link, std::size_t>> open{{tree.root, 0}};
   double sum = 0;
   while (!open.empty()) {
@@ -218,7 +218,10 @@ template class Partition<3>;
   template Partition<D> compact(const Partition<D>&);                                                  \
   template Partition<D> rebuilt(const Partition<D>&);                                                  \
   template Partition<D> rebuilt_if_deep(const Partition<D>&);                                          \
-  template TreeSize size_of_tree(const Partition<D>&);
+  template TreeSize size_of_tree(const Partition<D>&);                                                 \
+  template Partition<D> behind(const OrientedHyperplane<D>&);                                          \
+  template Partition<D> behind_all(std::span<const OrientedHyperplane<D>>);                            \
+  template std::vector<Piece<D>> part_inside(const Partition<D>&, const Piece<D>&);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)
 STRATA_INSTANTIATE(3)

@@ -1,7 +1,7 @@
-#include "extensions/bsp/partition.h"
-
 #include <stdexcept>
 #include <utility>
+
+#include "extensions/bsp/partition_data.h"
 
 namespace strata::bsp {
 
@@ -21,7 +21,7 @@ Partition<2> partition_of(std::span<const PlaneSide> sides) {
     facets.push_back({std::move(piece), line.is_turned});
   }
   Tree tree = built(table, std::move(facets));
-  return compact(Partition<2>::of(std::move(table), std::move(tree)));
+  return compact(partition_from(std::move(table), std::move(tree)));
 }
 
 Partition<2> partition_of(std::span<const PolygonLoop> loops) {
@@ -33,9 +33,9 @@ Partition<2> partition_of(std::span<const PolygonLoop> loops) {
 
 std::vector<PlaneSide> sides_of(const Partition<2>& region) {
   std::vector<PlaneSide> sides;
-  for (const Facet<2>& f : region.boundary()) {
+  for (const Facet<2>& f : facets_of(region)) {
     if (!f.piece.is_bounded()) throw std::domain_error("the boundary of the region is not bounded");
-    PlaneSide side{region.table().position(f.piece.corners[0]), region.table().position(f.piece.corners[1])};
+    PlaneSide side{table_of(region).position(f.piece.corners[0]), table_of(region).position(f.piece.corners[1])};
     if (f.faces_plus) std::swap(side.from, side.to);
     sides.push_back(std::move(side));
   }

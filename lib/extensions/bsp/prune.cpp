@@ -60,7 +60,7 @@ class Pruner {
 
 template <int D>
 Partition<D> pruned(const HyperplaneTable<D>& table, const Tree& tree) {
-  return compact(Partition<D>::of(table, Pruner<D>(table, tree.nodes).prune(tree.root)));
+  return compact(partition_from(table, Pruner<D>(table, tree.nodes).prune(tree.root)));
 }
 
 template Partition<1> pruned(const HyperplaneTable<1>&, const Tree&);

@@ -1,5 +1,5 @@
 #pragma once
-#include "extensions/bsp/partition.h"
+#include "extensions/bsp/partition_data.h"
 
 namespace strata::bsp {
 

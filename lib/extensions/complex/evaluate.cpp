@@ -1,7 +1,5 @@
 #include "strata/complex.h"
 
-#include "strata/complex.h"
-
 namespace strata::complex {
 
 SelectiveComplex evaluate(const Expression& expression, std::span<const SelectiveComplex> primitives,

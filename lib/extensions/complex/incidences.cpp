@@ -1,7 +1,7 @@
-#include "strata/complex.h"
-
 #include <algorithm>
 #include <numeric>
+
+#include "strata/complex.h"
 
 namespace strata::complex {
 namespace {

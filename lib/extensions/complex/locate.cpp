@@ -1,10 +1,9 @@
-#include "strata/complex.h"
-
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "extensions/complex/face_geometry.h"
+#include "strata/complex.h"
 
 namespace strata::complex {
 namespace {

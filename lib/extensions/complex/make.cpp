@@ -1,5 +1,3 @@
-#include "strata/complex.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -1,11 +1,10 @@
-#include "strata/complex.h"
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "core/kernel/disjoint_sets.h"
 #include "extensions/complex/face_geometry.h"
+#include "strata/complex.h"
 
 namespace strata::complex {
 namespace {

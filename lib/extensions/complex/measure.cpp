@@ -1,9 +1,8 @@
-#include "strata/complex.h"
-
 #include <cmath>
 #include <stdexcept>
 
 #include "extensions/complex/face_geometry.h"
+#include "strata/complex.h"
 
 namespace strata::complex {
 namespace {
@@ -20,7 +19,8 @@ Rational volume_to_origin(const Cells& cells, std::span<const Wing> wings) {
 /// Correct to a few units even where the square is beyond all doubles.
 double square_root(const Rational& square) {
   if (square == 0) return 0;
-  const long size = static_cast<long>(bit_length(numerator(square))) - static_cast<long>(bit_length(denominator(square)));
+  const long size =
+      static_cast<long>(bit_length(numerator(square))) - static_cast<long>(bit_length(denominator(square)));
   const long half = size / 2;
   Rational scaled = square;
   if (half > 0) scaled /= Rational(Integer(1) << static_cast<std::size_t>(2 * half));

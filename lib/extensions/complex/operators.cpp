@@ -1,6 +1,6 @@
-#include "strata/complex.h"
-
 #include <algorithm>
+
+#include "strata/complex.h"
 
 namespace strata::complex {
 namespace {

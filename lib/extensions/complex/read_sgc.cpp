@@ -191,8 +191,7 @@ class Reader {
   void read_isolated() {
     const std::string_view text = lines_.word("V or E and a number");
     const Index number = lines_.number(text.substr(1), "V or E and a number"), volume = lines_.number("a volume");
-    if (text[0] != 'V' && text[0] != 'E')
-      lines_.fail("expected V or E and a number, found " + io::quoted(text));
+    if (text[0] != 'V' && text[0] != 'E') lines_.fail("expected V or E and a number, found " + io::quoted(text));
     (text[0] == 'V' ? cells_.vertices_in_volumes : cells_.edges_in_volumes).push_back({number, volume});
   }
 

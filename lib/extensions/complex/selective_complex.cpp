@@ -1,11 +1,10 @@
-#include "strata/complex.h"
-
 #include <algorithm>
 #include <mutex>
 #include <stdexcept>
 #include <utility>
 
 #include "extensions/complex/simplify.h"
+#include "strata/complex.h"
 
 namespace strata::complex {
 

@@ -1,5 +1,3 @@
-#include "strata/complex.h"
-
 #include <stdexcept>
 
 #include "core/kernel/disjoint_sets.h"

@@ -1,9 +1,3 @@
-#include "extensions/contact/nearest.h"
-#include "extensions/contact/parts.h"
-#include "extensions/contact/region.h"
-#include "extensions/contact/relation.h"
-#include "strata/contact.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -14,6 +8,11 @@
 #include <numeric>
 
 #include "extensions/contact/box_pairs.h"
+#include "extensions/contact/nearest.h"
+#include "extensions/contact/parts.h"
+#include "extensions/contact/region.h"
+#include "extensions/contact/relation.h"
+#include "strata/contact.h"
 
 namespace strata::contact {
 namespace {

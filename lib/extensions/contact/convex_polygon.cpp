@@ -5,8 +5,7 @@
 namespace strata::contact {
 
 ConvexPolygon::ConvexPolygon(std::vector<RationalPoint> corners)
-    : corners_(std::move(corners)),
-      normal_(cross<Rational>(corners_[1] - corners_[0], corners_[2] - corners_[0])) {
+    : corners_(std::move(corners)), normal_(cross<Rational>(corners_[1] - corners_[0], corners_[2] - corners_[0])) {
   for (std::size_t i = 0; i < corners_.size(); ++i)
     inward_.push_back(cross<Rational>(normal_, corners_[(i + 1) % corners_.size()] - corners_[i]));
 }

@@ -94,7 +94,8 @@ bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, cons
 /// The same for all faces that share a point.
 template <class Visit>
 bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Visit& visit) {
-  return for_each_meeting(parts, a, b, [](std::uint32_t, std::uint32_t) { return false; }, visit);
+  return for_each_meeting(
+      parts, a, b, [](std::uint32_t, std::uint32_t) { return false; }, visit);
 }
 
 }  // namespace strata::contact

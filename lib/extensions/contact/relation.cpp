@@ -33,8 +33,8 @@ class Inquiry {
     const bool is_open = for_each_meeting(parts_, a_, b_, skip, visit);
     if (!is_open) return relation_;
     if (is_doubtful_) return std::nullopt;
-    const bool do_interfere = linings_ ? linings_->show_interference()
-                                       : parts_.has_piece_inside(a_, b_) || parts_.has_piece_inside(b_, a_);
+    const bool do_interfere =
+        linings_ ? linings_->show_interference() : parts_.has_piece_inside(a_, b_) || parts_.has_piece_inside(b_, a_);
     return do_interfere ? Relation::interfering : relation_;
   }
 
@@ -102,7 +102,7 @@ class Inquiry {
   bool are_beside_;
   Relation relation_ = Relation::apart;
   bool is_decided_ = false;
-  bool is_doubtful_ = false;  ///< some faces have the form of a proof, and are none: linings tell nothing
+  bool is_doubtful_ = false;        ///< some faces have the form of a proof, and are none: linings tell nothing
   std::optional<Linings> linings_;  ///< once faces share something that decides nothing
   int undecided_ = 0;               ///< such pairs of faces
   std::optional<Twins> twins_;      ///< once these are many

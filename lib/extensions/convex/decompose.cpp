@@ -1,5 +1,3 @@
-#include "strata/convex.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,6 +10,7 @@
 #include "extensions/convex/piece_pool.h"
 #include "extensions/convex/point_list.h"
 #include "extensions/convex/region.h"
+#include "strata/convex.h"
 
 namespace strata::convex {
 namespace {

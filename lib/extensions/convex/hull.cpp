@@ -1,5 +1,3 @@
-#include "strata/convex.h"
-
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
@@ -13,6 +11,7 @@
 #include "extensions/convex/point_cloud.h"
 #include "extensions/convex/polygon_hull.h"
 #include "extensions/convex/quickhull.h"
+#include "strata/convex.h"
 
 namespace strata::convex {
 namespace {

@@ -1,5 +1,3 @@
-#include "strata/convex.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -1,5 +1,3 @@
-#include "strata/convex.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -10,6 +8,7 @@
 #include "extensions/convex/directions.h"
 #include "extensions/convex/sum_points.h"
 #include "extensions/convex/surface.h"
+#include "strata/convex.h"
 
 namespace strata::convex {
 namespace {

@@ -1,14 +1,13 @@
-#include "strata/convex.h"
-
 #include <algorithm>
 #include <map>
 #include <numeric>
 #include <utility>
 
 #include "core/mesh/prepare.h"
-#include "extensions/bsp/partition.h"
 #include "extensions/bsp/triangle_facets.h"
 #include "extensions/convex/wedges.h"
+#include "strata/bsp.h"
+#include "strata/convex.h"
 #include "strata/measure.h"
 
 namespace strata::convex {

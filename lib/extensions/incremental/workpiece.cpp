@@ -1,5 +1,3 @@
-#include "strata/incremental.h"
-
 #include <algorithm>
 #include <unordered_map>
 #include <utility>
@@ -8,6 +6,7 @@
 #include "extensions/incremental/rounds.h"
 #include "extensions/incremental/step.h"
 #include "extensions/incremental/tool_groups.h"
+#include "strata/incremental.h"
 
 namespace strata {
 

@@ -1,10 +1,9 @@
-#include "strata/openscad.h"
-
 #include <utility>
 
 #include "core/io/file.h"
 #include "extensions/openscad/model.h"
 #include "extensions/openscad/syntax.h"
+#include "strata/openscad.h"
 
 namespace strata {
 

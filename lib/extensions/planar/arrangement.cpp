@@ -115,8 +115,8 @@ class MeetingSearch {
     }
   }
   bool is_enough(std::size_t pairs) {
-    const std::size_t cost = pairs + pairs_per_test * tests_ +
-                             pairs_per_repeat * (finder_.repeated_crossings() - repeats_before_);
+    const std::size_t cost =
+        pairs + pairs_per_test * tests_ + pairs_per_repeat * (finder_.repeated_crossings() - repeats_before_);
     const std::size_t worth = 8 * strips_.segments(strip_).size() + (finder_.new_places() - places_before_);
     if (cost <= patience_ * worth) return false;
     crowds_.push_back(strip_);

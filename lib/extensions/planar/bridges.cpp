@@ -1,5 +1,3 @@
-#include "strata/planar.h"
-
 #include <algorithm>
 #include <optional>
 

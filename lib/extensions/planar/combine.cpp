@@ -1,9 +1,8 @@
-#include "strata/planar.h"
-
 #include "extensions/planar/extract.h"
 #include "extensions/planar/gather.h"
 #include "extensions/planar/labels.h"
 #include "extensions/planar/thinning.h"
+#include "strata/planar.h"
 
 namespace strata::planar {
 namespace {

@@ -1,11 +1,10 @@
-#include "strata/planar.h"
-
 #include <algorithm>
 #include <map>
 
 #include "extensions/planar/gather.h"
 #include "extensions/planar/labels.h"
 #include "extensions/planar/predicates.h"
+#include "strata/planar.h"
 
 namespace strata::planar {
 namespace {

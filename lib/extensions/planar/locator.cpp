@@ -1,9 +1,8 @@
-#include "strata/planar.h"
-
 #include <cmath>
 
 #include "extensions/planar/predicates.h"
 #include "extensions/planar/strips.h"
+#include "strata/planar.h"
 
 namespace strata::planar {
 

@@ -1,9 +1,8 @@
-#include "strata/planar.h"
-
 #include <numeric>
 
 #include "core/exact/pairwise_sum.h"
 #include "core/mesh/product_sum.h"
+#include "strata/planar.h"
 
 namespace strata::planar {
 

@@ -104,8 +104,7 @@ std::uint32_t Nesting::container_of(std::uint32_t vertex) {
 std::uint32_t Nesting::chain_of(std::uint32_t piece) {
   if (chain_.empty()) {
     chain_.resize(a_.pieces.size());
-    for (std::uint32_t c = 0; c < s_.chains.size(); ++c)
-      s_.for_each_piece(c, [&](std::uint32_t k) { chain_[k] = c; });
+    for (std::uint32_t c = 0; c < s_.chains.size(); ++c) s_.for_each_piece(c, [&](std::uint32_t k) { chain_[k] = c; });
   }
   return chain_[piece];
 }

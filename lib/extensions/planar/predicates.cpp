@@ -55,7 +55,9 @@ Sign sign_of_number(const Number& x) {
 
 using BoundedPair = std::array<Bounded, 2>;
 
-BoundedPair bounded_pair(const Places& places, std::uint32_t p) { return {bounded(places, p, 0), bounded(places, p, 1)}; }
+BoundedPair bounded_pair(const Places& places, std::uint32_t p) {
+  return {bounded(places, p, 0), bounded(places, p, 1)};
+}
 
 Bounded turn(const BoundedPair& p, const BoundedPair& q, const BoundedPair& r) {
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);

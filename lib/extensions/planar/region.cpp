@@ -1,7 +1,7 @@
-#include "strata/planar.h"
-
 #include <algorithm>
 #include <map>
+
+#include "strata/planar.h"
 
 namespace strata::planar {
 

@@ -41,9 +41,8 @@ class Sweep {
   bool gather_event() {
     const bool has_end = next_end_ < ends_.size(), has_crossing = !crossings_.empty();
     if (!has_end && !has_crossing) return false;
-    const bool is_end =
-        has_end && (!has_crossing || compare_xy(places_, ends_[next_end_].point, crossings_.front().point) !=
-                                         Sign::positive);
+    const bool is_end = has_end && (!has_crossing || compare_xy(places_, ends_[next_end_].point,
+                                                                crossings_.front().point) != Sign::positive);
     const std::uint32_t point = is_end ? ends_[next_end_].point : crossings_.front().point;
     event_.point = point;
     event_.starting.clear();

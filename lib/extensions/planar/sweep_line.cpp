@@ -55,7 +55,7 @@ SweepLine::Passage SweepLine::move_over(const Event& event) {
 
 /// The bundles that hold the point, and their neighbours.
 void SweepLine::find(const Event& event) {
-  std::uint32_t known = !event.ending.empty()      ? place_of_[event.ending.front()]
+  std::uint32_t known = !event.ending.empty()    ? place_of_[event.ending.front()]
                         : event.crossing != none ? place_of_[event.crossing]
                                                  : none;
   lowest_ = highest_ = none;

@@ -1,13 +1,14 @@
 #include "extensions/scene/box_tree.h"
 
-#include "core/kernel/carriers.h"
-
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "core/kernel/carriers.h"
+#include "extensions/scene/scene_data.h"
 
 namespace strata {
 namespace {
@@ -89,7 +90,7 @@ struct Reference {
 
 class BoxTreeBuilder {
  public:
-  explicit BoxTreeBuilder(const Scene& scene) : carriers_(scene.carriers()) {}
+  explicit BoxTreeBuilder(const Scene& scene) : carriers_(carriers_of(scene)) {}
 
   void build(BoxTree& tree) {
     tree.bounds_ = box_of_all(carriers_);

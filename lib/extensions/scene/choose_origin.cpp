@@ -1,6 +1,3 @@
-#include "core/kernel/carriers.h"
-#include "strata/query.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -10,8 +7,11 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/kernel/carriers.h"
 #include "extensions/scene/origin_sample.h"
+#include "extensions/scene/scene_data.h"
 #include "extensions/scene/sight.h"
+#include "strata/query.h"
 
 namespace strata {
 namespace {
@@ -22,11 +22,11 @@ bool is_finite(const Carriers::Coordinates& p) {
 
 /// Is the origin on no plane of a face? Exact.
 bool sees_no_face_flat(const Scene& scene, const Origin& origin) {
-  const Sight sight(scene.carriers(), origin);
+  const Sight sight(carriers_of(scene), origin);
   std::atomic<bool> flat = false;
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, scene.face_count(), 1024), [&](const auto& range) {
     for (std::uint32_t f = range.begin(); f < range.end() && !flat.load(std::memory_order_relaxed); ++f)
-      if (sight.turn(scene.carriers().face(f)) == Sign::zero) flat = true;
+      if (sight.turn(carriers_of(scene).face(f)) == Sign::zero) flat = true;
   });
   return !flat;
 }

@@ -1,6 +1,3 @@
-#include "core/kernel/carriers.h"
-#include "strata/query.h"
-
 #include <array>
 #include <optional>
 #include <stdexcept>
@@ -8,6 +5,7 @@
 
 #include "core/cells/cell_tree.h"
 #include "core/csg/arena.h"
+#include "core/kernel/carriers.h"
 #include "core/overlap/coincidences.h"
 #include "core/overlap/pairs.h"
 #include "core/round/rounding.h"
@@ -15,6 +13,8 @@
 #include "core/select/split_faces.h"
 #include "core/select/whole_faces.h"
 #include "extensions/scene/common_origin.h"
+#include "extensions/scene/layer_decomposition_data.h"
+#include "strata/query.h"
 
 namespace strata {
 namespace {
@@ -38,7 +38,7 @@ ExactMesh combine_boundaries(const LayerDecomposition& a, const LayerDecompositi
     const ExactMesh& solid = d->scene().solid(0);
     carriers.add(solid.mesh.vertices, solid.mesh.triangles, solid.exact);
   }
-  const std::array<const SignedCovering*, 2> coverings{&a.covering(), &b.covering()};
+  const std::array<const SignedCovering*, 2> coverings{&covering_of(a), &covering_of(b)};
   const CommonOrigin surroundings(carriers, coverings);
   PointTable points(carriers);
   Boundary boundary = evaluate_about_origin(carriers, surroundings, Rule(operation, 2), points, monitor);

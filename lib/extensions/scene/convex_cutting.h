@@ -3,11 +3,9 @@
 #include <vector>
 
 #include "extensions/scene/pieces.h"
-
 #include "strata/query.h"
 
 namespace strata {
-
 
 [[nodiscard]] Rational value_at(const RationalPlane& plane, const RationalPoint& p);
 [[nodiscard]] RationalPlane opposite(const RationalPlane& plane);

@@ -5,11 +5,13 @@
 
 #include "core/kernel/carriers.h"
 #include "extensions/scene/direction_index_builder.h"
+#include "extensions/scene/scene_data.h"
 
 namespace strata {
 
 DirectionIndex::DirectionIndex(const Scene& scene, const Origin& origin)
-    : charts_of_(origin, scene.carriers().vertex_count() == 0 ? Carriers::Coordinates{} : scene.carriers().vertex(0)) {
+    : charts_of_(origin,
+                 carriers_of(scene).vertex_count() == 0 ? Carriers::Coordinates{} : carriers_of(scene).vertex(0)) {
   DirectionIndexBuilder(scene, origin, *this).build();
 }
 

@@ -10,6 +10,7 @@
 #include "core/cells/face_blocks.h"
 #include "core/kernel/approximation.h"
 #include "extensions/scene/closed_face.h"
+#include "extensions/scene/scene_data.h"
 
 namespace strata {
 namespace {
@@ -46,7 +47,7 @@ void DirectionIndexBuilder::build() {
 }
 
 void DirectionIndexBuilder::find_faces_at_origin() {
-  const Carriers& carriers = scene_.carriers();
+  const Carriers& carriers = carriers_of(scene_);
   at_origin_.assign(carriers.face_count(), false);
   if (!origin_.is_point()) return;
   const Point o = Point::free(origin_.at);
@@ -60,7 +61,7 @@ void DirectionIndexBuilder::find_faces_at_origin() {
 /// Per chart, by increasing face.
 std::vector<std::vector<DirectionIndexBuilder::Span>> DirectionIndexBuilder::find_spans() const {
   const std::size_t charts = index_.charts_of_.count();
-  const Carriers& carriers = scene_.carriers();
+  const Carriers& carriers = carriers_of(scene_);
   const auto blocks = face_blocks(carriers);
   std::vector<std::vector<std::vector<Span>>> parts(blocks.size(), std::vector<std::vector<Span>>(charts));
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
@@ -76,18 +77,18 @@ std::vector<std::vector<DirectionIndexBuilder::Span>> DirectionIndexBuilder::fin
 }
 
 std::array<ChartVector, 3> DirectionIndexBuilder::corners(std::size_t chart, std::uint32_t face) const {
-  const auto v = scene_.carriers().face(face);
+  const auto v = carriers_of(scene_).face(face);
   std::array<ChartVector, 3> p;
   for (std::size_t i = 0; i < 3; ++i)
-    p[i] = index_.charts_of_.at(chart, approximate_vertex<Bounded>(scene_.carriers(), v[i]));
+    p[i] = index_.charts_of_.at(chart, approximate_vertex<Bounded>(carriers_of(scene_), v[i]));
   return p;
 }
 
 /// The least depth of the corners, rounded down.
 float DirectionIndexBuilder::nearest(std::size_t chart, std::uint32_t face) const {
   double least = HUGE_VAL;
-  for (const std::uint32_t v : scene_.carriers().face(face)) {
-    const double depth = index_.charts_of_.depth(chart, approximate_vertex<Bounded>(scene_.carriers(), v)).lower();
+  for (const std::uint32_t v : carriers_of(scene_).face(face)) {
+    const double depth = index_.charts_of_.depth(chart, approximate_vertex<Bounded>(carriers_of(scene_), v)).lower();
     least = std::isfinite(depth) ? std::min(least, depth) : -HUGE_VAL;
   }
   constexpr float low = -std::numeric_limits<float>::infinity();

@@ -1,6 +1,3 @@
-#include "core/kernel/carriers.h"
-#include "strata/query.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -8,31 +5,20 @@
 #include "core/cells/walk.h"
 #include "extensions/scene/closed_face.h"
 #include "extensions/scene/dominance.h"
+#include "extensions/scene/layer_decomposition_data.h"
 #include "extensions/scene/location.h"
-#include "extensions/scene/painters_order.h"
-#include "extensions/scene/signed_covering.h"
+#include "extensions/scene/scene_data.h"
 
 namespace strata {
 
-struct LayerDecomposition::Data {
-  explicit Data(SignedCovering c) : covering(std::move(c)), pieces(covering.scene()) {}
-  SignedCovering covering;
-  Pieces pieces;
-  LayerOrder order;
-  std::vector<std::uint32_t> sorted, first;  ///< pieces by layer; where each layer begins
-  std::uint64_t pairs_tested = 0;
-};
-
 const Scene& LayerDecomposition::scene() const { return data_->covering.scene(); }
 const Origin& LayerDecomposition::origin() const { return data_->covering.origin(); }
-const SignedCovering& LayerDecomposition::covering() const { return data_->covering; }
-const Pieces& LayerDecomposition::pieces() const { return data_->pieces; }
 std::uint32_t LayerDecomposition::layer_count() const { return data_->order.layer_count; }
 std::uint32_t LayerDecomposition::piece_count() const { return data_->pieces.count(); }
 std::uint32_t LayerDecomposition::layer(std::uint32_t piece) const { return data_->order.layer[piece]; }
 bool LayerDecomposition::is_replaced(std::uint32_t piece) const { return data_->pieces.is_replaced(piece); }
 std::uint32_t LayerDecomposition::face_of(std::uint32_t piece) const { return data_->pieces.face_of(piece); }
-int LayerDecomposition::sign(std::uint32_t piece) const { return -to_int(covering().turn(face_of(piece))); }
+int LayerDecomposition::sign(std::uint32_t piece) const { return -to_int(data_->covering.turn(face_of(piece))); }
 std::span<const std::uint32_t> LayerDecomposition::back_to_front() const { return data_->sorted; }
 std::uint32_t LayerDecomposition::cuts_at_crossings() const { return data_->order.cuts_at_crossings; }
 std::uint32_t LayerDecomposition::cuts_of_cycles() const { return data_->order.cuts_of_cycles; }
@@ -43,7 +29,7 @@ LayerDecomposition::LayerDecomposition(Scene scene, const Origin& origin, const 
   const auto data = std::make_shared<Data>(SignedCovering(std::move(scene), origin, true));
   SignedCovering& covering = data->covering;
   monitor.report(0.3);
-  const Sight sight(covering.scene().carriers(), origin);
+  const Sight sight(carriers_of(covering.scene()), origin);
   Dominance dominance = find_dominance(sight, covering.index(), covering.turns(), monitor);
   covering.index().forget_footprints();
   data->pairs_tested = dominance.pairs_tested;
@@ -79,7 +65,7 @@ std::span<const std::uint32_t> LayerDecomposition::dominators(std::uint32_t piec
 
 std::size_t LayerDecomposition::bytes() const {
   const LayerOrder& o = data_->order;
-  return covering().bytes() +
+  return data_->covering.bytes() +
          sizeof(std::uint32_t) * (o.layer.size() + o.first.size() + o.dominators.size() + data_->sorted.size());
 }
 
@@ -87,12 +73,12 @@ namespace {
 
 /// Winding numbers at q by a walk from infinity past all faces; none if q lies on the surface.
 std::optional<Windings> walk_past_all(const Scene& scene, const Vertex& q) {
-  const Carriers& carriers = scene.carriers();
+  const Carriers& carriers = carriers_of(scene);
   const Point point = Point::free(q);
   Windings windings;
   for (std::uint32_t f = 0; f < scene.face_count(); ++f) {
     if (is_on_closed_face(carriers, f, point)) return std::nullopt;
-    windings.add(scene.solid_of(f), crossing_from_infinity(carriers, f, {3, -7, 11}, point));
+    windings.add(carriers.operand_of_face(f), crossing_from_infinity(carriers, f, {3, -7, 11}, point));
   }
   return windings;
 }
@@ -100,7 +86,7 @@ std::optional<Windings> walk_past_all(const Scene& scene, const Vertex& q) {
 /// Doubles spread over the scene by a fixed sequence (Weyl's).
 Vertex sample_point(const Scene& scene, std::size_t n) {
   constexpr std::array<double, 3> step{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
-  const auto& carriers = scene.carriers();
+  const auto& carriers = carriers_of(scene);
   Vertex q{};
   for (std::size_t i = 0; i < 3; ++i) {
     double low = HUGE_VAL, high = -HUGE_VAL;
@@ -137,7 +123,7 @@ std::vector<std::string> LayerDecomposition::validate(std::size_t samples) const
   for (std::size_t n = 0; n < samples && scene().face_count() != 0; ++n) {
     const Vertex q = sample_point(scene(), n);
     const auto windings = walk_past_all(scene(), q);
-    if (windings && !(covering().locate(q).windings == numbers_of(*windings)))
+    if (windings && !(data_->covering.locate(q).windings == numbers_of(*windings)))
       wrong.push_back("the covering does not sum to the winding numbers at sample " + std::to_string(n));
   }
   return wrong;

@@ -1,6 +1,3 @@
-#include "core/kernel/carriers.h"
-#include "strata/query.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -8,15 +5,18 @@
 
 #include "core/cells/cell_tree.h"
 #include "core/cells/walk.h"
+#include "core/kernel/carriers.h"
 #include "extensions/scene/location.h"
+#include "extensions/scene/scene_data.h"
 #include "extensions/scene/walk_step.h"
+#include "strata/query.h"
 
 namespace strata {
 
 struct Locator::Data {
   Data(Scene s, const Monitor& monitor)
       : scene(std::move(s)),
-        cells(scene.carriers(), {.self = true, .everywhere = true, .leaf_faces = 12, .monitor = monitor}) {}
+        cells(carriers_of(scene), {.self = true, .everywhere = true, .leaf_faces = 12, .monitor = monitor}) {}
 
   Scene scene;
   CellTree cells;
@@ -25,7 +25,7 @@ struct Locator::Data {
   /// be met.
   template <class Start, class Step>
   void walk(const Vertex& q, const Start& start, const Step& step) const {
-    const Carriers& carriers = scene.carriers();
+    const Carriers& carriers = carriers_of(scene);
     const auto target = cells.grid().at(q);
     const Cell& cell = cells.cells()[cells.cell_at(target)];
     start(*cell.windings);
@@ -63,7 +63,7 @@ Where Locator::membership(const Vertex& q) const {
         q, [&](const Windings& windings) { w = windings; },
         [&](std::uint32_t face, const WalkStep& step) {
           on = on || step.on;
-          w.add(scene().solid_of(face), step.change);
+          w.add(carriers_of(data_->scene).operand_of_face(face), step.change);
         });
     in = w.begin() != w.end();
   }
@@ -76,8 +76,9 @@ Location Locator::locate(const Vertex& q) const {
   data_->walk(
       q, [&](const Windings& w) { windings = w; },
       [&](std::uint32_t face, const WalkStep& step) {
-        windings.add(scene().solid_of(face), step.change);
-        if (step.on) faces.push_back({scene().solid_of(face), face});
+        const std::uint32_t solid = carriers_of(data_->scene).operand_of_face(face);
+        windings.add(solid, step.change);
+        if (step.on) faces.push_back({solid, face});
       });
   return location_of(std::move(windings), std::move(faces));
 }

@@ -1,9 +1,10 @@
 #include "extensions/scene/origin_sample.h"
 
-#include "core/kernel/carriers.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "core/kernel/carriers.h"
+#include "extensions/scene/scene_data.h"
 
 namespace strata {
 namespace {
@@ -54,7 +55,7 @@ struct Cone {
 
 OriginSample::OriginSample(const Scene& scene) {
   find_frame(scene);
-  const Carriers& carriers = scene.carriers();
+  const Carriers& carriers = carriers_of(scene);
   const std::uint64_t all = carriers.face_count(), count = std::min<std::uint64_t>(all, most_faces);
   for (std::uint64_t i = 0; i < count; ++i) {
     const auto v = carriers.face(static_cast<std::uint32_t>(i * all / count));

@@ -104,11 +104,11 @@ std::uint32_t Pieces::add_point(const RationalPoint& p) {
   const auto number = static_cast<std::uint32_t>(points_.size());
   points_.push_back({to_nearest_double(p[0]), to_nearest_double(p[1]), to_nearest_double(p[2])});
   if (rational(points_.back()) != p) exact_.push_back({number, p});
-  return scene_.carriers().vertex_count() + number;
+  return carriers_of(scene_).vertex_count() + number;
 }
 
 void Pieces::renew_carriers() {
-  carriers_ = scene_.carriers();
+  carriers_ = carriers_of(scene_);
   carriers_.add(points_, {}, exact_);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/kernel/carriers.h"
+#include "extensions/scene/scene_data.h"
 #include "extensions/scene/sight.h"
 #include "strata/query.h"
 
@@ -19,11 +20,11 @@ struct RationalPlane {
 /// into. A piece that was cut is replaced by its parts. Cuts are exact: new corners are rational points.
 class Pieces {
  public:
-  explicit Pieces(const Scene& scene) : scene_(scene), carriers_(scene.carriers()) {}
+  explicit Pieces(const Scene& scene) : scene_(scene), carriers_(carriers_of(scene)) {}
   Pieces(const Pieces&) = delete;
   Pieces& operator=(const Pieces&) = delete;
 
-  [[nodiscard]] std::uint32_t face_count() const { return scene_.face_count(); }
+  [[nodiscard]] std::uint32_t face_count() const { return carriers_of(scene_).face_count(); }
   [[nodiscard]] std::uint32_t count() const { return face_count() + static_cast<std::uint32_t>(parts_.size()); }
   [[nodiscard]] Corners corners(std::uint32_t p) const {
     return p < face_count() ? carriers_.face(p) : parts_[p - face_count()].corners;

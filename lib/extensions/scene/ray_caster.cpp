@@ -1,6 +1,3 @@
-#include "core/kernel/carriers.h"
-#include "strata/query.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -8,9 +5,13 @@
 #include <boost/container/small_vector.hpp>
 #include <cmath>
 
+#include "core/kernel/carriers.h"
 #include "extensions/scene/box_tree.h"
+#include "extensions/scene/ray_caster_data.h"
 #include "extensions/scene/ray_events.h"
 #include "extensions/scene/ray_line.h"
+#include "extensions/scene/scene_data.h"
+#include "strata/query.h"
 
 namespace strata {
 namespace {
@@ -45,6 +46,7 @@ void in_parallel(std::size_t count, const Ask& ask) {
   });
 }
 
+/// An event and a hit to take its place from.
 struct Found {
   FaceHit hit;
   std::uint32_t face = 0, solid = 0;
@@ -63,55 +65,44 @@ RoundedHit rounded(const RayLine& line, Found& found) {
   return {t, place, found.face, found.solid, found.passage};
 }
 
-}  // namespace
-
-struct RayCaster::Data {
-  explicit Data(Scene s) : scene_(std::move(s)), tree_(scene_) {}
-
-  [[nodiscard]] std::optional<Found> find_first(const RayLine& line) const;
-  [[nodiscard]] std::vector<Found> find_all(const RayLine& line) const;
-
-  Scene scene_;
-  BoxTree tree_;
-};
-
-RayCaster::RayCaster(Scene scene) : data_(std::make_shared<const Data>(std::move(scene))) {}
-const Scene& RayCaster::scene() const { return data_->scene_; }
-const BoxTree& RayCaster::tree() const { return data_->tree_; }
+std::vector<Found> find_all(const RayCaster::Data& data, const RayLine& line) {
+  std::vector<FaceHit> hits;
+  data.tree.for_each_along(line.slabs(data.tree.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
+    for (const std::uint32_t f : faces) line.meet(f, [&](FaceHit&& hit) { hits.push_back(std::move(hit)); });
+    return line.end();
+  });
+  std::vector<Found> all;
+  for (const RayEvent& e : events_of(data.scene, line, hits))
+    all.push_back({std::move(hits[e.hit]), e.face, e.solid, e.passage});
+  return all;
+}
 
 /// A hit by itself inside a face is an event as it stands, and so are hits that are no stretches, by the sum of their
 /// changes. What lies behind a stretch takes all events to tell.
-std::optional<Found> RayCaster::Data::find_first(const RayLine& line) const {
+std::optional<Found> find_first(const RayCaster::Data& data, const RayLine& line) {
   NearestHits nearest;
-  tree_.for_each_along(line.slabs(tree_.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
+  data.tree.for_each_along(line.slabs(data.tree.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
     for (const std::uint32_t f : faces) line.meet(f, [&](FaceHit&& hit) { nearest.take(std::move(hit)); });
     return nearest.limit();
   });
   auto& hits = nearest.finish();
   if (hits.empty()) return std::nullopt;
   if (hits.size() == 1 && hits[0].is_inside)
-    return Found{std::move(hits[0]), hits[0].face, scene_.solid_of(hits[0].face),
+    return Found{std::move(hits[0]), hits[0].face, carriers_of(data.scene).operand_of_face(hits[0].face),
                  hits[0].change > 0 ? Passage::entering : Passage::leaving};
-  std::vector<Found> all = find_all(line);
+  std::vector<Found> all = find_all(data, line);
   return std::move(all.front());
 }
 
-std::vector<Found> RayCaster::Data::find_all(const RayLine& line) const {
-  std::vector<FaceHit> hits;
-  tree_.for_each_along(line.slabs(tree_.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
-    for (const std::uint32_t f : faces) line.meet(f, [&](FaceHit&& hit) { hits.push_back(std::move(hit)); });
-    return line.end();
-  });
-  std::vector<Found> all;
-  for (const RayEvent& e : events_of(scene_, line, hits))
-    all.push_back({std::move(hits[e.hit]), e.face, e.solid, e.passage});
-  return all;
-}
+}  // namespace
+
+RayCaster::RayCaster(Scene scene) : data_(std::make_shared<const Data>(std::move(scene))) {}
+const Scene& RayCaster::scene() const { return data_->scene; }
 
 bool RayCaster::any(const Segment& segment) const {
-  const RayLine line(data_->scene_.carriers(), segment);
+  const RayLine line(carriers_of(data_->scene), segment);
   bool found = false;
-  data_->tree_.for_each_along(line.slabs(data_->tree_.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
+  data_->tree.for_each_along(line.slabs(data_->tree.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
     for (const std::uint32_t f : faces) line.meet(f, [&](FaceHit&&) { found = true; });
     return found ? -1 : line.end();
   });
@@ -119,28 +110,28 @@ bool RayCaster::any(const Segment& segment) const {
 }
 
 std::optional<RayHit> RayCaster::first(const Ray& ray) const {
-  const RayLine line(data_->scene_.carriers(), ray);
-  auto found = data_->find_first(line);
+  const RayLine line(carriers_of(data_->scene), ray);
+  auto found = find_first(*data_, line);
   return found ? std::optional(exact(line, *found)) : std::nullopt;
 }
 
 std::optional<RoundedHit> RayCaster::first_rounded(const Ray& ray) const {
-  const RayLine line(data_->scene_.carriers(), ray);
-  auto found = data_->find_first(line);
+  const RayLine line(carriers_of(data_->scene), ray);
+  auto found = find_first(*data_, line);
   return found ? std::optional(rounded(line, *found)) : std::nullopt;
 }
 
 std::vector<RayHit> RayCaster::all(const Ray& ray) const {
-  const RayLine line(data_->scene_.carriers(), ray);
+  const RayLine line(carriers_of(data_->scene), ray);
   std::vector<RayHit> hits;
-  for (Found& f : data_->find_all(line)) hits.push_back(exact(line, f));
+  for (Found& f : find_all(*data_, line)) hits.push_back(exact(line, f));
   return hits;
 }
 
 std::vector<RoundedHit> RayCaster::all_rounded(const Ray& ray) const {
-  const RayLine line(data_->scene_.carriers(), ray);
+  const RayLine line(carriers_of(data_->scene), ray);
   std::vector<RoundedHit> hits;
-  for (Found& f : data_->find_all(line)) hits.push_back(rounded(line, f));
+  for (Found& f : find_all(*data_, line)) hits.push_back(rounded(line, f));
   return hits;
 }
 

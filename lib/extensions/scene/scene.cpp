@@ -1,6 +1,3 @@
-#include "core/kernel/carriers.h"
-#include "strata/query.h"
-
 #include <tbb/parallel_for.h>
 
 #include <atomic>
@@ -8,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/kernel/predicates.h"
+#include "extensions/scene/scene_data.h"
 #include "strata/errors.h"
 
 namespace strata {
@@ -50,11 +48,6 @@ void check_faces(const Carriers& carriers) {
 
 }  // namespace
 
-struct Scene::Data {
-  std::vector<ExactMesh> solids;
-  Carriers carriers;
-};
-
 std::uint32_t Scene::solid_count() const { return data_->carriers.operand_count(); }
 std::uint32_t Scene::face_count() const { return data_->carriers.face_count(); }
 const ExactMesh& Scene::solid(std::uint32_t i) const { return data_->solids[i]; }
@@ -62,7 +55,6 @@ std::uint32_t Scene::solid_of(std::uint32_t face) const { return data_->carriers
 std::uint32_t Scene::local(std::uint32_t face) const {
   return face - data_->carriers.first_face(data_->carriers.operand_of_face(face));
 }
-const Carriers& Scene::carriers() const { return data_->carriers; }
 
 Scene::Scene(std::vector<ExactMesh> solids) {
   const auto data = std::make_shared<Data>();

@@ -1,7 +1,7 @@
-#include "strata/query.h"
-
 #include <utility>
 #include <vector>
+
+#include "strata/query.h"
 
 namespace strata {
 

@@ -1,16 +1,14 @@
-#include "core/kernel/carriers.h"
-#include "strata/query.h"
-
-#include "core/kernel/predicates.h"
-#include "extensions/scene/pieces.h"
-#include "extensions/scene/signed_covering.h"
-
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "core/kernel/predicates.h"
+#include "extensions/scene/layer_decomposition_data.h"
+#include "extensions/scene/scene_data.h"
+#include "strata/query.h"
 
 namespace strata {
 namespace {
@@ -52,8 +50,8 @@ bool are_coplanar(const Carriers& carriers, std::uint32_t f, std::uint32_t g) {
 
 /// What a drawing shows an edge as, by the faces around it; nothing for edges within a plane or a smooth surface.
 std::optional<EdgeKind> kind_of(const Visibility& visibility, std::span<const Side> sides, double crease_cosine) {
-  const SignedCovering& covering = visibility.decomposition().covering();
-  const Carriers& carriers = covering.scene().carriers();
+  const SignedCovering& covering = covering_of(visibility.decomposition());
+  const Carriers& carriers = carriers_of(covering.scene());
   if (sides.size() == 1) return EdgeKind::outline;
   const auto turn = [&](std::size_t i) { return covering.turn(sides[i].face); };
   if (sides.size() > 2) return EdgeKind::crease;
@@ -83,7 +81,7 @@ std::vector<Stretch> united(std::vector<Stretch> stretches) {
 
 std::vector<SeenEdge> find_seen_edges(const Visibility& visibility, double crease_angle, const Monitor& monitor) {
   const double crease_cosine = std::cos(crease_angle * 3.14159265358979323846 / 180);
-  const auto sides = sorted_sides(visibility.decomposition().scene().carriers());
+  const auto sides = sorted_sides(carriers_of(visibility.decomposition().scene()));
   std::vector<std::size_t> first;
   for (std::size_t i = 0; i < sides.size(); ++i)
     if (i == 0 || sides[i].a != sides[i - 1].a || sides[i].b != sides[i - 1].b) first.push_back(i);

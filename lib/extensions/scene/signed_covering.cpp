@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "core/cells/walk.h"
+#include "extensions/scene/scene_data.h"
 #include "extensions/scene/sight.h"
 
 namespace strata {
@@ -27,7 +28,7 @@ const Origin& checked(const Origin& origin) {
 SignedCovering::SignedCovering(Scene scene, const Origin& origin, bool keep_footprints)
     : scene_(std::move(scene)), origin_(checked(origin)), index_(scene_, origin_) {
   if (!keep_footprints) index_.forget_footprints();
-  const Carriers& carriers = scene_.carriers();
+  const Carriers& carriers = carriers_of(scene_);
   const Sight sight(carriers, origin_);
   turns_.resize(carriers.face_count());
   starts_.resize(carriers.face_count());
@@ -42,7 +43,7 @@ SignedCovering::SignedCovering(Scene scene, const Origin& origin, bool keep_foot
 }
 
 void SignedCovering::make_cones() {
-  const Carriers& carriers = scene_.carriers();
+  const Carriers& carriers = carriers_of(scene_);
   if (!origin_.is_point() || carriers.has_rationals()) return;
   double largest = 0;
   for (std::uint32_t s = 0; s < scene_.solid_count(); ++s)
@@ -58,8 +59,8 @@ void SignedCovering::make_cones() {
 }
 
 int SignedCovering::crossing(std::uint32_t face, const Point& q) const {
-  return origin_.is_point() ? strata::crossing(scene_.carriers(), face, origin_.at, q)
-                            : crossing_from_infinity(scene_.carriers(), face, origin_.at, q);
+  return origin_.is_point() ? strata::crossing(carriers_of(scene_), face, origin_.at, q)
+                            : crossing_from_infinity(carriers_of(scene_), face, origin_.at, q);
 }
 
 /// Calls `visit` for every face that the walk to q may cross or end on.
@@ -89,7 +90,8 @@ void SignedCovering::find_windings_of_origin() {
     }
   if (!found) throw std::invalid_argument("the scene leaves no double outside of it");
   const Point q = Point::free(far);
-  for_each_face_of_walk(far, [&](std::uint32_t f) { at_origin_.add(scene_.solid_of(f), -crossing(f, q)); });
+  for_each_face_of_walk(
+      far, [&](std::uint32_t f) { at_origin_.add(carriers_of(scene_).operand_of_face(f), -crossing(f, q)); });
 }
 
 /// A look in floats first.
@@ -103,7 +105,7 @@ WalkStep SignedCovering::step(std::uint32_t face, const Vertex& vertex, const Po
         break;
     }
   return walk_step(
-      scene_.carriers(), face, vertex, q, [&](const FilteredPlane&) { return to_int(starts_[face]); },
+      carriers_of(scene_), face, vertex, q, [&](const FilteredPlane&) { return to_int(starts_[face]); },
       [&] { return crossing(face, q); });
 }
 
@@ -124,7 +126,7 @@ Where SignedCovering::membership(const Vertex& q) const {
   for_each_face_of_walk(q, [&](std::uint32_t f) {
     const WalkStep s = step(f, q, point, ray);
     on = on || s.on;
-    w.add(scene_.solid_of(f), s.change);
+    w.add(carriers_of(scene_).operand_of_face(f), s.change);
   });
   if (on) return Where::on;
   return w.begin() == w.end() ? Where::out : Where::in;
@@ -137,8 +139,8 @@ Location SignedCovering::locate(const Vertex& q) const {
   std::vector<Contact> faces;
   for_each_face_of_walk(q, [&](std::uint32_t f) {
     const WalkStep s = step(f, q, point, ray);
-    windings.add(scene_.solid_of(f), s.change);
-    if (s.on) faces.push_back({scene_.solid_of(f), f});
+    windings.add(carriers_of(scene_).operand_of_face(f), s.change);
+    if (s.on) faces.push_back({carriers_of(scene_).operand_of_face(f), f});
   });
   return location_of(std::move(windings), std::move(faces));
 }

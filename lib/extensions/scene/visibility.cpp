@@ -1,16 +1,16 @@
-#include "core/kernel/carriers.h"
-#include "strata/query.h"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
+#include "core/kernel/carriers.h"
 #include "extensions/scene/convex_cutting.h"
+#include "extensions/scene/layer_decomposition_data.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/sight.h"
 #include "extensions/scene/signed_covering.h"
+#include "strata/query.h"
 
 namespace strata {
 namespace {
@@ -49,7 +49,7 @@ struct Visibility::Data {
 };
 
 Visibility::Data::Data(LayerDecomposition decomposition)
-    : decomposition_(std::move(decomposition)), sight_(decomposition_.pieces().carriers(), decomposition_.origin()) {
+    : decomposition_(std::move(decomposition)), sight_(pieces_of(decomposition_).carriers(), decomposition_.origin()) {
   // The dominators of a piece turned around: for every face the pieces that one of its own dominates.
   const LayerDecomposition& d = decomposition_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
@@ -69,8 +69,8 @@ Visibility::Data::Data(LayerDecomposition decomposition)
 /// The stretch of the edge ab of a face that a piece before some of the face hides: what lies within its rim and beyond
 /// its plane. Where the edge runs along the rim as seen, or in the plane, the face's own side of it decides.
 bool Visibility::Data::hides(std::uint32_t piece, std::uint32_t face, std::uint32_t a, std::uint32_t b,
-                       Stretch& hidden) const {
-  const Pieces& pieces = decomposition_.pieces();
+                             Stretch& hidden) const {
+  const Pieces& pieces = pieces_of(decomposition_);
   const Corners q = pieces.corners(piece), f = pieces.corners(face);
   const std::uint32_t c = f[0] != a && f[0] != b ? f[0] : f[1] != a && f[1] != b ? f[1] : f[2];
   const Sign turn = sight_.turn(q);
@@ -104,7 +104,7 @@ bool Visibility::Data::hides(std::uint32_t piece, std::uint32_t face, std::uint3
 }
 
 std::vector<Stretch> Visibility::Data::seen_along(std::uint32_t face, std::uint32_t a, std::uint32_t b) const {
-  if (decomposition_.covering().turn(face) == Sign::zero) return {};
+  if (covering_of(decomposition_).turn(face) == Sign::zero) return {};
   std::vector<Stretch> hidden;
   for (const std::uint32_t p : before(face)) {
     Stretch h;
@@ -117,7 +117,7 @@ std::vector<Stretch> Visibility::Data::seen_along(std::uint32_t face, std::uint3
 
 /// Is all of the face within the rim of the piece, as seen, and beyond its plane?
 bool Visibility::Data::covers(std::uint32_t piece, std::uint32_t face) const {
-  const Pieces& pieces = decomposition_.pieces();
+  const Pieces& pieces = pieces_of(decomposition_);
   const Corners q = pieces.corners(piece);
   const Sign turn = sight_.turn(q);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -132,7 +132,7 @@ bool Visibility::Data::covers(std::uint32_t piece, std::uint32_t face) const {
 
 /// The planes of sight through a piece's edges and its own plane if it cuts the face, positive where the piece hides.
 std::vector<RationalPlane> Visibility::Data::shadow(std::uint32_t piece, std::uint32_t face) const {
-  const Pieces& pieces = decomposition_.pieces();
+  const Pieces& pieces = pieces_of(decomposition_);
   const Corners q = pieces.corners(piece);
   const Sign turn = sight_.turn(q);
   std::vector<RationalPlane> planes;
@@ -152,10 +152,10 @@ std::vector<RationalPlane> Visibility::Data::shadow(std::uint32_t piece, std::ui
 }
 
 std::vector<ExactPolygon> Visibility::Data::seen_region(std::uint32_t face) const {
-  if (decomposition_.covering().turn(face) == Sign::zero) return {};
+  if (covering_of(decomposition_).turn(face) == Sign::zero) return {};
   for (const std::uint32_t p : before(face))
     if (covers(p, face)) return {};
-  const Pieces& pieces = decomposition_.pieces();
+  const Pieces& pieces = pieces_of(decomposition_);
   const Corners f = pieces.corners(face);
   std::vector<ExactPolygon> seen{{pieces.position(f[0]), pieces.position(f[1]), pieces.position(f[2])}};
   for (const std::uint32_t p : before(face)) {

@@ -60,7 +60,7 @@ void measure(const char* first, const char* second, int runs) {
     if (run >= 0) seconds += (run == 0 ? "" : ", ") + std::to_string(time.count());
   }
   std::printf("{\"seconds\": [%s], \"nodes\": %zu, \"volume\": %.17g, \"area\": %.17g}\n", seconds.c_str(),
-              sum.tree().nodes.size(), strata::to_nearest_double(*strata::bsp::size(sum)),
+              strata::bsp::size_of_tree(sum).nodes, strata::to_nearest_double(*strata::bsp::size(sum)),
               strata::bsp::boundary_size(sum));
 }
 

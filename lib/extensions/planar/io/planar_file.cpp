@@ -1,11 +1,10 @@
-#include "strata/planar.h"
-
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "core/io/file.h"
 #include "extensions/planar/io/scanner.h"
+#include "strata/planar.h"
 
 namespace strata::planar {
 namespace {

@@ -280,8 +280,8 @@ class DocumentReader {
   }
 
  private:
-  static constexpr std::array<std::string_view, 8> unread{"polygon", "rect", "circle", "ellipse",
-                                                          "polyline", "text", "image", "use"};
+  static constexpr std::array<std::string_view, 8> unread{"polygon",  "rect", "circle", "ellipse",
+                                                          "polyline", "text", "image",  "use"};
   static constexpr std::array<std::string_view, 6> hiding{"defs", "symbol", "clipPath", "mask", "pattern", "marker"};
 
   /// True inside of elements that are not drawn where they are.
