@@ -56,12 +56,14 @@ struct BooleanResult {
 [[nodiscard]] BooleanResult combine(const Formula& formula, std::span<const Operand> operands,
                                     const Options& options = {});
 
-/// Another way to compute what `combine` does, exact and with mathematics of its own. Extensions bring them:
-/// `bsp_engine` (bsp.h), `layer_engine` (query.h). Every engine gives the same solid as a point set, for any number of
-/// threads.
+/// Another way to compute what `combine` computes, exact and with mathematics of its own. Extensions provide engines:
+/// `bsp_engine` (bsp.h), `layer_engine` (query.h). Every engine gives the same solid as a point set, and the same bytes
+/// for any number of threads.
 struct Engine {
   const char* name;  ///< as on the command line
   BooleanResult (*combine)(Operation operation, std::span<const Operand> operands, const Options& options);
+  /// The same for a bounded formula; null if the engine has only the four operations.
+  BooleanResult (*evaluate)(const Formula& formula, std::span<const Operand> operands, const Options& options);
 };
 
 }  // namespace strata

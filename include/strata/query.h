@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "strata/combine.h"
 #include "strata/mesh.h"
 #include "strata/options.h"
 #include "strata/rational.h"
@@ -298,6 +299,12 @@ class LayerDecomposition {
 /// std::invalid_argument (different origins, not one solid each), Cancelled.
 [[nodiscard]] LayerDecomposition combine(const LayerDecomposition& a, const LayerDecomposition& b, Operation operation,
                                          const Options& options = {});
+
+/// Booleans and formulas by layers: the signed coverings of all operands about one common origin (`choose_origin`) say
+/// how often a point lies in each operand, in place of the cells of the arrangement. Faces are split along each other
+/// by the same exact predicates. Give it as Options::engine. Throws what `choose_origin` throws, besides.
+/// Source: Rueda, Feito, Ortega, "Layer-based decomposition of solids".
+extern const Engine layer_engine;
 
 /// A convex polygon in space, counter-clockwise like the face that it is in.
 using ExactPolygon = std::vector<RationalPoint>;

@@ -7,6 +7,8 @@
 #include "chain.h"
 #include "command_line.h"
 #include "settings.h"
+#include "strata/bsp.h"
+#include "strata/query.h"
 #include "verbs.h"
 
 namespace {
@@ -16,7 +18,7 @@ void add_boolean(CommandLine& line, strata::Operation operation, const char* nam
   CLI::App* verb = line.app.add_subcommand(name, what);
   add_common_options(*verb, settings, 2, 0);
   add_input_class(*verb, settings);
-  add_engine(*verb, settings);
+  add_engine(*verb, settings, {&strata::bsp_engine, &strata::layer_engine});
   add_output_options(*verb, settings);
   verb->footer(fmt::format("Example:\n  strata {} A.stl B.stl -o OUT.stl\n\n{}", name, exit_codes));
   line.on(*verb, [&settings, operation, name] { return run_boolean(operation, name, settings); });
@@ -34,6 +36,7 @@ void add_eval(CommandLine& line) {
       "Round what a model transforms to doubles, once; else it is exact");
   add_run_options(*verb, settings);
   add_input_class(*verb, settings);
+  add_engine(*verb, settings, {&strata::layer_engine});
   add_output_options(*verb, settings);
   verb->footer(fmt::format(
       R"text(Operators, the strongest first: ~a (all but a; ! is the same), a - b and a + b (union), a & b, a ^ b (in one of them),

@@ -7,6 +7,7 @@
 #include "command_line.h"
 #include "draw.h"
 #include "settings.h"
+#include "strata/bsp.h"
 #include "verbs.h"
 
 namespace {
@@ -129,7 +130,7 @@ void add_locate(CommandLine& line) {
       line.app.add_subcommand("locate", "Which points are in, on or out of solids, in which and on which faces?");
   add_common_options(*verb, settings, 1, 0);
   add_input_class(*verb, settings);
-  add_engine(*verb, settings);
+  add_engine(*verb, settings, {&strata::bsp_engine});
   verb->add_option("--points", settings.points,
                    "The points: CSV with the columns x,y,z, or PLY; - is standard input (CSV)")
       ->required()

@@ -128,6 +128,7 @@ strata::Solid evaluate(const strata::Expression& expression, const Settings& set
   ProgressBar bar(settings.progress, settings.quiet);
   strata::Options options;
   options.threads = settings.threads;
+  options.engine = settings.engine;
   options.progress = [&bar](double fraction) { bar.show(fraction); };
   options.cancel = &watch.token();
   try {

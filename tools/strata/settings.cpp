@@ -3,8 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
+#include <string>
 
-#include "strata/bsp.h"
+#include "strata/combine.h"
 
 void add_common_options(CLI::App& verb, Settings& settings, int least, int most) {
   verb.add_option("MESH", settings.operands, "Mesh files; - is standard input")
@@ -25,15 +26,15 @@ void add_run_options(CLI::App& verb, Settings& settings) {
   verb.add_flag("-q,--quiet", settings.quiet, "Errors only");
 }
 
-void add_engine(CLI::App& verb, Settings& settings) {
-  const std::map<std::string, const strata::Engine*> engines = {{"arrangement", nullptr},
-                                                                {strata::bsp_engine.name, &strata::bsp_engine}};
+void add_engine(CLI::App& verb, Settings& settings, std::initializer_list<const strata::Engine*> engines) {
+  std::map<std::string, const strata::Engine*> by_name = {{"arrangement", nullptr}};
+  for (const strata::Engine* e : engines) by_name.emplace(e->name, e);
   verb.add_option_function<std::string>(
-          "--engine", [&settings, engines](const std::string& word) { settings.engine = engines.at(word); },
-          "What computes the answer: arrangement, for all sizes, or bsp, binary space partitions; the answer is the "
-          "same")
+          "--engine", [&settings, by_name](const std::string& word) { settings.engine = by_name.at(word); },
+          "What computes the answer, which is the same: arrangement, for all sizes; bsp, binary space partitions; "
+          "layers, signed coverings about an origin")
       ->type_name("ENGINE")
-      ->check(CLI::IsMember(engines))
+      ->check(CLI::IsMember(by_name))
       ->default_str("arrangement");
 }
 

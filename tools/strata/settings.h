@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -61,8 +62,8 @@ void add_common_options(CLI::App& verb, Settings& settings, int least, int most)
 /// --input solid|overlapping|repair.
 void add_input_class(CLI::App& verb, Settings& settings);
 
-/// --engine arrangement|bsp.
-void add_engine(CLI::App& verb, Settings& settings);
+/// --engine, with the arrangement and these.
+void add_engine(CLI::App& verb, Settings& settings, std::initializer_list<const strata::Engine*> engines);
 
 /// -o and what goes with making a mesh.
 void add_output_options(CLI::App& verb, Settings& settings);

@@ -137,8 +137,12 @@ BooleanResult combine(const Formula& formula, std::span<const Operand> operands,
   if (formula.operands() != operands.size())
     throw std::invalid_argument("the formula is about " + std::to_string(formula.operands()) + " operands, not " +
                                 std::to_string(operands.size()));
-  if (options.engine != nullptr) throw std::invalid_argument("formulas are evaluated by the arrangement only");
   if (formula.holds({})) throw std::invalid_argument("the result is not bounded");
+  if (options.engine != nullptr) {
+    if (options.engine->evaluate == nullptr)
+      throw std::invalid_argument(std::string("the engine ") + options.engine->name + " evaluates no formulas");
+    return options.engine->evaluate(formula, operands, options);
+  }
   return combine(Rule(formula), operands, options);
 }
 

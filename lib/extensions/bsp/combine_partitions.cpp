@@ -7,6 +7,7 @@
 
 #include "core/csg/arena.h"
 #include "core/csg/broken_operands.h"
+#include "core/csg/resolved_operand.h"
 #include "core/csg/stopwatch.h"
 #include "core/kernel/hyperplane_table.h"
 #include "strata/bsp.h"
@@ -75,19 +76,6 @@ class Merging {
   const Monitor& monitor_;
 };
 
-/// An operand without self-crossings, seams and the like: its union with nothing.
-BooleanResult resolved(const Operand& operand, const Options& options, std::uint32_t index) {
-  Options alone = options;
-  alone.engine = nullptr;
-  alone.exact_vertices = true;
-  alone.progress = {};
-  try {
-    return combine(Operation::unite, std::span(&operand, 1), alone);
-  } catch (const InputError& error) {
-    throw InputError(error.defects(), index);
-  }
-}
-
 BooleanResult combine_partitions(Operation operation, std::span<const Operand> operands, const Options& options) {
   BooleanResult result;
   const Monitor monitor(options.cancel, &options.progress);
@@ -95,7 +83,7 @@ BooleanResult combine_partitions(Operation operation, std::span<const Operand> o
   SourcesByPlane sources;
   std::vector<ExactMesh> meshes;
   for (std::uint32_t i = 0; i < operands.size(); ++i) {
-    BooleanResult one = resolved(operands[i], options, i);
+    BooleanResult one = resolved_operand(operands[i], options, i);
     result.notes.insert(result.notes.end(), one.notes.begin(), one.notes.end());
     meshes.push_back({std::move(one.mesh), std::move(one.exact)});
     sources.add(meshes.back(), one.sources, i);
@@ -137,6 +125,6 @@ BooleanResult combine_partitions(Operation operation, std::span<const Operand> o
 
 }  // namespace
 
-const Engine bsp_engine{"bsp", combine_partitions};
+const Engine bsp_engine{"bsp", combine_partitions, nullptr};
 
 }  // namespace strata

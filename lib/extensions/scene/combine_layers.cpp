@@ -1,11 +1,18 @@
 #include <array>
+#include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "core/cells/cell_tree.h"
 #include "core/csg/arena.h"
+#include "core/csg/broken_operands.h"
+#include "core/csg/resolved_operand.h"
+#include "core/csg/stopwatch.h"
 #include "core/kernel/carriers.h"
+#include "core/mesh/prepare.h"
 #include "core/overlap/coincidences.h"
 #include "core/overlap/pairs.h"
 #include "core/round/rounding.h"
@@ -19,8 +26,10 @@
 namespace strata {
 namespace {
 
-Boundary evaluate_about_origin(Carriers& carriers, const Surroundings& surroundings, const Rule& rule,
+/// The boundary of what a rule keeps of solids that do not cross themselves, one covering each about one origin.
+Boundary evaluate_about_origin(Carriers& carriers, std::span<const SignedCovering* const> coverings, const Rule& rule,
                                PointTable& points, const Monitor& monitor) {
+  const CommonOrigin surroundings(carriers, coverings);
   const CellTree cells(carriers, {.self = false, .monitor = monitor});  // finds pairs; its origins are not used
   carriers.identify(find_coincidences(carriers, cells, monitor));
   const Meetings meetings = find_meetings(carriers, cells, false, points, monitor);
@@ -31,22 +40,110 @@ Boundary evaluate_about_origin(Carriers& carriers, const Surroundings& surroundi
   return gather_boundary(carriers, whole, split, points);
 }
 
+void add_solid(Carriers& carriers, const ExactMesh& solid) {
+  carriers.add(solid.mesh.vertices, solid.mesh.triangles, solid.exact);
+}
+
 ExactMesh combine_boundaries(const LayerDecomposition& a, const LayerDecomposition& b, Operation operation,
                              const Monitor& monitor) {
   Carriers carriers;
-  for (const LayerDecomposition* d : {&a, &b}) {
-    const ExactMesh& solid = d->scene().solid(0);
-    carriers.add(solid.mesh.vertices, solid.mesh.triangles, solid.exact);
-  }
+  for (const LayerDecomposition* d : {&a, &b}) add_solid(carriers, d->scene().solid(0));
   const std::array<const SignedCovering*, 2> coverings{&covering_of(a), &covering_of(b)};
-  const CommonOrigin surroundings(carriers, coverings);
   PointTable points(carriers);
-  Boundary boundary = evaluate_about_origin(carriers, surroundings, Rule(operation, 2), points, monitor);
+  Boundary boundary = evaluate_about_origin(carriers, coverings, Rule(operation, 2), points, monitor);
   ExactMesh result;
   result.mesh.vertices = round_to_doubles(carriers, points, boundary, monitor);
   result.exact = exact_places(carriers, points, boundary, result.mesh.vertices, monitor);
   result.mesh.triangles = std::move(boundary.triangles);
   return result;
+}
+
+/// Solids made of operands, the faces they come from, and their coverings about one origin.
+class CoveredOperands {
+ public:
+  CoveredOperands(std::span<const Operand> operands, const Options& options, std::vector<Defect>& notes) {
+    for (std::uint32_t i = 0; i < operands.size(); ++i) {
+      BooleanResult one = resolved_operand(operands[i], options, i);
+      notes.insert(notes.end(), one.notes.begin(), one.notes.end());
+      solids_.push_back({std::move(one.mesh), std::move(one.exact)});
+      sources_.push_back(std::move(one.sources));
+    }
+  }
+
+  void cover(const Monitor& monitor) {
+    const Origin origin = choose_origin(Scene(solids_));
+    for (const ExactMesh& solid : solids_) {
+      monitor.check();
+      coverings_.push_back(std::make_unique<SignedCovering>(Scene({solid}), origin));
+    }
+  }
+
+  [[nodiscard]] std::size_t face_count() const {
+    std::size_t count = 0;
+    for (const ExactMesh& solid : solids_) count += solid.mesh.triangles.size();
+    return count;
+  }
+  [[nodiscard]] const std::vector<ExactMesh>& solids() const { return solids_; }
+  [[nodiscard]] std::vector<const SignedCovering*> coverings() const {
+    std::vector<const SignedCovering*> all;
+    for (const auto& covering : coverings_) all.push_back(covering.get());
+    return all;
+  }
+  /// From faces of the solids to those of the caller.
+  void restore(std::vector<Source>& sources) const {
+    for (Source& s : sources) s.face = sources_[s.operand][s.face].face;
+  }
+
+ private:
+  std::vector<ExactMesh> solids_;
+  std::vector<std::vector<Source>> sources_;
+  std::vector<std::unique_ptr<SignedCovering>> coverings_;
+};
+
+void evaluate_in_layers(const Rule& rule, CoveredOperands& operands, const Options& options, const Monitor& monitor,
+                        BooleanResult& result) {
+  Stopwatch watch(result.profile);
+  operands.cover(monitor);
+  watch.lap("cover");
+  monitor.report(0.5);
+  Carriers carriers;
+  for (const ExactMesh& solid : operands.solids()) add_solid(carriers, solid);
+  PointTable points(carriers);
+  Boundary boundary = evaluate_about_origin(carriers, operands.coverings(), rule, points, monitor);
+  watch.lap("arrange");
+  monitor.report(0.9);
+  result.mesh.vertices = round_to_doubles(carriers, points, boundary, monitor);
+  if (options.exact_vertices) result.exact = exact_places(carriers, points, boundary, result.mesh.vertices, monitor);
+  result.mesh.triangles = std::move(boundary.triangles);
+  result.sources = std::move(boundary.sources);
+  operands.restore(result.sources);
+  watch.lap("round");
+}
+
+BooleanResult evaluate_in_layers(const Rule& rule, std::span<const Operand> given, const Options& options) {
+  BooleanResult result;
+  const Monitor monitor(options.cancel, &options.progress);
+  Stopwatch watch(result.profile);
+  CoveredOperands operands(given, options, result.notes);
+  watch.lap("prepare");
+  monitor.report(0.2);
+  tbb::task_arena arena = arena_for(options, operands.face_count());
+  arena.execute([&] { evaluate_in_layers(rule, operands, options, monitor, result); });
+  if (!chain_is_closed(result.mesh)) {
+    refuse_broken_operands(given, options);
+    throw LogicError("the boundary of a result is not closed");
+  }
+  monitor.report(1);
+  return result;
+}
+
+BooleanResult combine_in_layers(Operation operation, std::span<const Operand> operands, const Options& options) {
+  return evaluate_in_layers(Rule(operation, static_cast<std::uint32_t>(operands.size())), operands, options);
+}
+
+BooleanResult evaluate_formula_in_layers(const Formula& formula, std::span<const Operand> operands,
+                                         const Options& options) {
+  return evaluate_in_layers(Rule(formula), operands, options);
 }
 
 }  // namespace
@@ -66,5 +163,7 @@ LayerDecomposition combine(const LayerDecomposition& a, const LayerDecomposition
   });
   return *std::move(result);
 }
+
+const Engine layer_engine{"layers", combine_in_layers, evaluate_formula_in_layers};
 
 }  // namespace strata

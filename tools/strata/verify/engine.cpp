@@ -66,8 +66,7 @@ class GivenResult : public Engine {
 }  // namespace
 
 std::unique_ptr<Engine> make_engine(const std::string& text, const EngineFolders& folders) {
-  if (text == "strata") return make_strata_engine(false);
-  if (text == "strata-doubles") return make_strata_engine(true);
+  if (std::unique_ptr<Engine> own = make_strata_engine(text)) return own;
   if (is_name(text)) return make_script(text, folders);
   const std::size_t equals = text.find('=');
   const bool is_named = equals != std::string::npos && is_name(text.substr(0, equals)) && equals > 0;

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "exit_code.h"
 #include "strata/io.h"
 
@@ -18,20 +21,31 @@ Verdict verdict(const ChildEnd& end) {
   return end.code == 0 ? Verdict{} : Verdict{Outcome::crashed, fmt::format("exit status {}: {}", end.code, end.error)};
 }
 
+/// What this program can be asked under a name of its own.
+struct Variant {
+  const char* name;
+  const char* engine;  ///< as for --engine
+  const char* result;
+};
+constexpr std::array variants{Variant{"strata", "arrangement", "result.xoff"},
+                              Variant{"strata-doubles", "arrangement", "result.off"},
+                              Variant{"layers", "layers", "result.xoff"}};
+
 class StrataEngine : public Engine {
  public:
-  explicit StrataEngine(bool doubles) : doubles_(doubles), program_(own_program().string()) {}
+  explicit StrataEngine(const Variant& variant) : variant_(variant), program_(own_program().string()) {}
 
-  [[nodiscard]] std::string name() const override { return doubles_ ? "strata-doubles" : "strata"; }
+  [[nodiscard]] std::string name() const override { return variant_.name; }
 
   [[nodiscard]] Answer ask(const Case& c, const fs::path& folder, const Limits& limits) const override {
     Answer answer;
-    answer.file = folder / (doubles_ ? "result.off" : "result.xoff");
+    answer.file = folder / variant_.result;
     std::vector<std::string> command = {program_, "eval", c.expression};
     for (std::string& binding : bindings_of(c, folder)) command.push_back(std::move(binding));
     for (const std::string& word :
          {std::string("-o"), answer.file.string(), std::string("--input"), std::string(strata::name(c.input)),
-          std::string("-j"), std::string("1"), std::string("-q")})
+          std::string("--engine"), std::string(variant_.engine), std::string("-j"), std::string("1"),
+          std::string("-q")})
       command.push_back(word);
     const ChildEnd end = run_child(command, limits, folder);
     answer.why_not = verdict(end);
@@ -42,7 +56,7 @@ class StrataEngine : public Engine {
   }
 
  private:
-  bool doubles_;
+  Variant variant_;
   std::string program_;
 };
 
@@ -58,6 +72,9 @@ std::vector<std::string> bindings_of(const Case& c, const fs::path& folder) {
   return bindings;
 }
 
-std::unique_ptr<Engine> make_strata_engine(bool doubles) { return std::make_unique<StrataEngine>(doubles); }
+std::unique_ptr<Engine> make_strata_engine(const std::string& name) {
+  const auto* v = std::find_if(variants.begin(), variants.end(), [&](const Variant& one) { return one.name == name; });
+  return v == variants.end() ? nullptr : std::make_unique<StrataEngine>(*v);
+}
 
 }  // namespace verify

@@ -7,8 +7,9 @@
 
 namespace verify {
 
-/// This program: `strata eval` in a process of its own. Results are exact files (XOFF), or OFF files in doubles.
-[[nodiscard]] std::unique_ptr<Engine> make_strata_engine(bool doubles);
+/// This program, `strata eval` in a process of its own: strata (exact results, XOFF), strata-doubles (the same,
+/// rounded), layers (exact results of `--engine layers`). Null for another name.
+[[nodiscard]] std::unique_ptr<Engine> make_strata_engine(const std::string& name);
 
 /// NAME=FILE for all operands of a case; those that are no files yet are written to `folder`.
 [[nodiscard]] std::vector<std::string> bindings_of(const Case& c, const std::filesystem::path& folder);
