@@ -6,6 +6,8 @@
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/signed_covering.h"
 #include "scene/scenes.h"
+#include "strata/expression.h"
+#include "strata/measure.h"
 #include "strata/query.h"
 #include "support/touching.h"
 
@@ -76,4 +78,44 @@ TEST_CASE("nothing in common leaves an empty decomposition", "[csg][layers]") {
   CHECK(none.layer_count() == 0);
   CHECK(none.scene().face_count() == 0);
   CHECK(covering_of(none).membership({.5, .5, .5}) == Where::out);
+}
+
+namespace {
+
+Options by_layers() {
+  Options options;
+  options.engine = &layer_engine;
+  options.exact_vertices = true;
+  return options;
+}
+
+}  // namespace
+
+// Catches: an engine that loses a face, and one whose sources are those of the solids in between.
+TEST_CASE("the engine of layers and the arrangement give the same solids", "[csg][layers][property]") {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const auto meshes = test::touching_pair(seed).meshes;
+    const std::vector<MeshView> views(meshes.begin(), meshes.end());
+    for (const Operation operation : all_operations) {
+      CAPTURE(seed, name(operation));
+      Options options = by_layers();
+      const BooleanResult ours = combine(operation, std::span<const MeshView>(views), options);
+      options.engine = nullptr;
+      const BooleanResult usual = combine(operation, std::span<const MeshView>(views), options);
+      CHECK(canonical_form(ExactMesh{ours.mesh, ours.exact}) == canonical_form(ExactMesh{usual.mesh, usual.exact}));
+      REQUIRE(ours.sources.size() == ours.mesh.triangles.size());
+      for (const Source& s : ours.sources) {
+        REQUIRE(s.operand < meshes.size());
+        REQUIRE(s.face < meshes[s.operand].triangles.size());
+      }
+    }
+  }
+}
+
+TEST_CASE("the engine of layers evaluates formulas, also with complements", "[csg][layers]") {
+  const Expression a(Solid(test::box({0, 0, 0}, {4, 4, 4}))), b(Solid(test::octahedron({4, 4, 4}, 3))),
+      c(Solid(test::octahedron({0, 0, 0}, 2.5)));
+  const Expression e = (a - (b ^ c)) | (c & ~b);
+  CHECK(e.evaluate(by_layers()) == e.evaluate());
+  CHECK((a & ~a).evaluate(by_layers()).is_empty());
 }
