@@ -85,31 +85,31 @@ class Partition {
   std::shared_ptr<const Data> data_;
 };
 
-/// The regularized Boolean of two regions, by merging their trees. `subtract` is a - b, `exclude` what is in one only.
-/// Laws: those of sets (commutative, associative, distributive, De Morgan), as point sets; trees may differ.
-/// Depths add up at worst: combine many regions by halves, not one after the other, or use `rebuilt_if_deep`. Recursion
-/// is as deep as the trees: a depth of a thousand fits on any thread's stack. Expected output-sensitive; at worst every
-/// node of one tree meets every node of the other. Throws Cancelled.
-/// Source: Naylor, Amanatides, Thibault 1990.
+/// The regularized Boolean of two regions, by merging their trees. `difference` is a - b, `symmetric_difference` what
+/// is in one only. Laws: those of sets (commutative, associative, distributive, De Morgan), as point sets; trees may
+/// differ. Depths add up at worst: combine many regions by halves, not one after the other, or use `rebuilt_if_deep`.
+/// Recursion is as deep as the trees: a depth of a thousand fits on any thread's stack. Expected output-sensitive; at
+/// worst every node of one tree meets every node of the other. Throws Cancelled. Source: Naylor, Amanatides, Thibault
+/// 1990.
 template <int D>
 [[nodiscard]] Partition<D> combined(Operation operation, const Partition<D>& a, const Partition<D>& b,
                                     const Monitor& monitor = {});
 
 template <int D>
 [[nodiscard]] Partition<D> operator|(const Partition<D>& a, const Partition<D>& b) {
-  return combined(Operation::unite, a, b);
+  return combined(Operation::union_, a, b);
 }
 template <int D>
 [[nodiscard]] Partition<D> operator&(const Partition<D>& a, const Partition<D>& b) {
-  return combined(Operation::intersect, a, b);
+  return combined(Operation::intersection, a, b);
 }
 template <int D>
 [[nodiscard]] Partition<D> operator-(const Partition<D>& a, const Partition<D>& b) {
-  return combined(Operation::subtract, a, b);
+  return combined(Operation::difference, a, b);
 }
 template <int D>
 [[nodiscard]] Partition<D> operator^(const Partition<D>& a, const Partition<D>& b) {
-  return combined(Operation::exclude, a, b);
+  return combined(Operation::symmetric_difference, a, b);
 }
 /// The closure of what is outside. O(nodes).
 template <int D>

@@ -153,7 +153,7 @@ class SelectiveComplex {
 [[nodiscard]] SelectiveComplex combine(const Formula& formula, std::span<const SelectiveComplex> operands,
                                        const Monitor& monitor = {});
 
-[[nodiscard]] SelectiveComplex unite(std::span<const SelectiveComplex> operands, const Monitor& monitor = {});
+[[nodiscard]] SelectiveComplex union_(std::span<const SelectiveComplex> operands, const Monitor& monitor = {});
 [[nodiscard]] SelectiveComplex operator|(const SelectiveComplex& a, const SelectiveComplex& b);
 [[nodiscard]] SelectiveComplex operator&(const SelectiveComplex& a, const SelectiveComplex& b);
 [[nodiscard]] SelectiveComplex operator-(const SelectiveComplex& a, const SelectiveComplex& b);

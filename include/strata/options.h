@@ -4,22 +4,33 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <string_view>
 
 #include "strata/errors.h"
 
 namespace strata {
 
 /// Regularized set operations on n >= 1 operands.
-/// unite: in any; intersect: in all; subtract: in the first and in no other; exclude: in an odd number (xor).
-enum class Operation { unite, intersect, subtract, exclude };
+/// union_: in any; intersection: in all; difference: in the first and in no other; symmetric_difference: in an odd
+/// number.
+enum class Operation { union_, intersection, difference, symmetric_difference };
 
-inline constexpr std::array all_operations{Operation::unite, Operation::intersect, Operation::subtract,
-                                           Operation::exclude};
+inline constexpr std::array all_operations{Operation::union_, Operation::intersection, Operation::difference,
+                                           Operation::symmetric_difference};
 
-/// What people call it: union, intersection, difference, xor.
+/// Its name, in files and on the command line: union, intersection, difference, symmetric-difference.
 [[nodiscard]] constexpr const char* name(Operation operation) {
-  constexpr std::array names{"union", "intersection", "difference", "xor"};
+  constexpr std::array names{"union", "intersection", "difference", "symmetric-difference"};
   return names[static_cast<std::size_t>(operation)];
+}
+
+/// The operation of that name, or of the short name xor; none if there is no such operation.
+[[nodiscard]] constexpr std::optional<Operation> operation_named(std::string_view text) {
+  for (const Operation operation : all_operations)
+    if (text == name(operation)) return operation;
+  if (text == "xor") return Operation::symmetric_difference;
+  return std::nullopt;
 }
 
 /// Its sign in expressions: | & - ^.

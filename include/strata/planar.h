@@ -71,7 +71,7 @@ struct Places {
 };
 
 /// The exact coordinates of a point. O(1) operations on rationals.
-[[nodiscard]] RationalPlacement exact_place(const Places& places, std::uint32_t point);
+[[nodiscard]] RationalPlacement exact_position(const Places& places, std::uint32_t point);
 
 /// The doubles nearest to a point's coordinates, ties to even. Mostly settled by 106-bit arithmetic.
 [[nodiscard]] PlanePoint nearest_place(const Places& places, std::uint32_t point);
@@ -190,20 +190,15 @@ struct Inside {
 /// A Boolean combination of operands, as a function of the operands that a point is in.
 using Combination = std::function<bool(const Inside&)>;
 
-enum class Operation {
-  unite,                ///< in any
-  intersect,            ///< in all
-  subtract,             ///< in the first and in no other
-  symmetric_difference  ///< in an odd number
-};
+using strata::Operation;
 
 [[nodiscard]] inline bool holds(Operation operation, const Inside& inside) {
   switch (operation) {
-    case Operation::unite:
+    case Operation::union_:
       return inside.count > 0;
-    case Operation::intersect:
+    case Operation::intersection:
       return inside.count == inside.is_in.size() && inside.count > 0;
-    case Operation::subtract:
+    case Operation::difference:
       return inside.count == 1 && inside.is_in.front() != 0;
     case Operation::symmetric_difference:
       return (inside.count & 1) != 0;
@@ -234,9 +229,9 @@ class UnboundedResult : public std::runtime_error {
 [[nodiscard]] Region combine(std::span<const Operand> operands, const Combination& combination,
                              const Monitor& monitor = {});
 
-[[nodiscard]] Region unite(const Operand& a, const Operand& b);
-[[nodiscard]] Region intersect(const Operand& a, const Operand& b);
-[[nodiscard]] Region subtract(const Operand& a, const Operand& b);
+[[nodiscard]] Region union_(const Operand& a, const Operand& b);
+[[nodiscard]] Region intersection(const Operand& a, const Operand& b);
+[[nodiscard]] Region difference(const Operand& a, const Operand& b);
 [[nodiscard]] Region symmetric_difference(const Operand& a, const Operand& b);
 /// The polygons of loops by themselves.
 [[nodiscard]] Region fill(const Operand& a);
@@ -260,7 +255,7 @@ struct SelfMeeting {
 
 /// Every place where the loops, all together, meet themselves, and loops of one vertex. Loops are clean when there is
 /// none: the edges of a loop of two vertices overlap. O((n + k) log n).
-[[nodiscard]] std::vector<SelfMeeting> self_meetings(const Loops& loops);
+[[nodiscard]] std::vector<SelfMeeting> self_intersections(const Loops& loops);
 
 /// Whether loops are clean polyloops, apart from each other, of three vertices or more.
 [[nodiscard]] bool is_clean(const Loops& loops);

@@ -343,14 +343,14 @@ class Visibility {
 };
 
 enum class EdgeKind : std::uint8_t {
-  outline,  ///< faces on one side only as seen, or front and back faces meet
-  crease,   ///< two faces meet at an angle, or more than two faces meet
+  loop,    ///< faces on one side only as seen, or front and back faces meet
+  crease,  ///< two faces meet at an angle, or more than two faces meet
 };
 
 /// An edge of a scene with the stretches of it that are seen.
 struct SeenEdge {
   std::uint32_t a = 0, b = 0;  ///< vertices of the scene, a < b
-  EdgeKind kind = EdgeKind::outline;
+  EdgeKind kind = EdgeKind::loop;
   std::vector<Stretch> seen;  ///< in order
 };
 

@@ -57,10 +57,10 @@ class Solid {
 [[nodiscard]] Solid combine_solids(const Formula& formula, std::span<const Operand> operands,
                                    const Options& options = {});
 
-[[nodiscard]] Solid unite(std::span<const Solid> operands);
-[[nodiscard]] Solid intersect(std::span<const Solid> operands);
-[[nodiscard]] Solid subtract(std::span<const Solid> operands);  ///< the first minus all others
-[[nodiscard]] Solid exclude(std::span<const Solid> operands);   ///< in an odd number
+[[nodiscard]] Solid union_(std::span<const Solid> operands);
+[[nodiscard]] Solid intersection(std::span<const Solid> operands);
+[[nodiscard]] Solid difference(std::span<const Solid> operands);            ///< the first minus all others
+[[nodiscard]] Solid symmetric_difference(std::span<const Solid> operands);  ///< in an odd number
 
 [[nodiscard]] Solid operator|(const Solid& a, const Solid& b);
 [[nodiscard]] Solid operator&(const Solid& a, const Solid& b);

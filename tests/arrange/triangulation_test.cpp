@@ -13,9 +13,9 @@ namespace {
 
 /// One big face in the plane z = 0, and walls that cut it, each a face of its own: trace lines through it.
 struct Plate {
-  std::vector<Carriers::Coordinates> points{{0, 0, 0}, {64, 0, 0}, {0, 64, 0}};
-  std::vector<Carriers::Indices> faces{{0, 1, 2}};
-  Carriers carriers;
+  std::vector<InputComplex::Coordinates> points{{0, 0, 0}, {64, 0, 0}, {0, 64, 0}};
+  std::vector<InputComplex::Indices> faces{{0, 1, 2}};
+  InputComplex input;
 
   /// A wall over the segment from (x0, y0) to (x1, y1): its vertices are on the plate's plane at both ends and above.
   std::uint32_t wall(double x0, double y0, double x1, double y1) {
@@ -26,19 +26,19 @@ struct Plate {
     faces.push_back({v, v + 1, v + 2});
     return v;
   }
-  void build() { carriers.add(points, faces); }
+  void build() { input.add(points, faces); }
 };
 
 /// Invariants of a triangulation: neighbours agree, triangles turn left, areas add up.
-void validate(const Carriers& carriers, const Triangulation& t) {
+void validate(const InputComplex& input, const Triangulation& t) {
   const Projection xy{0, 1};
   Rational area = 0;
   const auto triangles = t.triangles();
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& x = triangles[i];
     const Point &p = t.points()[x.v[0]], &q = t.points()[x.v[1]], &r = t.points()[x.v[2]];
-    REQUIRE(orient2d(carriers, xy, p, q, r) == Sign::positive);
-    const auto a = exact_position(carriers, p), b = exact_position(carriers, q), c = exact_position(carriers, r);
+    REQUIRE(orient2d(input, xy, p, q, r) == Sign::positive);
+    const auto a = exact_position(input, p), b = exact_position(input, q), c = exact_position(input, r);
     area += (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t n = x.n[k];
@@ -69,14 +69,14 @@ TEST_CASE("random segments on a lattice, with all their coincidences", "[arrange
       walls.push_back(plate.wall(x0, y0, x1, y1));
     }
     plate.build();
-    const PointTable table(plate.carriers);
-    Triangulation t(plate.carriers, table);
+    const PointTable table(plate.input);
+    Triangulation t(plate.input, table);
     t.start(0, Triangulation::Names::any);
     std::vector<std::pair<std::int32_t, std::int32_t>> ends;
     for (const std::uint32_t v : walls) ends.emplace_back(t.add_point(v), t.add_point(v + 1));
     for (std::size_t i = 0; i < walls.size(); ++i)
       t.add_segment(ends[i].first, ends[i].second, std::int32_t(i), ConstraintLine::along_edge(walls[i], walls[i] + 1));
-    validate(plate.carriers, t);
+    validate(plate.input, t);
     // Every segment is a chain of sides that carry it: their lengths in x and y add up.
     for (std::size_t i = 0; i < walls.size(); ++i) {
       Rational dx = 0, dy = 0;
@@ -84,8 +84,8 @@ TEST_CASE("random segments on a lattice, with all their coincidences", "[arrange
         for (std::size_t k = 0; k < 3; ++k)
           for (std::int32_t n = x.c[k]; n >= 0; n = t.note(n).next) {
             if (t.note(n).constraint != std::int32_t(i) || !t.note(n).forward) continue;
-            const auto a = exact_position(plate.carriers, t.points()[x.v[k]]);
-            const auto b = exact_position(plate.carriers, t.points()[x.v[(k + 1) % 3]]);
+            const auto a = exact_position(plate.input, t.points()[x.v[k]]);
+            const auto b = exact_position(plate.input, t.points()[x.v[(k + 1) % 3]]);
             dx += b[0] - a[0];
             dy += b[1] - a[1];
           }
@@ -104,8 +104,8 @@ TEST_CASE("points of one place and different names become one vertex, and are no
   Plate plate;
   const auto a = plate.wall(1, 1, 5, 5), b = plate.wall(5, 5, 9, 1);  // they touch in (5, 5) with vertices of their own
   plate.build();
-  const PointTable table(plate.carriers);
-  Triangulation t(plate.carriers, table);
+  const PointTable table(plate.input);
+  Triangulation t(plate.input, table);
   t.start(0, Triangulation::Names::any);
   CHECK(t.add_point(a + 1) == t.add_point(b));
   REQUIRE(t.other_names().size() == 1);
@@ -117,15 +117,15 @@ TEST_CASE("concurrent segments share one vertex", "[arrange][degenerate]") {
   std::vector<std::uint32_t> walls;
   for (int k = -6; k <= 6; ++k) walls.push_back(plate.wall(10 - 7, 10 - k, 10 + 7, 10 + k));
   plate.build();
-  const PointTable table(plate.carriers);
-  Triangulation t(plate.carriers, table);
+  const PointTable table(plate.input);
+  Triangulation t(plate.input, table);
   t.start(0, Triangulation::Names::any);
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const auto p = t.add_point(walls[i]), q = t.add_point(walls[i] + 1);
     t.add_segment(p, q, std::int32_t(i), ConstraintLine::along_edge(walls[i], walls[i] + 1));
   }
   CHECK(t.points().size() == std::int32_t(3 + 2 * walls.size() + 1));
-  validate(plate.carriers, t);
+  validate(plate.input, t);
 }
 
 TEST_CASE("thousands of points in one face are located in little time", "[arrange]") {
@@ -136,12 +136,12 @@ TEST_CASE("thousands of points in one face are located in little time", "[arrang
     plate.wall(x, y, x + 0.001, y);
   }
   plate.build();
-  const PointTable table(plate.carriers);
-  Triangulation t(plate.carriers, table);
+  const PointTable table(plate.input);
+  Triangulation t(plate.input, table);
   t.start(0, Triangulation::Names::any);
   for (std::uint32_t v = 3; v < plate.points.size(); v += 3) t.add_point(v);
   CHECK(t.points().size() > 3900);
-  validate(plate.carriers, t);
+  validate(plate.input, t);
 }
 
 // Catches: polygons traced the wrong way round, an ear over a point, sides left without their neighbours.
@@ -154,24 +154,24 @@ TEST_CASE("paths of a surface that crosses a face are cut at once; rings are not
     plate.build();
     const Mesh ball =
         test::icosphere({64 * random.unit(), 64 * random.unit(), random.unit()}, 1 + 20 * random.unit(), 1);
-    plate.carriers.add(ball.vertices, ball.triangles);
-    Meetings meetings;
-    const FilteredFace face(plate.carriers, 0);
-    for (std::uint32_t g = 1; g < plate.carriers.face_count(); ++g)
-      meet_faces(plate.carriers, face, FilteredFace(plate.carriers, g), meetings);
-    PointTable table(plate.carriers);
-    const auto numbers = table.add(meetings.constructed, {});
+    plate.input.add(ball.vertices, ball.triangles);
+    Intersections intersections;
+    const FilteredFace face(plate.input, 0);
+    for (std::uint32_t g = 1; g < plate.input.face_count(); ++g)
+      meet_faces(plate.input, face, FilteredFace(plate.input, g), intersections);
+    PointTable table(plate.input);
+    const auto numbers = table.add(intersections.constructed, {});
     std::vector<Constraint> constraints;
-    for (Constraint c : meetings.constraints) {
+    for (Constraint c : intersections.constraints) {
       if (c.face != 0) continue;
       for (PointId* id : {&c.tail, &c.head})
         if (!table.is_input(*id)) *id = numbers[*id - table.first()];
       constraints.push_back(c);
     }
-    Triangulation t(plate.carriers, table);
+    Triangulation t(plate.input, table);
     t.start(0, Triangulation::Names::lowest);
     const bool are_paths = t.add_paths(constraints);
-    validate(plate.carriers, t);
+    validate(plate.input, t);
     (are_paths ? cut : left) += static_cast<int>(!constraints.empty());
     std::size_t notes = 0;
     for (const auto& x : t.triangles())
@@ -189,25 +189,25 @@ TEST_CASE("where a quadrilateral crosses a face, its sides and diagonal tell if 
   const double least = 1e-60;
   for (const double off : {-least, 0.0, least}) {
     CAPTURE(off);
-    const std::vector<Carriers::Coordinates> points{{0, 0, 0},  {64, 0, 0}, {0, 64, 0},  // the face
-                                                    {3, 3, -3}, {5, 5, 5},  {7, 7, -4}, {off, 0, 7}};
-    const std::vector<Carriers::Indices> faces{{0, 1, 2}, {3, 5, 4}, {4, 5, 6}};
-    Carriers carriers;
-    carriers.add(points, faces);
-    const std::vector<PointName> names{PointName::edge_face(3, 4, 0), PointName::edge_face(4, 5, 0),
-                                       PointName::edge_face(5, 6, 0)};
-    PointTable table(carriers);
+    const std::vector<InputComplex::Coordinates> points{{0, 0, 0},  {64, 0, 0}, {0, 64, 0},  // the face
+                                                        {3, 3, -3}, {5, 5, 5},  {7, 7, -4}, {off, 0, 7}};
+    const std::vector<InputComplex::Indices> faces{{0, 1, 2}, {3, 5, 4}, {4, 5, 6}};
+    InputComplex input;
+    input.add(points, faces);
+    const std::vector<SymbolicPoint> names{SymbolicPoint::edge_face(3, 4, 0), SymbolicPoint::edge_face(4, 5, 0),
+                                           SymbolicPoint::edge_face(5, 6, 0)};
+    PointTable table(input);
     const auto numbers = table.add(names, {});
-    FacePoints face(carriers, table);
+    FacePoints face(input, table);
     face.start(0);
     std::vector<std::int32_t> v;
     for (const PointId id : numbers) v.push_back(face.add(id));
     const Sign expected = off < 0 ? Sign::positive : off > 0 ? Sign::negative : Sign::zero;
     test::TierProbe probe;
-    CHECK(face.turn(v[0], v[1], v[2]) == expected);
+    CHECK(face.orientation(v[0], v[1], v[2]) == expected);
     const auto asked = probe.take();
     if (test::counts_tiers && off == 0)
       CHECK(asked[static_cast<std::size_t>(Tier::bits_512)] + asked[static_cast<std::size_t>(Tier::bits_1024)] == 0);
-    CHECK(orient2d(carriers, face.projection(), face[v[0]], face[v[1]], face[v[2]]) == expected);
+    CHECK(orient2d(input, face.projection(), face[v[0]], face[v[1]], face[v[2]]) == expected);
   }
 }

@@ -79,16 +79,16 @@ TEST_CASE("several operands, of which some cross themselves, by merged partition
   }
   const Mesh crossing[] = {test::box({0, 0, 0}, {2, 2, 2}), test::box({1, 1, 1}, {3, 3, 3})};
   const BooleanResult sum =
-      combined(Operation::unite, {test::merged(crossing)}, by_partitions(InputClass::overlapping));
+      combined(Operation::union_, {test::merged(crossing)}, by_partitions(InputClass::overlapping));
   CHECK(volume(ExactMesh{sum.mesh, sum.exact}) == 15);
 }
 
 TEST_CASE("trees of many operands in a row are not deep", "[csg][bsp]") {
   std::vector<Mesh> row;
   for (int i = 0; i < 150; ++i) row.push_back(test::box({2.0 * i, 0, 0}, {2.0 * i + 1, 1, 1}));
-  for (const Operation operation : {Operation::unite, Operation::exclude, Operation::subtract}) {
+  for (const Operation operation : {Operation::union_, Operation::symmetric_difference, Operation::difference}) {
     const BooleanResult result = combined(operation, row, by_partitions());
-    CHECK(volume(ExactMesh{result.mesh, result.exact}) == (operation == Operation::subtract ? 1 : 150));
+    CHECK(volume(ExactMesh{result.mesh, result.exact}) == (operation == Operation::difference ? 1 : 150));
     for (const auto& [what, count] : result.profile.counts)
       if (what == "depth") CHECK(count < 100);
   }
@@ -98,7 +98,7 @@ TEST_CASE("an open operand is refused by its number, and a stop is obeyed, by me
   Mesh open = test::box({0, 0, 0}, {1, 1, 1});
   open.triangles.pop_back();
   try {
-    (void)combined(Operation::unite, {test::box({0, 0, 0}, {1, 1, 1}), open}, by_partitions());
+    (void)combined(Operation::union_, {test::box({0, 0, 0}, {1, 1, 1}), open}, by_partitions());
     FAIL("not refused");
   } catch (const InputError& error) {
     CHECK(error.operand() == 1);
@@ -106,13 +106,13 @@ TEST_CASE("an open operand is refused by its number, and a stop is obeyed, by me
   const std::atomic<bool> stop = true;
   Options options = by_partitions();
   options.cancel = &stop;
-  CHECK_THROWS_AS(combined(Operation::unite, {test::box({0, 0, 0}, {1, 1, 1})}, options), Cancelled);
+  CHECK_THROWS_AS(combined(Operation::union_, {test::box({0, 0, 0}, {1, 1, 1})}, options), Cancelled);
 }
 
 TEST_CASE("an operand that crosses itself is refused where its tree shows it, by merged partitions", "[csg][bsp]") {
   const Mesh parts[] = {test::icosphere({0, 0, 0}, 1, 2), test::icosphere({0.5, 0.25, 0.125}, 1, 2)};
   try {
-    (void)combined(Operation::unite, {test::box({0, 0, 0}, {1, 1, 1}), test::merged(parts)}, by_partitions());
+    (void)combined(Operation::union_, {test::box({0, 0, 0}, {1, 1, 1}), test::merged(parts)}, by_partitions());
     FAIL("not refused");
   } catch (const InputError& error) {
     CHECK(error.operand() == 1);

@@ -107,10 +107,10 @@ Partition<2> random_triangle(Random& random) {
     PolygonLoop loop;
     for (int i = 0; i < 3; ++i)
       loop.push_back({Rational(random.between(0, 6), random.between(1, 2)), random.between(0, 4)});
-    const Rational turn =
+    const Rational orientation =
         (loop[1][0] - loop[0][0]) * (loop[2][1] - loop[0][1]) - (loop[1][1] - loop[0][1]) * (loop[2][0] - loop[0][0]);
-    if (turn == 0) continue;
-    if (turn < 0) std::swap(loop[1], loop[2]);
+    if (orientation == 0) continue;
+    if (orientation < 0) std::swap(loop[1], loop[2]);
     return partition_of(std::vector<PolygonLoop>{loop});
   }
 }

@@ -146,7 +146,7 @@ TEST_CASE("what is behind many half-spaces is not a deep tree, and points are wh
     for (const OrientedHyperplane<3>& plane : planes) {
       Rational value = plane.hyperplane.exact()[3];
       for (std::size_t i = 0; i < 3; ++i) value += plane.hyperplane.exact()[i] * to_rational(p[i]);
-      if (plane.is_turned) value = -value;
+      if (plane.is_reversed) value = -value;
       is_behind &= value <= 0;
       is_on |= value == 0;
     }
@@ -236,7 +236,7 @@ TEST_CASE("half-spaces make a tetrahedron with its volume, or nothing", "[bsp]")
   Partition<3> tetrahedron = behind_all<3>(planes);
   if (tetrahedron.is_empty() || !tetrahedron.is_bounded()) {  // the vertices are the other way round
     std::vector<OrientedHyperplane<3>> turned(planes.begin(), planes.end());
-    for (auto& p : turned) p.is_turned = !p.is_turned;
+    for (auto& p : turned) p.is_reversed = !p.is_reversed;
     tetrahedron = behind_all<3>(turned);
   }
   CHECK(size(tetrahedron) == Rational(1, 3));

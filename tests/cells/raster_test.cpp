@@ -12,9 +12,9 @@ using namespace strata;
 namespace {
 
 struct Scene {
-  std::vector<Carriers::Coordinates> points;
-  std::vector<Carriers::Indices> faces;
-  Carriers carriers;
+  std::vector<InputComplex::Coordinates> points;
+  std::vector<InputComplex::Indices> faces;
+  InputComplex input;
 };
 
 }  // namespace
@@ -25,7 +25,7 @@ TEST_CASE("a brick that holds a point of a face has the face", "[cells][property
   for (const double scale : {1e-300, 1e-3, 1.0, 1e200})
     for (const double far : {0.0, 1e3}) {
       Space space;
-      Carriers::Coordinates lower, upper;
+      InputComplex::Coordinates lower, upper;
       for (std::size_t i = 0; i < 3; ++i) {
         lower[i] = (far - 1) * scale;
         upper[i] = (far + 1) * scale;
@@ -41,8 +41,8 @@ TEST_CASE("a brick that holds a point of a face has the face", "[cells][property
         const auto coordinate = [&] { return (far + (random.once_in(4) ? 0.25 : random.unit() * 2 - 1)) * scale; };
         for (int k = 0; k < 3; ++k) s.points.push_back({coordinate(), coordinate(), coordinate()});
         s.faces.push_back({0, 1, 2});
-        s.carriers.add(s.points, s.faces);
-        const Raster raster(s.carriers, bricks);
+        s.input.add(s.points, s.faces);
+        const Raster raster(s.input, bricks);
         BrickBox box{0xffffffu, 0};
         for (const auto& p : s.points) {
           const BrickCode code = bricks.code(space.grid.at(p));
@@ -55,7 +55,7 @@ TEST_CASE("a brick that holds a point of a face has the face", "[cells][property
         for (int k = 0; k < 300; ++k) {
           // Rounded, a point of the face is off its plane by an ulp or so: less than the filter leaves open.
           const double a = random.unit(), b = random.unit() * (1 - a), c = 1 - a - b;
-          Carriers::Coordinates q;
+          InputComplex::Coordinates q;
           for (std::size_t i = 0; i < 3; ++i) {
             const auto [low, high] = std::minmax({s.points[0][i], s.points[1][i], s.points[2][i]});
             q[i] = std::clamp(a * s.points[0][i] + b * s.points[1][i] + c * s.points[2][i], low, high);
@@ -68,7 +68,7 @@ TEST_CASE("a brick that holds a point of a face has the face", "[cells][property
 
 TEST_CASE("every brick has its centre and its lower bound", "[cells]") {
   Space space;
-  const Carriers::Coordinates lower{-1, 2, 1e-9}, upper{3, 2.5, 1};
+  const InputComplex::Coordinates lower{-1, 2, 1e-9}, upper{3, 2.5, 1};
   space.grid = Grid(lower, upper);
   space.interest = {space.grid.at(lower), space.grid.at(upper)};
   for (std::int32_t& x : space.interest.upper) ++x;
@@ -84,7 +84,7 @@ TEST_CASE("every brick has its centre and its lower bound", "[cells]") {
   for (int axis = 0; axis < 3; ++axis)
     for (std::uint32_t k = 1; k < bricks.size(axis); ++k) {
       const auto code_at = [&](double x) {
-        Carriers::Coordinates p = lower;
+        InputComplex::Coordinates p = lower;
         p[static_cast<std::size_t>(axis)] = x;
         return BrickBox::along(bricks.code(space.grid.at(p)), axis);
       };

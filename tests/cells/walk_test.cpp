@@ -13,9 +13,9 @@ using namespace strata;
 
 namespace {
 
-int winding(const Carriers& carriers, const Carriers::Coordinates& from, const Point& q) {
+int winding(const InputComplex& input, const InputComplex::Coordinates& from, const Point& q) {
   int w = 0;
-  for (std::uint32_t f = 0; f < carriers.face_count(); ++f) w += crossing(carriers, f, from, q);
+  for (std::uint32_t f = 0; f < input.face_count(); ++f) w += crossing(input, f, from, q);
   return w;
 }
 
@@ -23,12 +23,12 @@ int winding(const Carriers& carriers, const Carriers::Coordinates& from, const P
 
 TEST_CASE("the winding number does not depend on the walk, through vertices and edges as well", "[cells][degenerate]") {
   const Mesh solid = test::box_with_hole();
-  Carriers carriers;
-  carriers.add(solid.vertices, solid.triangles);
+  InputComplex input;
+  input.add(solid.vertices, solid.triangles);
   test::Random random(3);
   for (int n = 0; n < 2'000; ++n) {
     // Origins and targets on a coarse lattice: most walks meet edges, vertices or run within face planes.
-    const Carriers::Coordinates far{-1.0, double(random.between(-1, 4)), double(random.between(-1, 2))};
+    const InputComplex::Coordinates far{-1.0, double(random.between(-1, 4)), double(random.between(-1, 2))};
     const Point q =
         Point::free({random.between(-1, 7) / 2.0, random.between(-1, 7) / 2.0, random.between(-1, 3) / 2.0});
     bool on_surface = false;
@@ -42,49 +42,49 @@ TEST_CASE("the winding number does not depend on the walk, through vertices and 
                           ((edge(x, 1, 2) && y >= 1 && y <= 2) || (edge(y, 1, 2) && x >= 1 && x <= 2)));
     if (on_surface) continue;
     CAPTURE(x, y, z, far[1], far[2]);
-    REQUIRE(winding(carriers, far, q) == (in_box && !in_hole ? 1 : 0));
+    REQUIRE(winding(input, far, q) == (in_box && !in_hole ? 1 : 0));
   }
 }
 
 TEST_CASE("walks along an axis agree with walks to points", "[cells][degenerate]") {
   const Mesh solid = test::octahedron({0, 0, 0}, 2);
-  Carriers carriers;
-  carriers.add(solid.vertices, solid.triangles);
+  InputComplex input;
+  input.add(solid.vertices, solid.triangles);
   test::Random random(5);
   for (int n = 0; n < 500; ++n) {
-    const Carriers::Coordinates from{double(random.between(-3, 3)), double(random.between(-2, 2)),
-                                     double(random.between(-2, 2))};
+    const InputComplex::Coordinates from{double(random.between(-3, 3)), double(random.between(-2, 2)),
+                                         double(random.between(-2, 2))};
     const int axis = random.between(0, 2);
-    Carriers::Coordinates to = from;
+    InputComplex::Coordinates to = from;
     to[static_cast<std::size_t>(axis)] = random.between(-3, 3) + 0.25;
     int along = 0;
-    for (std::uint32_t f = 0; f < carriers.face_count(); ++f) along += crossing_along_axis(carriers, f, from, to, axis);
+    for (std::uint32_t f = 0; f < input.face_count(); ++f) along += crossing_along_axis(input, f, from, to, axis);
     // Winding numbers at both ends from far away; q is not perturbed, so only ends off the surface compare.
-    const Carriers::Coordinates far{-9, 0.5, 0.25};
-    const auto on = [](const Carriers::Coordinates& p) {
+    const InputComplex::Coordinates far{-9, 0.5, 0.25};
+    const auto on = [](const InputComplex::Coordinates& p) {
       return std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]) == 2;
     };
     if (on(from) || on(to)) continue;
-    REQUIRE(winding(carriers, far, Point::free(from)) + along == winding(carriers, far, Point::free(to)));
+    REQUIRE(winding(input, far, Point::free(from)) + along == winding(input, far, Point::free(to)));
   }
 }
 
 TEST_CASE("every cell's origin has the winding numbers it says", "[cells][property]") {
   const Mesh a = test::icosphere({0, 0, 0}, 1, 2), b = test::icosphere({.5, .1, .05}, 1, 2), c = test::box_with_hole();
-  Carriers carriers;
-  for (const Mesh* m : {&a, &b, &c}) carriers.add(m->vertices, m->triangles);
-  const CellTree tree(carriers, {.leaf_faces = 8});
+  InputComplex input;
+  for (const Mesh* m : {&a, &b, &c}) input.add(m->vertices, m->triangles);
+  const CellTree tree(input, {.leaf_faces = 8});
   REQUIRE(tree.cells().size() > 20);
   int compared = 0;
   for (const Cell& cell : tree.cells()) {
     bool in_a_plane = false;  // there the perturbed origin and the origin may differ
-    for (std::uint32_t f = 0; f < carriers.face_count(); ++f)
-      in_a_plane = in_a_plane || side_of_face(carriers, f, Point::free(cell.origin)) == Sign::zero;
+    for (std::uint32_t f = 0; f < input.face_count(); ++f)
+      in_a_plane = in_a_plane || side_of_face(input, f, Point::free(cell.origin)) == Sign::zero;
     if (in_a_plane) continue;
     ++compared;
     Windings w;
-    for (std::uint32_t f = 0; f < carriers.face_count(); ++f)
-      w.add(carriers.operand_of_face(f), crossing(carriers, f, {-100, -90, -80}, Point::free(cell.origin)));
+    for (std::uint32_t f = 0; f < input.face_count(); ++f)
+      w.add(input.operand_of_face(f), crossing(input, f, {-100, -90, -80}, Point::free(cell.origin)));
     REQUIRE(w == *cell.windings);
   }
   CHECK(compared > 20);

@@ -67,7 +67,7 @@ class Checkpoint(ChainTest):
                                          for name in ("block.off", "unit.off")])
         first, rest = self.path("save").read_bytes().split(b"\n", 1)
         self.assertEqual(mark["digest"], hashlib.sha256(rest).hexdigest())
-        self.assertEqual([m[:2] for m in mark["marks"]], [["start", 0], ["xor", 1], ["difference", 1]])
+        self.assertEqual([m[:2] for m in mark["marks"]], [["start", 0], ["symmetric-difference", 1], ["difference", 1]])
 
     def test_digests_are_right_for_every_length_about_a_block(self):
         unit = cube()

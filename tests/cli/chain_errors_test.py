@@ -41,7 +41,7 @@ class Errors(ChainTest):
     def test_entries_are_named_by_their_place(self):
         for steps, message in (
                 ([STEP, {**STEP, "operation": "cut"}],
-                 "steps[1].operation: 'cut' is no operation; one of union, intersection, difference, xor"),
+                 "steps[1].operation: 'cut' is no operation; one of union, intersection, difference, symmetric-difference"),
                 ([{"file": "unit.off"}], "steps[0]: 'operation' is missing"),
                 ([{"operation": "union"}], "steps[0]: 'file' is missing"),
                 ([STEP, STEP, "union"], 'steps[2]: expected an object, found "union"'),

@@ -11,7 +11,7 @@ class Usage(ToolTest):
         self.assertIn("Exit codes:", out)
 
     def test_every_verb_has_help(self):
-        for verb in ("union", "intersection", "difference", "xor", "check", "info", "compare", "layers", "locate",
+        for verb in ("union", "intersection", "difference", "symmetric-difference", "check", "info", "compare", "layers", "locate",
                      "ray", "eval", "chain", "draw"):
             self.assertIn("Exit codes:", self.run_tool(verb, "--help").stdout.decode())
 

@@ -42,7 +42,7 @@ TEST_CASE("distribution holds for three sets", "[complex][property]") {
     const SelectiveComplex a = random.next(2), b = random.next(2), c = random.next(2);
     REQUIRE((a & (b | c)) == ((a & b) | (a & c)));
     REQUIRE((a | (b & c)) == ((a | b) & (a | c)));
-    REQUIRE((a | b | c) == unite(std::vector{c, b, a}));
+    REQUIRE((a | b | c) == union_(std::vector{c, b, a}));
   });
 }
 

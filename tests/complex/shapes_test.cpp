@@ -188,7 +188,7 @@ TEST_CASE("shells beside and inside each other are told apart", "[complex]") {
     parts.push_back(simplex(3, std::vector<Vertex>{{10. * i + 2, 5, 5}, {10. * i + 5, 5, 5.5}}));
     parts.push_back(simplex(3, std::vector<Vertex>{{10. * i + 5, 2, 2}, {10. * i + 6, 2, 2}, {10. * i + 6, 3, 2}}));
   }
-  const SelectiveComplex s = unite(parts);
+  const SelectiveComplex s = union_(parts);
   CHECK(components(s).count == 15);
   CHECK(count_holes(s) == 3);
   CHECK(s.count(3) == 1 + 3 * 3);

@@ -34,10 +34,10 @@ TEST_CASE("several solids are overlaid at once", "[complex][property]") {
       solids.emplace_back(m);
       sets.push_back(of_solid(solids.back()));
     }
-    REQUIRE(unite(sets) == of_solid(unite(solids)));
+    REQUIRE(union_(sets) == of_solid(union_(solids)));
     SelectiveComplex odd = sets.front();
     for (std::size_t i = 1; i < sets.size(); ++i) odd = odd ^ sets[i];
-    REQUIRE(regularized(odd) == of_solid(exclude(solids)));
+    REQUIRE(regularized(odd) == of_solid(symmetric_difference(solids)));
   }
 }
 
@@ -63,8 +63,8 @@ TEST_CASE("a grid of closed cubes is one box, and of open ones as many component
     open.push_back(of_solid(cube, Border::open));
   }
   const SelectiveComplex whole = of_solid(Solid(test::box({0, 0, 0}, {3, 3, 3})));
-  CHECK(unite(closed) == whole);
-  const SelectiveComplex parts = unite(open);
+  CHECK(union_(closed) == whole);
+  const SelectiveComplex parts = union_(open);
   CHECK(components(parts).count == 27);
   CHECK(part(parts, Part::cut) == interior(whole) - parts);
   CHECK(parts.count(2) == 27 * 6 - 54);  // inner faces once, outer ones

@@ -69,7 +69,7 @@ std::vector<Solid> components_of_random_cells(test::Random& random) {
     if (taken[i]) cells[sets.find(i)].push_back(box({x, y, z}, {x + 1, y + 1, z + 1}));
   }
   std::vector<Solid> components;
-  for (const auto& [name, parts] : cells) components.push_back(unite(parts));
+  for (const auto& [name, parts] : cells) components.push_back(union_(parts));
   return components;
 }
 

@@ -15,13 +15,13 @@ std::optional<SoleFaces> proof(const Corners& g) {
   const std::vector<Vertex> points[] = {{{-4, -4, 0}, {8, -4, 0}, {-4, 8, 0}}, {g[0], g[1], g[2]}};
   const std::vector<Triangle> face{{0, 1, 2}};
   const auto sole = [&](std::size_t first) {
-    Carriers carriers;
-    carriers.add(points[first], face);
-    carriers.add(points[1 - first], face);
-    const FilteredFace one(carriers, 0), other(carriers, 1);
-    Meetings meetings;
-    REQUIRE(meet_faces(carriers, one, other, meetings));
-    return prove_interference(carriers, one, other, meetings);
+    InputComplex input;
+    input.add(points[first], face);
+    input.add(points[1 - first], face);
+    const FilteredFace one(input, 0), other(input, 1);
+    Intersections intersections;
+    REQUIRE(meet_faces(input, one, other, intersections));
+    return prove_interference(input, one, other, intersections);
   };
   const std::optional<SoleFaces> found = sole(0), turned = sole(1);
   REQUIRE(found.has_value() == turned.has_value());

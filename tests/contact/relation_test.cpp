@@ -105,8 +105,8 @@ Solid plate_with_hole(double width) {
   return box({0, 0, 0}, {3 * width, 3 * width, width}) - box({width, width, -1}, {2 * width, 2 * width, 2 * width});
 }
 
-// No plane separates these. Catches: linings that are asked where they are not defined; vertices on the other surface
-// that join faces; a face on which nothing lies taken for one that is covered.
+// No plane separates these. Catches: interior sides that are asked where they are not defined; vertices on the other
+// surface that join faces; a face on which nothing lies taken for one that is covered.
 TEST_CASE("parts that interlock are told apart without a plane between", "[contact][degenerate]") {
   const Solid plate = plate_with_hole(4);  // the hole is [4, 8]^2
   const double up = 0x1p-40;
@@ -216,7 +216,7 @@ std::vector<Vertex> corners_of(const Mesh& mesh) {
 
 // Simplices of one subdivision: sets without a common tetrahedron are in contact exactly when some corner is in both.
 // Corners that are inside of a set are no vertices of its surface, and in no other set's corners without a common
-// tetrahedron. Catches: pairs of faces that are left out because of their twins, but have something to tell.
+// tetrahedron. Catches: pairs of faces that are left out because of their coincident faces, but have something to tell.
 TEST_CASE("sets of tetrahedra of one subdivision lie to each other as the sets do", "[contact][property][degenerate]") {
   std::size_t seen[3] = {};
   for (std::uint64_t seed = 0; seed < 1200; ++seed) {
@@ -269,8 +269,9 @@ TEST_CASE("parts interfere exactly where what they have in common has a volume",
       CHECK(nearest(a, b).squared > 0);
     }
     if (found == contact) CHECK_FALSE(region(a, b).is_empty());
-    for (const int turn : {9, 22, 47})
-      CHECK(relation(Solid(test::turned(two.meshes[0], turn)), Solid(test::turned(two.meshes[1], turn))) == found);
+    for (const int orientation : {9, 22, 47})
+      CHECK(relation(Solid(test::turned(two.meshes[0], orientation)),
+                     Solid(test::turned(two.meshes[1], orientation))) == found);
     for (const int exponent : {3, -800, 900})
       if (is_exact_when_scaled(two.meshes[0], exponent) && is_exact_when_scaled(two.meshes[1], exponent))
         CHECK(relation(Solid(test::scaled(two.meshes[0], exponent)), Solid(test::scaled(two.meshes[1], exponent))) ==

@@ -45,7 +45,7 @@ Decomposition checked(const Solid& solid) {
 Solid union_of_boxes(const std::vector<std::array<Vertex, 2>>& boxes) {
   std::vector<Solid> solids;
   for (const auto& [lower, upper] : boxes) solids.emplace_back(box(lower, upper));
-  return unite(solids);
+  return union_(solids);
 }
 
 /// A square spiral of corridors, in a plane.
@@ -73,7 +73,7 @@ Solid crossed_combs(int teeth) {
     slots.emplace_back(box({2.0 * k + 1, -1, 6}, {2.0 * k + 2, 2.0 * teeth + 2, 11}));
     slots.emplace_back(box({-1, 2.0 * k + 1, -1}, {2.0 * teeth + 2, 2.0 * k + 2, 4}));
   }
-  return subtract(slots);
+  return difference(slots);
 }
 
 Solid comb(int teeth) {

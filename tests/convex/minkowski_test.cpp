@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "extensions/convex/boundary_loop.h"
 #include "extensions/convex/convex_solid.h"
 #include "extensions/convex/membership.h"
-#include "extensions/convex/outline.h"
 #include "strata/check.h"
 #include "strata/convex.h"
 #include "support/shapes.h"
@@ -27,7 +27,7 @@ Solid by_pieces(const Solid& a, const Polytope& b) {
   std::vector<Solid> parts{minkowski_sum(a, Polytope{0, {b.vertices[0]}, {}, {}})};
   for (const Triangle& t : a.mesh().triangles)
     parts.push_back(Solid::trusted(mesh_of(sum(triangle_polytope(a.exact_mesh(), t), b))));
-  return unite(parts);
+  return union_(parts);
 }
 
 /// For any b: pairs of triangles, and a vertex of every part of each.
@@ -40,7 +40,7 @@ Solid by_pieces(const Solid& a, const Solid& b) {
       const Polytope piece = sum(triangle_polytope(a.exact_mesh(), t), triangle_polytope(b.exact_mesh(), u));
       if (piece.dimension == 3) parts.push_back(Solid::trusted(mesh_of(piece)));
     }
-  return unite(parts);
+  return union_(parts);
 }
 
 Mesh small_convex(Random& random) {
@@ -73,7 +73,7 @@ Solid of_pairs(const std::vector<Solid>& a, const std::vector<Solid>& b) {
   std::vector<Solid> sums;
   for (const Solid& p : a)
     for (const Solid& q : b) sums.push_back(Solid::trusted(mesh_of(sum(polytope(p.mesh()), polytope(q.mesh())))));
-  return unite(sums);
+  return union_(sums);
 }
 
 Solid by_convex_pieces(const Solid& a, const Solid& b) {
@@ -82,7 +82,7 @@ Solid by_convex_pieces(const Solid& a, const Solid& b) {
   for (std::uint32_t p = 0; p < of_a.pieces.size(); ++p)
     for (std::uint32_t q = 0; q < of_b.pieces.size(); ++q)
       sums.push_back(solid_of(sum(of_a.polytope(p), of_b.polytope(q))));
-  return unite(sums);
+  return union_(sums);
 }
 
 /// The sum is that of all pairs of convex pieces, in either order, sound, and the same for any number of threads.
@@ -120,7 +120,7 @@ void check_sum_of_columns(std::uint64_t seed) {
   Random random(seed);
   const auto cells = static_cast<int>(2 + seed % 3);
   const std::vector<Solid> a = columns(random, 4, 1), b = columns(random, cells, sides[random.below(5)]);
-  REQUIRE(minkowski_sum(unite(a), unite(b)) == of_pairs(a, b));
+  REQUIRE(minkowski_sum(union_(a), union_(b)) == of_pairs(a, b));
 }
 
 }  // namespace
@@ -189,11 +189,11 @@ TEST_CASE("doubles never miss a point of a triangle, however large", "[convex][p
                                   vertex(size - 20 - static_cast<int>(random.below(28)))};
     Vertex on_side = t[0];
     for (double& x : on_side) x = std::ldexp(x, -down);
-    Outline triangle({t[0], t[1], t[2]});
+    BoundaryLoop triangle({t[0], t[1], t[2]});
     triangle.add_facet(t[0], t[1], t[2]);
     triangle.add_facet(t[0], t[2], t[1]);
     for (const Vertex& v : {t[0], t[1], t[2], on_side})
-      REQUIRE_FALSE(sum_misses(triangle, Outline({Vertex{0, 0, 0}}), v));
+      REQUIRE_FALSE(sum_misses(triangle, BoundaryLoop({Vertex{0, 0, 0}}), v));
   }
 }
 
@@ -207,7 +207,7 @@ TEST_CASE("a polygon along a face that a notch touches from inside", "[convex][m
                                   {3.5, 0.5, 2.5}, {0.5, 3.5, 2.5}, {3.5, 3.5, 2.5}};
   for (const auto& notch : {tip, ridge}) {
     const Solid both[] = {Solid(block), Solid(test::convex_hull(notch))};
-    const Solid a = subtract(both);
+    const Solid a = difference(both);
     CHECK(minkowski_sum(a, square) == by_pieces(a, square));
     const Polytope cube = polytope(test::box({0, 0, 0}, {1, 1, 1}));
     CHECK(minkowski_sum(a, cube) == by_pieces(a, cube));

@@ -33,8 +33,8 @@ Polytope polygon(std::vector<Vertex> points) {
     for (std::size_t i = 0; i < exact.size(); ++i) {
       if (i == at || i == next) continue;
       const auto d = test::difference(exact[next], exact[at]), e = test::difference(exact[i], exact[at]);
-      const Rational turn = test::product(normal, test::cross_product(d, e));
-      if (turn < 0 || (turn == 0 && test::product(e, e) > test::product(d, d))) next = i;
+      const Rational orientation = test::product(normal, test::cross_product(d, e));
+      if (orientation < 0 || (orientation == 0 && test::product(e, e) > test::product(d, d))) next = i;
     }
     at = next;
   }

@@ -86,11 +86,11 @@ std::optional<Rational> exact_number(std::string_view text) {
 }
 
 NamedOperation operation_named(std::string_view name) {
-  if (name == "union") return {Operation::unite};
-  if (name == "intersection") return {Operation::intersect};
-  if (name == "A-B") return {Operation::subtract};
-  if (name == "B-A") return {Operation::subtract, true};
-  if (name == "xor") return {Operation::exclude};
+  if (name == "union") return {Operation::union_};
+  if (name == "intersection") return {Operation::intersection};
+  if (name == "A-B") return {Operation::difference};
+  if (name == "B-A") return {Operation::difference, true};
+  if (name == "xor") return {Operation::symmetric_difference};
   throw std::invalid_argument("no operation: " + std::string(name));
 }
 

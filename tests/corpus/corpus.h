@@ -31,7 +31,7 @@ namespace strata::test {
 
 /// A Boolean as the tables name it: "union", "intersection", "A-B", "B-A", "xor".
 struct NamedOperation {
-  Operation operation = Operation::unite;
+  Operation operation = Operation::union_;
   bool swapped = false;
 };
 [[nodiscard]] NamedOperation operation_named(std::string_view name);

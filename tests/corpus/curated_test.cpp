@@ -39,9 +39,9 @@ Region folded(std::span<const Region> operands, const Join& join) {
   for (const Region& r : operands.subspan(1)) result = join(result, r);
   return result;
 }
-Region unite(std::span<const Region> operands) { return folded(operands, std::bit_or<>()); }
-Region intersect(std::span<const Region> operands) { return folded(operands, std::bit_and<>()); }
-Region subtract(std::span<const Region> operands) { return folded(operands, std::minus<>()); }
+Region union_(std::span<const Region> operands) { return folded(operands, std::bit_or<>()); }
+Region intersection(std::span<const Region> operands) { return folded(operands, std::bit_and<>()); }
+Region difference(std::span<const Region> operands) { return folded(operands, std::minus<>()); }
 
 /// A result as a solid that was checked on the way in.
 Solid solid_of(Solid solid) { return solid; }
@@ -57,9 +57,9 @@ class CuratedCases {
     cases_["mf-tetra"] = [] { return sponge_tetrahedron({0.5, 0.5, 0.5}) - sponge_tetrahedron({0, 0, 0}); };
     cases_["mf-mirrored"] = [] { return block({0, -1, 0}, {1, 0, 1}) - block({0, -1, 0}, point("0.5", "0", "0.5")); };
     cases_["mf-cubes"] = [] {
-      return unite(std::array{block(point("-0.6", "-1", "0"), point("0.6", "0", "1")),
-                              block(point("-0.5", "0", "0.5"), point("0.5", "0.8", "1")),
-                              block(point("-0.6", "-0.1", "0"), point("0.6", "0", "0.5"))});
+      return union_(std::array{block(point("-0.6", "-1", "0"), point("0.6", "0", "1")),
+                               block(point("-0.5", "0", "0.5"), point("0.5", "0.8", "1")),
+                               block(point("-0.6", "-0.1", "0"), point("0.6", "0", "0.5"))});
     };
     cases_["hp-cross"] = [] {
       return beam({1, 2, 3}, point("1", "0.1", "0.1")) |
@@ -119,7 +119,7 @@ class CuratedCases {
         }
       }
     }
-    return subtract(operands);
+    return difference(operands);
   }
 
   void add_volume_identities() {
@@ -130,14 +130,14 @@ class CuratedCases {
     const Model m7 = block({0, 0, 0}, {7, 1, 1});
     const std::string prefix = "mf-boolvol-";
     cases_[prefix + "m1^m2"] = [=] { return m1 & m2; };
-    cases_[prefix + "m1+m2+m4"] = [=] { return unite(std::array{m1, m2, m4}); };
+    cases_[prefix + "m1+m2+m4"] = [=] { return union_(std::array{m1, m2, m4}); };
     cases_[prefix + "m1+m2-m4"] = [=] { return (m1 | m2) - m4; };
     cases_[prefix + "m1+(m2^m4)"] = [=] { return m1 | (m2 & m4); };
     cases_[prefix + "m7^m4"] = [=] { return m7 & m4; };
-    cases_[prefix + "m7^m3^m1"] = [=] { return intersect(std::array{m7, m3, m1}); };
+    cases_[prefix + "m7^m3^m1"] = [=] { return intersection(std::array{m7, m3, m1}); };
     cases_[prefix + "m7^(m1+m2)"] = [=] { return m7 & (m1 | m2); };
     cases_[prefix + "m7-m4"] = [=] { return m7 - m4; };
-    cases_[prefix + "m7-m4-m2"] = [=] { return subtract(std::array{m7, m4, m2}); };
+    cases_[prefix + "m7-m4-m2"] = [=] { return difference(std::array{m7, m4, m2}); };
     cases_[prefix + "m7-(m7-m1)"] = [=] { return m7 - (m7 - m1); };
     cases_[prefix + "m7-(m1+m2)"] = [=] { return m7 - (m1 | m2); };
   }

@@ -37,7 +37,7 @@ CellGrid checkered(int n) {
 
 // Catches: internal walls, and vertices of many operands at one point that are not the same vertex.
 TEST_CASE("a thousand touching unit cubes unite into one box", "[corpus][grid]") {
-  const Solid result = unite(cubes(10, false));
+  const Solid result = union_(cubes(10, false));
   CHECK(result.volume() == 1000);
   CHECK(result.area() == Approx(600).epsilon(1e-12));
   const CanonicalForm form = result.canonical();
@@ -47,7 +47,7 @@ TEST_CASE("a thousand touching unit cubes unite into one box", "[corpus][grid]")
 }
 
 TEST_CASE("the checkerboard of a thousand cells keeps every face and shares every edge", "[corpus][grid]") {
-  const Solid result = unite(cubes(10, true));
+  const Solid result = union_(cubes(10, true));
   CHECK(result.volume() == 500);
   CHECK(result.area() == Approx(3000).epsilon(1e-12));
   const Solid expected(cell_solid(checkered(10)));
@@ -58,7 +58,7 @@ TEST_CASE("the checkerboard of a thousand cells keeps every face and shares ever
 }
 
 TEST_CASE("the symmetric difference of touching cubes is their union", "[corpus][grid]") {
-  CHECK(exclude(cubes(4, false)).canonical() == Solid(box({0, 0, 0}, {4, 4, 4})).canonical());
+  CHECK(symmetric_difference(cubes(4, false)).canonical() == Solid(box({0, 0, 0}, {4, 4, 4})).canonical());
 }
 
 }  // namespace strata::test

@@ -25,16 +25,18 @@ std::vector<Case> ten_cases() {
   const Mesh other = icosphere({0.4, 0.3, 0.2}, 1, 5);
   std::vector<Mesh> row_of_balls;
   for (int i = 0; i < 8; ++i) row_of_balls.push_back(icosphere({0.7 * i, 0.1 * i, 0}, 0.5, 3));
-  return {{"union of balls", Operation::unite, {ball, other}},
-          {"intersection of balls", Operation::intersect, {ball, other}},
-          {"difference of balls", Operation::subtract, {ball, other}},
-          {"xor of balls", Operation::exclude, {ball, other}},
-          {"ball with itself, relisted", Operation::unite, {ball, relisted(ball)}},
-          {"nearly equal balls", Operation::subtract, {ball, translated(ball, {0x1p-40, 0, 0})}},
-          {"row of balls", Operation::unite, row_of_balls},
-          {"meshed cubes that share a side", Operation::unite, {cube_grid(20), translated(cube_grid(20), {20, 0, 0})}},
-          {"meshed cubes that overlap", Operation::exclude, {cube_grid(20), translated(cube_grid(20), {10.5, 10, 7})}},
-          {"several touching solids", Operation::unite, touching_operands(7).meshes}};
+  return {{"union of balls", Operation::union_, {ball, other}},
+          {"intersection of balls", Operation::intersection, {ball, other}},
+          {"difference of balls", Operation::difference, {ball, other}},
+          {"xor of balls", Operation::symmetric_difference, {ball, other}},
+          {"ball with itself, relisted", Operation::union_, {ball, relisted(ball)}},
+          {"nearly equal balls", Operation::difference, {ball, translated(ball, {0x1p-40, 0, 0})}},
+          {"row of balls", Operation::union_, row_of_balls},
+          {"meshed cubes that share a side", Operation::union_, {cube_grid(20), translated(cube_grid(20), {20, 0, 0})}},
+          {"meshed cubes that overlap",
+           Operation::symmetric_difference,
+           {cube_grid(20), translated(cube_grid(20), {10.5, 10, 7})}},
+          {"several touching solids", Operation::union_, touching_operands(7).meshes}};
 }
 
 BooleanResult run(const Case& c, unsigned threads) {

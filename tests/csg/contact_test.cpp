@@ -170,7 +170,7 @@ TEST_CASE("an edge that passes through a vertex of the other operand", "[csg][de
 TEST_CASE("octahedra through one another meet in edges and in faces", "[csg][degenerate]") {
   const Solid a(test::octahedron({0, 0, 0}, 2)), b(test::octahedron({1, 1, 0}, 2)), c(test::octahedron({1, 0, 1}, 2));
   const Solid all[] = {a, b, c};
-  const Solid u = unite(all), i = intersect(all);
+  const Solid u = union_(all), i = intersection(all);
   CHECK(u.volume() ==
         a.volume() + b.volume() + c.volume() - (a & b).volume() - (b & c).volume() - (a & c).volume() + i.volume());
 }
@@ -181,10 +181,10 @@ TEST_CASE("n operands through one point", "[csg][degenerate]") {
     const double x = i & 1, y = i >> 1 & 1, z = i >> 2 & 1;
     all.emplace_back(box({x - 1, y - 1, z - 1}, {x, y, z}));
   }
-  const Solid u = unite(all);
+  const Solid u = union_(all);
   CHECK(u == Solid(box({-1, -1, -1}, {1, 1, 1})));
-  CHECK(intersect(all).is_empty());
-  CHECK(exclude(all) == u);
+  CHECK(intersection(all).is_empty());
+  CHECK(symmetric_difference(all) == u);
 }
 
 // Catches: a corner on the surface of an operand taken for one inside it, because a face there lies inside.
@@ -204,8 +204,8 @@ TEST_CASE("faces on both sides of an operand's vertex", "[csg][degenerate]") {
   const Solid hourglass(both), inside(box({.3, .3, .3}, {.6, .6, .6})), outside(box({1.4, 1.4, 1.4}, {1.6, 1.6, 1.6}));
   REQUIRE(hourglass.volume() > 0);
   const Solid all[] = {hourglass, unit(), inside, outside};
-  CHECK(unite(all) == (unit() | Solid(outer) | outside));
-  CHECK(subtract(all) == (Solid(outer) - outside));
+  CHECK(union_(all) == (unit() | Solid(outer) | outside));
+  CHECK(difference(all) == (Solid(outer) - outside));
 }
 
 TEST_CASE("needles whose tips are on a face, an ulp above and an ulp below", "[csg][degenerate]") {
@@ -217,8 +217,8 @@ TEST_CASE("needles whose tips are on a face, an ulp above and an ulp below", "[c
     sum = sum | all.back();
     rest = rest - all.back();
   }
-  CHECK(unite(all) == sum);
-  CHECK(subtract(all) == rest);
+  CHECK(union_(all) == sum);
+  CHECK(difference(all) == rest);
 }
 
 TEST_CASE("solids of many sizes about one corner, at any scale", "[csg][degenerate]") {
@@ -236,9 +236,9 @@ TEST_CASE("solids of many sizes about one corner, at any scale", "[csg][degenera
       odd = odd ^ all.back();
       common = k == 1 ? all.back() : common & all.back();
     }
-    CHECK(unite(all) == sum);
-    CHECK(exclude(all) == odd);
-    CHECK(intersect(all) == common);
+    CHECK(union_(all) == sum);
+    CHECK(symmetric_difference(all) == odd);
+    CHECK(intersection(all) == common);
   }
 }
 
@@ -276,12 +276,12 @@ TEST_CASE("empty operands and empty results", "[csg][degenerate]") {
 
 // Catches: a tolerance anywhere. The rims of the two discs cross hundreds of times within a step of doubles.
 TEST_CASE("prisms of 100 sides, a step of doubles apart in size, share a plane", "[csg][degenerate]") {
-  const auto prism = [](double radius, double turn, double bottom) {
+  const auto prism = [](double radius, double orientation, double bottom) {
     constexpr std::uint32_t n = 100;
     Mesh mesh;
     for (const double z : {bottom, bottom + 1})
       for (std::uint32_t i = 0; i < n; ++i) {
-        const double t = turn + 2 * M_PI * i / n;
+        const double t = orientation + 2 * M_PI * i / n;
         mesh.vertices.push_back({radius * std::cos(t), radius * std::sin(t), z});
       }
     for (std::uint32_t i = 0; i < n; ++i) {

@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "core/csg/common_walls.h"
-#include "core/csg/crowds.h"
+#include "core/csg/coincident_facets.h"
+#include "core/csg/overlapping_operands.h"
 #include "strata/strata.h"
 #include "support/random.h"
 #include "support/rounds.h"
@@ -15,7 +15,7 @@ using test::Random;
 namespace {
 
 /// A four-sided outline across a sweep, at a place of its path.
-std::array<Vertex, 4> outline(double x, double y, double z) {
+std::array<Vertex, 4> loop(double x, double y, double z) {
   return {{{x, y - 1, z}, {x, y, z - 1}, {x, y + 1, z}, {x, y, z + 1}}};
 }
 
@@ -39,9 +39,9 @@ Mesh piece(const std::array<Vertex, 4>& from, const std::array<Vertex, 4>& to) {
 /// A sweep in pieces along x, which wanders across.
 std::vector<Mesh> sweep(Random& random, int pieces) {
   std::vector<Mesh> meshes;
-  auto at = outline(0, random.between(-2, 2), random.between(-2, 2));
+  auto at = loop(0, random.between(-2, 2), random.between(-2, 2));
   for (int i = 0; i < pieces; ++i) {
-    const auto next = outline(2 * i + 2, random.between(-2, 2), random.between(-2, 2));
+    const auto next = loop(2 * i + 2, random.between(-2, 2), random.between(-2, 2));
     meshes.push_back(piece(at, next));
     at = next;
   }
@@ -127,18 +127,18 @@ TEST_CASE("pieces of a sweep have walls in common, other neighbours have none", 
   for (std::size_t i = 8; i < meshes.size(); ++i)
     for (Vertex& v : meshes[i].vertices) v[2] += 100;
   const std::vector<Operand> operands = operands_of(meshes);
-  const auto groups = groups_with_common_walls(operands, boxes_of(operands, numbers(meshes.size())));
+  const auto groups = groups_with_coincident_facets(operands, boxes_of(operands, numbers(meshes.size())));
   REQUIRE(groups.size() == 2);  // what is more than half of all is not grouped: 32 of 48 are not, the rest of them are
   CHECK(groups[0] == std::vector<std::uint32_t>{0, 1, 2, 3, 4});
   CHECK(groups[1].size() == 8);
-  CHECK(groups_with_common_walls(operands, boxes_of(operands, std::vector<std::uint32_t>{0, 2, 4, 6})).empty());
+  CHECK(groups_with_coincident_facets(operands, boxes_of(operands, std::vector<std::uint32_t>{0, 2, 4, 6})).empty());
 }
 
 TEST_CASE("only operands that overlap most others are a crowd", "[csg]") {
   std::vector<Mesh> meshes;
   for (int i = 0; i < 30; ++i) meshes.push_back(test::box({i + 0., 0, 0}, {i + 40., 1, 1}));  // all over x = 30
-  CHECK(groups_in_crowds(boxes_of(operands_of(meshes), numbers(16))).empty());
-  const auto groups = groups_in_crowds(boxes_of(operands_of(meshes), numbers(30)));
+  CHECK(groups_of_overlapping_operands(boxes_of(operands_of(meshes), numbers(16))).empty());
+  const auto groups = groups_of_overlapping_operands(boxes_of(operands_of(meshes), numbers(30)));
   REQUIRE(groups.size() == 4);
   std::vector<std::uint32_t> members;
   for (const auto& group : groups) {
@@ -150,7 +150,7 @@ TEST_CASE("only operands that overlap most others are a crowd", "[csg]") {
   std::sort(members.begin(), members.end());
   CHECK(members == numbers(30));
   for (int i = 0; i < 40; ++i) meshes.push_back(test::box({2 * i + 100., 0, 0}, {2 * i + 101., 1, 1}));  // apart
-  CHECK(groups_in_crowds(boxes_of(operands_of(meshes), numbers(70))).empty());
+  CHECK(groups_of_overlapping_operands(boxes_of(operands_of(meshes), numbers(70))).empty());
 }
 
 // Catches: members that are united twice or lost, unions of what is no union, sources that name the wrong operand.
@@ -161,7 +161,8 @@ TEST_CASE("operands that are united first give what all together give", "[csg][p
     std::vector<Mesh> meshes{test::box({-1, -3, -3}, {7, 3, 3})};
     for (int s = 0; s < 3; ++s)
       for (Mesh& m : sweep(random, 4)) meshes.push_back(std::move(m));
-    for (const Operation op : {Operation::unite, Operation::subtract, Operation::intersect, Operation::exclude}) {
+    for (const Operation op :
+         {Operation::union_, Operation::difference, Operation::intersection, Operation::symmetric_difference}) {
       CAPTURE(static_cast<int>(op));
       check_rule(meshes, op);
     }
@@ -188,8 +189,8 @@ TEST_CASE("unions of neighbours do not depend on the number of threads", "[csg]"
   for (int s = 0; s < 6; ++s)
     for (Mesh& m : sweep(random, 14)) meshes.push_back(std::move(m));
   const auto operands = operands_of(meshes);
-  const BooleanResult one = combine(Operation::subtract, std::span<const Operand>(operands), {.threads = 1}),
-                      two = combine(Operation::subtract, std::span<const Operand>(operands), {.threads = 2});
+  const BooleanResult one = combine(Operation::difference, std::span<const Operand>(operands), {.threads = 1}),
+                      two = combine(Operation::difference, std::span<const Operand>(operands), {.threads = 2});
   CHECK(one.mesh.vertices == two.mesh.vertices);
   CHECK(one.mesh.triangles == two.mesh.triangles);
   CHECK(one.sources == two.sources);
@@ -203,7 +204,7 @@ TEST_CASE("an operand with a wall in common that is no solid is named", "[csg]")
   meshes[6].triangles.erase(meshes[6].triangles.begin());
   meshes[10].triangles.erase(meshes[10].triangles.begin());
   try {
-    (void)combine(Operation::unite, std::span<const Operand>(operands_of(meshes)));
+    (void)combine(Operation::union_, std::span<const Operand>(operands_of(meshes)));
     FAIL("an open operand was accepted");
   } catch (const InputError& e) {
     CHECK(e.operand() == 6);

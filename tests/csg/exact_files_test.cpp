@@ -112,8 +112,8 @@ TEST_CASE("results survive files exactly", "[csg][xoff][property]") {
     CAPTURE(seed);
     const auto operands = test::touching_pair(seed);
     const Solid a(operands.meshes[0]), b(operands.meshes[1]);
-    const Operation operation =
-        std::array{Operation::unite, Operation::intersect, Operation::subtract, Operation::exclude}[seed % 4];
+    const Operation operation = std::array{Operation::union_, Operation::intersection, Operation::difference,
+                                           Operation::symmetric_difference}[seed % 4];
     const Solid both[] = {a, b};
     const Solid result = combine_solids(operation, both);
     const ExactMesh read = through_file(result.exact_mesh());
@@ -158,7 +158,7 @@ TEST_CASE("a chain of operations through files is the chain without them", "[csg
     Solid straight(operands.meshes[0]);
     ExactMesh stored = straight.exact_mesh();
     for (std::size_t k = 1; k < operands.meshes.size(); ++k) {
-      const Operation operation = (seed + k) % 2 == 0 ? Operation::exclude : Operation::unite;
+      const Operation operation = (seed + k) % 2 == 0 ? Operation::symmetric_difference : Operation::union_;
       const Solid both[] = {straight, Solid(operands.meshes[k])};
       straight = combine_solids(operation, both);
       stored = through_file(stored);
@@ -191,7 +191,7 @@ TEST_CASE("rational meshes are checked completely", "[csg][xoff]") {
     CHECK_THROWS_AS(Solid(bad, InputClass::overlapping), InputError);
     CHECK_THROWS_AS(Solid(bad, InputClass::repair), InputError);
     const Operand operands[] = {{box, {}}, {bad.mesh, bad.exact}};
-    CHECK_THROWS_AS(combine(Operation::unite, std::span<const Operand>(operands)), InputError);
+    CHECK_THROWS_AS(combine(Operation::union_, std::span<const Operand>(operands)), InputError);
   }
 }
 

@@ -33,13 +33,13 @@ Tree random_tree(const std::vector<Solid>& solids, test::Random& random, int dep
   const Tree a = random_tree(solids, random, depth - 1), b = random_tree(solids, random, random.between(0, depth - 1));
   switch (random.below(4)) {
     case 0:
-      return {a.expression | b.expression, join_of(Operation::unite, a.solid, b.solid)};
+      return {a.expression | b.expression, join_of(Operation::union_, a.solid, b.solid)};
     case 1:
-      return {a.expression & b.expression, join_of(Operation::intersect, a.solid, b.solid)};
+      return {a.expression & b.expression, join_of(Operation::intersection, a.solid, b.solid)};
     case 2:
-      return {a.expression - b.expression, join_of(Operation::subtract, a.solid, b.solid)};
+      return {a.expression - b.expression, join_of(Operation::difference, a.solid, b.solid)};
     default:
-      return {a.expression ^ b.expression, join_of(Operation::exclude, a.solid, b.solid)};
+      return {a.expression ^ b.expression, join_of(Operation::symmetric_difference, a.solid, b.solid)};
   }
 }
 

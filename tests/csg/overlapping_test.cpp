@@ -21,7 +21,7 @@ Mesh joined(const std::vector<Mesh>& meshes) {
 Solid united(const std::vector<Mesh>& meshes) {
   std::vector<Solid> solids;
   for (const Mesh& m : meshes) solids.emplace_back(m);
-  return unite(solids);
+  return union_(solids);
 }
 
 }  // namespace

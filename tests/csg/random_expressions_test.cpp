@@ -85,9 +85,9 @@ constexpr std::size_t kuhn_count = 6 * 8;
 
 Flags joined(Recipe::Kind kind, const Flags& a, const Flags& b) {
   const auto of_two = [&](bool p, bool q) {
-    if (kind == Recipe::Kind::unite) return p || q;
-    if (kind == Recipe::Kind::exclude) return p != q;
-    return p && q != (kind == Recipe::Kind::subtract);
+    if (kind == Recipe::Kind::union_) return p || q;
+    if (kind == Recipe::Kind::symmetric_difference) return p != q;
+    return p && q != (kind == Recipe::Kind::difference);
   };
   Flags result{std::vector<bool>(kuhn_count), of_two(a.outside, b.outside)};
   for (std::size_t i = 0; i < kuhn_count; ++i) result.inside[i] = of_two(a.inside[i], b.inside[i]);

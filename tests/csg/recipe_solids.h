@@ -23,7 +23,10 @@ namespace strata::test {
   return value_of<Expression>(
       recipe, [&](std::uint32_t n) { return Expression(solids[n], std::string("s").append(std::to_string(n))); },
       [](Kind kind, const Expression& a, const Expression& b) {
-        return kind == Kind::unite ? a | b : kind == Kind::intersect ? a & b : kind == Kind::subtract ? a - b : a ^ b;
+        return kind == Kind::union_         ? a | b
+               : kind == Kind::intersection ? a & b
+               : kind == Kind::difference   ? a - b
+                                            : a ^ b;
       },
       [](const Expression& a) { return ~a; },
       [](const Expression& a, const Affine& map) { return a.transformed(transform_of(map)); });
@@ -48,9 +51,9 @@ struct SolidOrRest {
   return value_of<SolidOrRest>(
              recipe, [&](std::uint32_t n) { return SolidOrRest{solids[n]}; },
              [&](Kind kind, const SolidOrRest& a, const SolidOrRest& b) -> SolidOrRest {
-               if (kind == Kind::intersect) return intersection_of(a, b);
-               if (kind == Kind::subtract) return intersection_of(a, rest_of(b));
-               if (kind == Kind::unite) return rest_of(intersection_of(rest_of(a), rest_of(b)));
+               if (kind == Kind::intersection) return intersection_of(a, b);
+               if (kind == Kind::difference) return intersection_of(a, rest_of(b));
+               if (kind == Kind::union_) return rest_of(intersection_of(rest_of(a), rest_of(b)));
                return {a.solid ^ b.solid, a.is_rest != b.is_rest};
              },
              rest_of,

@@ -14,7 +14,7 @@ using test::box;
 TEST_CASE("untouched faces come out as they went in", "[csg]") {
   const Mesh a = test::icosphere({0, 0, 0}, 1, 3), b = test::icosphere({.9, .1, .05}, 1, 3);
   const std::vector<MeshView> operands{a, b};
-  const BooleanResult r = combine(Operation::unite, std::span<const MeshView>(operands));
+  const BooleanResult r = combine(Operation::union_, std::span<const MeshView>(operands));
   REQUIRE(r.sources.size() == r.mesh.triangles.size());
   std::size_t whole = 0;
   for (std::size_t t = 0; t < r.sources.size(); ++t) {
@@ -32,7 +32,8 @@ TEST_CASE("every triangle lies in the plane of its source", "[csg][property]") {
     CAPTURE(seed);
     const auto operands = test::touching_pair(seed);
     std::vector<MeshView> views(operands.meshes.begin(), operands.meshes.end());
-    const BooleanResult r = combine(Operation::exclude, std::span<const MeshView>(views), {.exact_vertices = true});
+    const BooleanResult r =
+        combine(Operation::symmetric_difference, std::span<const MeshView>(views), {.exact_vertices = true});
     CHECK(test::wrong_sources({r.mesh, r.exact}, r.sources, operands.meshes).empty());
   }
 }
@@ -90,10 +91,10 @@ TEST_CASE("many operands at once give what one after the other gives", "[csg][pr
       d = d - all[k];
       x = x ^ all[k];
     }
-    CHECK(unite(all) == u);
-    CHECK(intersect(all) == i);
-    CHECK(subtract(all) == d);
-    CHECK(exclude(all) == x);
+    CHECK(union_(all) == u);
+    CHECK(intersection(all) == i);
+    CHECK(difference(all) == d);
+    CHECK(symmetric_difference(all) == x);
   }
 }
 
@@ -117,7 +118,7 @@ TEST_CASE("an operand that crosses itself where the other one cuts it is refused
   const Mesh cutter = box({1.5, 1.5, -1}, {1.75, 1.75, 4});
   const std::vector<MeshView> operands{cutter, two};
   try {
-    (void)combine(Operation::subtract, std::span<const MeshView>(operands));
+    (void)combine(Operation::difference, std::span<const MeshView>(operands));
     FAIL("accepted");
   } catch (const InputError& e) {
     CHECK(e.operand() == 1);
@@ -159,14 +160,14 @@ TEST_CASE("an operation can be cancelled", "[csg]") {
   const std::atomic<bool> cancel{true};
   const Mesh a = box({0, 0, 0}, {1, 1, 1});
   const std::vector<MeshView> operands{a, a};
-  CHECK_THROWS_AS(combine(Operation::unite, std::span<const MeshView>(operands), {.cancel = &cancel}), Cancelled);
+  CHECK_THROWS_AS(combine(Operation::union_, std::span<const MeshView>(operands), {.cancel = &cancel}), Cancelled);
 }
 
 TEST_CASE("progress grows from zero to one", "[csg]") {
   const Mesh a = test::icosphere({0, 0, 0}, 1, 2), b = test::icosphere({.5, 0, 0}, 1, 2);
   const std::vector<MeshView> operands{a, b};
   std::vector<double> seen;
-  (void)combine(Operation::unite, std::span<const MeshView>(operands),
+  (void)combine(Operation::union_, std::span<const MeshView>(operands),
                 {.progress = [&](double x) { seen.push_back(x); }});
   REQUIRE(seen.size() > 3);
   CHECK(std::is_sorted(seen.begin(), seen.end()));

@@ -14,13 +14,13 @@ constexpr const char* folder = "/dev/null/case";
 
 Truth apply(Operation operation, Truth a, Truth b) {
   switch (operation) {
-    case Operation::unite:
+    case Operation::union_:
       return a | b;
-    case Operation::intersect:
+    case Operation::intersection:
       return a & b;
-    case Operation::subtract:
+    case Operation::difference:
       return a - b;
-    case Operation::exclude:
+    case Operation::symmetric_difference:
       return a ^ b;
   }
   return {};

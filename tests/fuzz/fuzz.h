@@ -2,12 +2,11 @@
 #include <tbb/global_control.h>
 
 #include <csignal>
-#include <ctime>
-
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string_view>
 
 namespace strata::fuzz {

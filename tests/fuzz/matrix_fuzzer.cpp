@@ -13,7 +13,7 @@ Transform parse(std::string_view text) {
   const std::string file_name = "fuzz.json";
   try {
     const Json json = parse_json(text, file_name);
-    return read_matrix(JsonPlace(json, file_name, "transform"));
+    return read_matrix(JsonLocation(json, file_name, "transform"));
   } catch (const IoError& error) {
     check_error(error, file_name);
     throw;

@@ -28,7 +28,8 @@ void check(const PlanarFile& file) {
     for (std::size_t i = 0; i < 2; ++i) {
       const double nearest = loops.places.place[p][i];
       require(std::isfinite(nearest), "coordinates are finite");
-      require(nearest == to_nearest_double(planar::exact_place(loops.places, p)[i]), "places are the nearest doubles");
+      require(nearest == to_nearest_double(planar::exact_position(loops.places, p)[i]),
+              "places are the nearest doubles");
     }
   for (const std::uint32_t v : loops.vertices) require(v < loops.places.size(), "vertices are points");
   require(loops.first_vertex.back() == loops.vertices.size(), "loops have all vertices");
@@ -45,7 +46,7 @@ Region read_region(const std::string& text, PlanarFormat format) {
 bool has_doubles_only(const Region& region) {
   const auto& vertices = region.loops.vertices;
   return std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
-    const planar::RationalPlacement p = planar::exact_place(region.loops.places, v);
+    const planar::RationalPlacement p = planar::exact_position(region.loops.places, v);
     const planar::PlanePoint& nearest = region.loops.places.place[v];
     return to_rational(nearest[0]) == p[0] && to_rational(nearest[1]) == p[1];
   });

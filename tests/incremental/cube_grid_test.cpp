@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Cubes of one size at the origin; the workpiece should be the union of the filled cells.
+/// Cubes of one size at the origin; the incremental solid should be the union of the filled cells.
 struct Cubes {
   test::CellGrid cells;
   test::Affine map{};
@@ -57,17 +57,17 @@ std::vector<std::size_t> checkerboard_order(const Cubes& cubes, test::Random& ra
   return order;
 }
 
-/// Follows a workpiece, and compares it after every step with what the cells say.
+/// Follows a incremental solid, and compares it after every step with what the cells say.
 class Follower {
  public:
   explicit Follower(Cubes cubes) : cubes_(std::move(cubes)) {}
 
   void step(Operation operation, std::size_t number) {
-    const bool unite = operation == Operation::unite;
+    const bool unite = operation == Operation::union_;
     const int exposed = cubes_.exposed_squares(number);  // the same with the cell and without it
     const Solid tool = cubes_.cube(number);
     const auto start = Clock::now();
-    workpiece_ = workpiece_.with(operation, tool);
+    solid_in_steps_ = solid_in_steps_.with(operation, tool);
     stepping_ += Clock::now() - start;
     cubes_.cells.filled[number] = unite;
     filled_ += unite ? 1 : -1;
@@ -84,19 +84,19 @@ class Follower {
   }
 
   [[nodiscard]] std::size_t steps() const { return steps_; }
-  [[nodiscard]] const Workpiece& workpiece() const { return workpiece_; }
+  [[nodiscard]] const IncrementalSolid& solid_in_steps() const { return solid_in_steps_; }
 
  private:
   void compare() {
     const auto start = Clock::now();
-    const Solid solid = workpiece_.solid();
+    const Solid solid = solid_in_steps_.solid();
     const Rational volume = filled_ * cubes_.side * cubes_.side * cubes_.side;
     REQUIRE(solid.volume() == volume);
-    REQUIRE(workpiece_.volume() == Approx(to_nearest_double(volume)).epsilon(1e-14));
+    REQUIRE(solid_in_steps_.volume() == Approx(to_nearest_double(volume)).epsilon(1e-14));
     const double area = to_nearest_double(squares_ * cubes_.side * cubes_.side);
     REQUIRE(solid.area() == Approx(area).epsilon(1e-14));
-    REQUIRE(workpiece_.is_empty() == (filled_ == 0));
-    REQUIRE(workpiece_.triangle_count() == solid.mesh().triangles.size());
+    REQUIRE(solid_in_steps_.is_empty() == (filled_ == 0));
+    REQUIRE(solid_in_steps_.triangle_count() == solid.mesh().triangles.size());
     const Topology topology = strata::topology(solid.exact_mesh());
     REQUIRE(topology.open_edges == 0);
     const CanonicalForm known = canonical_form(mapped(test::cell_solid(cubes_.cells), cubes_.map));
@@ -107,7 +107,7 @@ class Follower {
   }
 
   Cubes cubes_;
-  Workpiece workpiece_;
+  IncrementalSolid solid_in_steps_;
   int filled_ = 0, squares_ = 0;
   std::size_t steps_ = 0, most_ = 0;
   std::uint64_t most_shared_ = 0;
@@ -119,13 +119,13 @@ Follower follow(int n, const Rational& side, std::uint64_t seed) {
   test::Random random(seed);
   const Cubes cubes(n, side);
   Follower follower(cubes);
-  for (const std::size_t number : checkerboard_order(cubes, random)) follower.step(Operation::unite, number);
-  CHECK(follower.workpiece().solid().canonical().facet_count() == 6);
+  for (const std::size_t number : checkerboard_order(cubes, random)) follower.step(Operation::union_, number);
+  CHECK(follower.solid_in_steps().solid().canonical().facet_count() == 6);
   auto order = checkerboard_order(cubes, random);
   const std::size_t last = order.back();
   order.pop_back();
-  for (const std::size_t number : order) follower.step(Operation::subtract, number);
-  CHECK(follower.workpiece().solid() == cubes.cube(last));
+  for (const std::size_t number : order) follower.step(Operation::difference, number);
+  CHECK(follower.solid_in_steps().solid() == cubes.cube(last));
   return follower;
 }
 

@@ -14,7 +14,8 @@ using test::Random;
 
 namespace {
 
-constexpr Operation operations[] = {Operation::unite, Operation::subtract, Operation::exclude, Operation::intersect};
+constexpr Operation operations[] = {Operation::union_, Operation::difference, Operation::symmetric_difference,
+                                    Operation::intersection};
 
 /// Each tool in a group of its own.
 std::vector<ToolGroup> alone(const std::vector<Solid>& tools) {
@@ -24,8 +25,8 @@ std::vector<ToolGroup> alone(const std::vector<Solid>& tools) {
 }
 
 /// Positions of all corners, face by face in the order of the tree.
-std::vector<Carriers::Coordinates> places(const FaceTree& tree) {
-  std::vector<Carriers::Coordinates> all;
+std::vector<InputComplex::Coordinates> places(const FaceTree& tree) {
+  std::vector<InputComplex::Coordinates> all;
   tree.for_each([&](const WorkFace& f) {
     for (const CornerPointer& c : f.corners()) all.push_back(c->at);
   });
@@ -41,7 +42,7 @@ FaceTree after(const Solid& start, Operation operation, const std::vector<Solid>
 void check_against_steps(const Solid& start, const std::vector<Solid>& tools) {
   for (const Operation operation : operations) {
     CAPTURE(static_cast<int>(operation));
-    Workpiece one(start);
+    IncrementalSolid one(start);
     for (const Solid& tool : tools) one = one.with(operation, tool);
     const FaceTree all = after(start, operation, tools);
     CHECK(all.determinant().value == Approx(6 * one.volume()).margin(1e-9));
@@ -58,7 +59,7 @@ TEST_CASE("many pits in one face, all at the same time", "[workpiece]") {
     for (int k = 0; k < 6; ++k) pits.emplace_back(test::octahedron({i + .5, k + .5, 1}, .4));
   const Solid plate(test::box({0, 0, 0}, {6, 6, 1}));
   check_against_steps(plate, pits);
-  CHECK(after(plate, Operation::subtract, pits).determinant().value / 6 == Approx(36 - 36 * 2. / 3 * .4 * .4 * .4));
+  CHECK(after(plate, Operation::difference, pits).determinant().value / 6 == Approx(36 - 36 * 2. / 3 * .4 * .4 * .4));
 }
 
 // Catches: tools of one round that touch.
@@ -86,7 +87,7 @@ TEST_CASE("steps of rounds on a ball that has many faces", "[workpiece][property
 TEST_CASE("a workpiece that is used up takes no more steps", "[workpiece]") {
   const Solid small(test::box({0, 0, 0}, {1, 1, 1})), large(test::box({-1, -1, -1}, {2, 2, 2})),
       beside(test::box({5, 0, 0}, {6, 1, 1}));
-  CHECK(after(small, Operation::subtract, {large, beside}).size() == 0);
-  CHECK(after(small, Operation::intersect, {beside, large}).size() == 0);
-  CHECK(after(small, Operation::exclude, {small, beside}).determinant().value == 6);
+  CHECK(after(small, Operation::difference, {large, beside}).size() == 0);
+  CHECK(after(small, Operation::intersection, {beside, large}).size() == 0);
+  CHECK(after(small, Operation::symmetric_difference, {small, beside}).determinant().value == 6);
 }

@@ -254,16 +254,16 @@ namespace {
 
 /// Do two sides have a point in common other than a corner that both end in?
 bool sides_meet(const std::vector<Flat>& p, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  const auto turn = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+  const auto orientation = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     return double_area(p[i], p[j], p[k]).sign();
   };
   const auto between = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {  // k strictly within ij
-    return turn(i, j, k) == 0 && p[k] != p[i] && p[k] != p[j] && std::min(p[i], p[j]) < p[k] &&
+    return orientation(i, j, k) == 0 && p[k] != p[i] && p[k] != p[j] && std::min(p[i], p[j]) < p[k] &&
            p[k] < std::max(p[i], p[j]);
   };
   if (between(a, b, c) || between(a, b, d) || between(c, d, a) || between(c, d, b)) return true;
   if ((p[a] == p[c] && p[b] == p[d]) || (p[a] == p[d] && p[b] == p[c])) return true;
-  return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+  return orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ using namespace strata::test;
 
 namespace {
 
-using Coordinates = Carriers::Coordinates;
+using Coordinates = InputComplex::Coordinates;
 using Four = std::array<Coordinates, 4>;
 
 RationalPoint exact(const Coordinates& p) { return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])}; }

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/kernel/filtered_turn.h"
+#include "core/kernel/filtered_orientation.h"
 #include "core/kernel/predicates.h"
 #include "kernel/reference.h"
 #include "kernel/tiers.h"
@@ -13,25 +13,25 @@ using namespace strata::test;
 
 namespace {
 
-using Coordinates = Carriers::Coordinates;
+using Coordinates = InputComplex::Coordinates;
 
 RationalPoint exact(const Coordinates& p) { return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])}; }
 
 /// Four vertices, asked as numbers and as points.
 struct Four {
-  explicit Four(std::vector<Coordinates> p) : points(std::move(p)) { carriers.add(points, {}); }
+  explicit Four(std::vector<Coordinates> p) : points(std::move(p)) { input.add(points, {}); }
 
   [[nodiscard]] Sign expected() const {
     return RationalPlane{exact(points[0]), exact(points[1]), exact(points[2])}.side(exact(points[3]));
   }
-  [[nodiscard]] Sign of_vertices() const { return orient3d(carriers, 0U, 1U, 2U, 3U); }
+  [[nodiscard]] Sign of_vertices() const { return orient3d(input, 0U, 1U, 2U, 3U); }
   [[nodiscard]] Sign of_points() const {
-    const auto p = [&](std::uint32_t v) { return make_point(carriers, PointName::input(v)); };
-    return orient3d(carriers, p(0), p(1), p(2), p(3));
+    const auto p = [&](std::uint32_t v) { return make_point(input, SymbolicPoint::input(v)); };
+    return orient3d(input, p(0), p(1), p(2), p(3));
   }
 
   std::vector<Coordinates> points;
-  Carriers carriers;
+  InputComplex input;
 };
 
 void check(const Four& four) {
@@ -70,9 +70,9 @@ TEST_CASE("the filter of orient3d gives up within its bound and decides beyond",
 // value = gap, magnitude = 2, so the bound is 6 * 2^-53. Catches: the constant 3 halved (4 > 3).
 TEST_CASE("the filter of orient2d gives up within its bound and decides beyond", "[kernel]") {
   const auto decided = [](double gap) {
-    const Carriers carriers;
+    const InputComplex input;
     const Point p = Point::free({0, 0, 0}), q = Point::free({1, 1 - gap, 0}), r = Point::free({1, 1, 0});
-    CHECK(orient2d(carriers, {0, 1}, p, q, r) == sign_of(gap));
+    CHECK(orient2d(input, {0, 1}, p, q, r) == sign_of(gap));
     return filtered_orient2d({0, 1}, p, q, r).has_value();
   };
   CHECK_FALSE(decided(0x1p-51));
@@ -145,7 +145,7 @@ TEST_CASE("turns by differences are exact or not given", "[kernel][property]") {
       if (random.once_in(2)) r[0] = std::nextafter(r[0], HUGE_VAL);
     }
     if (!std::isfinite(p[0] + p[1] + q[0] + q[1] + r[0] + r[1])) continue;
-    const auto sign = turn_by_differences(p, q, r);
+    const auto sign = orientation_by_differences(p, q, r);
     if (!sign) continue;
     const auto of = [](double x) { return to_rational(x); };
     const Rational left = (of(q[0]) - of(p[0])) * (of(r[1]) - of(p[1]));
@@ -160,10 +160,10 @@ TEST_CASE("turns by differences are exact or not given", "[kernel][property]") {
 
 TEST_CASE("turns by differences refuse what rounding hides", "[kernel]") {
   const double up = std::nextafter(1.0, 2.0);
-  CHECK(turn_by_differences({0, 0}, {3, up}, {3, 1}) == Sign::negative);
-  CHECK(turn_by_differences({0, 0}, {up, up}, {1, 1}) == Sign::zero);
-  CHECK_FALSE(turn_by_differences({-4, -4}, {1, 1}, {1, up}));                           // rounded differences
-  CHECK_FALSE(turn_by_differences({0, 0}, {0x1p-600, 0x1p-600}, {0x1p-600, 0x1p-600}));  // vanished products
-  CHECK_FALSE(turn_by_differences({0, 0}, {0x1p600, 0x1p600}, {0x1p600, 0x1p600}));
-  CHECK_FALSE(turn_by_differences({-0x1.8p1023, 0}, {0x1.8p1023, 1}, {0, 1}));
+  CHECK(orientation_by_differences({0, 0}, {3, up}, {3, 1}) == Sign::negative);
+  CHECK(orientation_by_differences({0, 0}, {up, up}, {1, 1}) == Sign::zero);
+  CHECK_FALSE(orientation_by_differences({-4, -4}, {1, 1}, {1, up}));                           // rounded differences
+  CHECK_FALSE(orientation_by_differences({0, 0}, {0x1p-600, 0x1p-600}, {0x1p-600, 0x1p-600}));  // vanished products
+  CHECK_FALSE(orientation_by_differences({0, 0}, {0x1p600, 0x1p600}, {0x1p600, 0x1p600}));
+  CHECK_FALSE(orientation_by_differences({-0x1.8p1023, 0}, {0x1.8p1023, 1}, {0, 1}));
 }

@@ -9,7 +9,7 @@
 using namespace strata;
 
 TEST_CASE("a plane in doubles is certain only of what is so", "[kernel]") {
-  const Carriers::Coordinates a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
+  const InputComplex::Coordinates a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
   const FilteredPlane plane(a, b, c);
   CHECK(plane.side({0.3, 0.3, 1}) == 1);
   CHECK(plane.side({0.3, 0.3, -1e-200}) == -1);
@@ -21,31 +21,31 @@ TEST_CASE("a plane in doubles is certain only of what is so", "[kernel]") {
 }
 
 TEST_CASE("identified vertices stand for each other in faces", "[kernel]") {
-  const std::vector<Carriers::Coordinates> first{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+  const std::vector<InputComplex::Coordinates> first{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
       second{{1, 0, 0}, {0, 0, 0}, {0, 0, 1}};
-  const std::vector<Carriers::Indices> faces{{0, 1, 2}};
-  Carriers carriers;
-  carriers.add(first, faces);
-  carriers.add(second, faces);
+  const std::vector<InputComplex::Indices> faces{{0, 1, 2}};
+  InputComplex input;
+  input.add(first, faces);
+  input.add(second, faces);
   const std::pair<std::uint32_t, std::uint32_t> equal[] = {{1, 3}, {0, 4}};
-  carriers.identify(equal);
-  CHECK(carriers.face(0) == Carriers::Indices{0, 1, 2});
-  CHECK(carriers.face(1) == Carriers::Indices{1, 0, 5});
-  CHECK(carriers.is_shared(3));
-  CHECK(carriers.is_shared(1));
-  CHECK_FALSE(carriers.is_shared(5));
-  CHECK(carriers.vertex(3) == carriers.vertex(1));
+  input.identify(equal);
+  CHECK(input.face(0) == InputComplex::Indices{0, 1, 2});
+  CHECK(input.face(1) == InputComplex::Indices{1, 0, 5});
+  CHECK(input.is_shared(3));
+  CHECK(input.is_shared(1));
+  CHECK_FALSE(input.is_shared(5));
+  CHECK(input.vertex(3) == input.vertex(1));
   const std::pair<std::uint32_t, std::uint32_t> more[] = {{3, 2}};
-  carriers.identify(more);
-  CHECK(carriers.identified(3) == 1);
-  CHECK(carriers.identified(2) == 1);
+  input.identify(more);
+  CHECK(input.identified(3) == 1);
+  CHECK(input.identified(2) == 1);
 }
 
 TEST_CASE("a plane is certain of a point within bounds only if it is of every place there", "[kernel][property]") {
   test::Random random(11);
   int certain = 0;
   for (int n = 0; n < 20'000; ++n) {
-    std::array<Carriers::Coordinates, 3> t;
+    std::array<InputComplex::Coordinates, 3> t;
     for (auto& v : t)
       for (double& x : v) x = random.unit() * 2 - 1;
     BoundedPoint p;
@@ -59,7 +59,7 @@ TEST_CASE("a plane is certain of a point within bounds only if it is of every pl
     if (side == 0) continue;
     ++certain;
     for (int corner = 0; corner < 8; ++corner) {
-      Carriers::Coordinates at;
+      InputComplex::Coordinates at;
       for (std::size_t i = 0; i < 3; ++i) at[i] = (corner >> i & 1) != 0 ? p[i].upper() : p[i].lower();
       REQUIRE(to_int(orient3d(t[0], t[1], t[2], at)) == side);
     }

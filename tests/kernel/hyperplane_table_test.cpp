@@ -83,7 +83,7 @@ void note_points(Random& random, HyperplaneTable<D>& table) {
 
 /// Rounding to the nearest double, and the sign of what that left out.
 template <int D>
-void check_rounded(const RoundedPlace<D>& rounded, const RationalVector<D>& place) {
+void check_rounded(const RoundedPoint<D>& rounded, const RationalVector<D>& place) {
   for (std::size_t i = 0; i < D; ++i) {
     REQUIRE(rounded.nearest[i] == to_nearest_double(place[i]));
     REQUIRE_FALSE((rounded.nearest[i] == 0 && std::signbit(rounded.nearest[i])));
@@ -93,7 +93,7 @@ void check_rounded(const RoundedPlace<D>& rounded, const RationalVector<D>& plac
 
 /// Where the form is certain, it is right; where coordinates are doubles and the value is large, it is certain.
 template <int D>
-void check_form(const HyperplaneTable<D>& table, std::uint32_t h, const Corner<D>& corner) {
+void check_form(const HyperplaneTable<D>& table, std::uint32_t h, const HyperplaneMeet<D>& corner) {
   std::array<Bounded, D> largest;
   for (std::size_t i = 0; i < D; ++i) largest[i] = Bounded(std::abs(corner.at[i].value), corner.at[i].error);
   const auto [form, bound] = table.form_within(h, largest);
@@ -121,7 +121,7 @@ void check_random_meets(bool with_frame, int fewest_zeros, bool is_noted = false
     const auto place = solved<D>(table, names);
     if (!h || !place) continue;
     if (is_noted) note_points(random, table);
-    const Corner<D> corner = table.meet(names);
+    const HyperplaneMeet<D> corner = table.meet(names);
     const Sign side = table.side(*h, corner);
     CHECK(side == table.side(*h, *place));
     ++asked;
@@ -210,18 +210,18 @@ TEST_CASE("a hyperplane is the same whichever way and however often it is given"
   HyperplaneTable<2> table;
   const RationalVector<2> p{0, 1}, q{2, Rational(1, 3)};
   const OrientedHyperplane<2> there = line_through(p, q), back = line_through(q, p);
-  CHECK(there.is_turned != back.is_turned);
+  CHECK(there.is_reversed != back.is_reversed);
   CHECK(table.add(there.hyperplane) == table.add(back.hyperplane));
   CHECK(table.size() == 1);
   // Left of the way from p to q is above it.
-  CHECK(table.side(0, RationalVector<2>{0, 2}) == (there.is_turned ? Sign::negative : Sign::positive));
+  CHECK(table.side(0, RationalVector<2>{0, 2}) == (there.is_reversed ? Sign::negative : Sign::positive));
 }
 
 TEST_CASE("a plane looks to where its three points are seen counter-clockwise", "[kernel]") {
   const OrientedHyperplane<3> up = plane_through({0, 0, 5}, {1, 0, 5}, {0, 1, 5});
   const OrientedHyperplane<3> down = plane_through({0, 0, 5}, {0, 1, 5}, {1, 0, 5});
-  CHECK_FALSE(up.is_turned);
-  CHECK(down.is_turned);
+  CHECK_FALSE(up.is_reversed);
+  CHECK(down.is_reversed);
   CHECK(up.hyperplane == down.hyperplane);
   CHECK(up.hyperplane == axis_hyperplane<3>(2, 5));
 }

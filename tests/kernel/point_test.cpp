@@ -34,10 +34,10 @@ void check_bounds(const Bounded& bound, const Rational& x, double size) {
   if (std::isfinite(bound.upper())) REQUIRE(x <= to_rational(bound.upper()));
 }
 
-void check_point(const Carriers& carriers, const Known& known) {
+void check_point(const InputComplex& input, const Known& known) {
   CAPTURE(static_cast<int>(known.point.name.kind), known.point.name.id);
-  REQUIRE(exact_position(carriers, known.point) == known.place);
-  const auto nearest = nearest_doubles(carriers, known.point);
+  REQUIRE(exact_position(input, known.point) == known.place);
+  const auto nearest = nearest_doubles(input, known.point);
   double size = 0x1p-900;
   for (const Bounded& x : known.point.at) size = std::max(size, std::abs(x.value));
   for (std::size_t i = 0; i < 3; ++i) {
@@ -48,13 +48,13 @@ void check_point(const Carriers& carriers, const Known& known) {
 
 /// The points of one evaluation with vertices `points` and faces of three vertices each, in order.
 struct Given {
-  Given(std::vector<Carriers::Coordinates> p, std::vector<Carriers::Indices> f = {})
+  Given(std::vector<InputComplex::Coordinates> p, std::vector<InputComplex::Indices> f = {})
       : points(std::move(p)), faces(std::move(f)) {
-    carriers.add(points, faces);
+    input.add(points, faces);
   }
-  std::vector<Carriers::Coordinates> points;
-  std::vector<Carriers::Indices> faces;
-  Carriers carriers;
+  std::vector<InputComplex::Coordinates> points;
+  std::vector<InputComplex::Indices> faces;
+  InputComplex input;
 };
 
 }  // namespace
@@ -65,7 +65,7 @@ TEST_CASE("every named point lies where its carriers meet", "[kernel][property][
     for (int i = 0; i < affordable(static_cast<Family>(family), 400); ++i) {
       CAPTURE(family, i);
       Scene scene(static_cast<Family>(family), i % 3 == 2, static_cast<std::uint64_t>(i));
-      for (const Known& known : scene.known_points(25)) check_point(scene.carriers, known);
+      for (const Known& known : scene.known_points(25)) check_point(scene.input, known);
     }
   }
 }
@@ -77,7 +77,7 @@ TEST_CASE("names say truly which faces and edges a point is on", "[kernel][prope
     Scene scene(Family::small_integers, i % 2 == 1, static_cast<std::uint64_t>(i));
     for (const Known& known : scene.known_points(25)) {
       const std::uint32_t f = scene.any_face(), a = scene.any_vertex(), b = scene.any_vertex();
-      if (named_on_face(known.point.name, f, scene.carriers.face(f))) {
+      if (named_on_face(known.point.name, f, scene.input.face(f))) {
         REQUIRE(scene.plane(f).side(known.place) == Sign::zero);
         ++on_faces;
       }
@@ -92,17 +92,17 @@ TEST_CASE("names say truly which faces and edges a point is on", "[kernel][prope
 }
 
 TEST_CASE("names do not depend on the order of their carriers", "[kernel]") {
-  CHECK(PointName::edge_face(4, 2, 7) == PointName::edge_face(2, 4, 7));
-  CHECK(PointName::edge_edge(4, 2, 1, 9) == PointName::edge_edge(9, 1, 2, 4));
-  CHECK(PointName::edge_edge(1, 2, 1, 3) == PointName::edge_edge(3, 1, 2, 1));
-  CHECK(PointName::three_faces(3, 1, 2) == PointName::three_faces(2, 3, 1));
-  CHECK(PointName::input(3) != PointName::weighted(3, 0));
+  CHECK(SymbolicPoint::edge_face(4, 2, 7) == SymbolicPoint::edge_face(2, 4, 7));
+  CHECK(SymbolicPoint::edge_edge(4, 2, 1, 9) == SymbolicPoint::edge_edge(9, 1, 2, 4));
+  CHECK(SymbolicPoint::edge_edge(1, 2, 1, 3) == SymbolicPoint::edge_edge(3, 1, 2, 1));
+  CHECK(SymbolicPoint::three_faces(3, 1, 2) == SymbolicPoint::three_faces(2, 3, 1));
+  CHECK(SymbolicPoint::input(3) != SymbolicPoint::weighted(3, 0));
 }
 
 // Catches: infinite bounds taken for tight ones.
 TEST_CASE("a point between vertices whose difference overflows is found", "[kernel]") {
   const Given given({{-1.7e308, -1.7e308, 1}, {1.7e308, 1.7e308, 1}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}}, {{2, 3, 4}});
-  const Point p = make_point(given.carriers, PointName::edge_face(0, 1, 0));
+  const Point p = make_point(given.input, SymbolicPoint::edge_face(0, 1, 0));
   CHECK(p.at[0].value == 0);
   CHECK(p.at[1].value == 0);
   CHECK(p.at[2].value == 1);
@@ -111,29 +111,29 @@ TEST_CASE("a point between vertices whose difference overflows is found", "[kern
 
 TEST_CASE("a meet beyond the largest double has no finite bound", "[kernel]") {
   const Given given({{0, 0, 0}, {1, 0, 1e-300}, {0, 0, 1e300}, {0, 1, 1e300}, {1, 0, 1e300}}, {{2, 3, 4}});
-  const Point p = make_point(given.carriers, PointName::edge_face(0, 1, 0));
+  const Point p = make_point(given.input, SymbolicPoint::edge_face(0, 1, 0));
   CHECK_FALSE(std::isfinite(p.at[0].error));
-  CHECK(nearest_doubles(given.carriers, p)[0] == HUGE_VAL);
-  CHECK(to_nearest_double(exact_position(given.carriers, p)[2]) == 1e300);
+  CHECK(nearest_doubles(given.input, p)[0] == HUGE_VAL);
+  CHECK(to_nearest_double(exact_position(given.input, p)[2]) == 1e300);
 }
 
 TEST_CASE("nearly parallel carriers still give a bound of a few ulps", "[kernel]") {
   const double up = std::nextafter(1.0, 2.0);
   const Given given({{0, 0, 1}, {1, 0, up}, {0, 0, 1}, {3, 0, 1}, {0, 1, 1}, {7, 7, 1}}, {{3, 4, 5}});
-  const Point p = make_point(given.carriers, PointName::edge_face(0, 1, 0));
+  const Point p = make_point(given.input, SymbolicPoint::edge_face(0, 1, 0));
   for (const Bounded& x : p.at) CHECK(x.error <= 0x1p-49);
-  CHECK(exact_position(given.carriers, p) == RationalPoint{0, 0, 1});
+  CHECK(exact_position(given.input, p) == RationalPoint{0, 0, 1});
 }
 
 TEST_CASE("an input vertex keeps its doubles, and a rational one its nearest", "[kernel]") {
-  const std::vector<Carriers::Coordinates> points{{-0.0, 0.1, 3}, {1.0 / 3, 0, 0}};
+  const std::vector<InputComplex::Coordinates> points{{-0.0, 0.1, 3}, {1.0 / 3, 0, 0}};
   const std::vector<ExactVertex> exact{{1, {Rational(1, 3), 0, 0}}};
-  Carriers carriers;
-  carriers.add(points, {}, exact);
-  const Point p = make_point(carriers, PointName::input(0)), q = make_point(carriers, PointName::input(1));
+  InputComplex input;
+  input.add(points, {}, exact);
+  const Point p = make_point(input, SymbolicPoint::input(0)), q = make_point(input, SymbolicPoint::input(1));
   CHECK(p.at[1].value == 0.1);
   CHECK(p.at[1].error == 0);
   CHECK(q.at[0].error > 0);
-  CHECK(exact_position(carriers, q)[0] == Rational(1, 3));
-  CHECK(nearest_doubles(carriers, q)[0] == 1.0 / 3);
+  CHECK(exact_position(input, q)[0] == Rational(1, 3));
+  CHECK(nearest_doubles(input, q)[0] == 1.0 / 3);
 }

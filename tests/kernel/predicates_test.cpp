@@ -50,7 +50,7 @@ void check_vertices(Scene& s, TierTable& table) {
   for (auto& x : v) x = s.any_vertex();
   const auto ask = [&](int a, int b, int c, int d) {
     return table.ask("orient3d of vertices", [&] {
-      return orient3d(s.carriers, v[static_cast<std::size_t>(a)], v[static_cast<std::size_t>(b)],
+      return orient3d(s.input, v[static_cast<std::size_t>(a)], v[static_cast<std::size_t>(b)],
                       v[static_cast<std::size_t>(c)], v[static_cast<std::size_t>(d)]);
     });
   };
@@ -65,14 +65,14 @@ void check_orient3d(Scene& s, TierTable& table, const std::vector<Known>& known)
   const Known &p = s.random.pick(known), &q = s.random.pick(known), &r = s.random.pick(known),
               &t = s.random.pick(known);
   const Sign expected = RationalPlane{p.place, q.place, r.place}.side(t.place);
-  REQUIRE(table.ask("orient3d", [&] { return orient3d(s.carriers, p.point, q.point, r.point, t.point); }) == expected);
-  REQUIRE(table.ask("orient3d", [&] { return orient3d(s.carriers, t.point, q.point, r.point, p.point); }) == -expected);
+  REQUIRE(table.ask("orient3d", [&] { return orient3d(s.input, p.point, q.point, r.point, t.point); }) == expected);
+  REQUIRE(table.ask("orient3d", [&] { return orient3d(s.input, t.point, q.point, r.point, p.point); }) == -expected);
 }
 
 void check_side(Scene& s, TierTable& table, const std::vector<Known>& known) {
   const Known& p = s.random.pick(known);
   const std::uint32_t f = s.any_face();
-  REQUIRE(table.ask("side_of_face", [&] { return side_of_face(s.carriers, f, p.point); }) == s.plane(f).side(p.place));
+  REQUIRE(table.ask("side_of_face", [&] { return side_of_face(s.input, f, p.point); }) == s.plane(f).side(p.place));
 }
 
 void check_orient2d(Scene& s, TierTable& table, const std::vector<Known>& known) {
@@ -80,9 +80,9 @@ void check_orient2d(Scene& s, TierTable& table, const std::vector<Known>& known)
   const int axis = s.random.between(0, 2), other = (axis + s.random.between(1, 2)) % 3;
   const Sign expected = sign_of(twice_area(p.place, q.place, r.place, axis, other));
   const Projection view{axis, other}, mirrored{other, axis};
-  REQUIRE(table.ask("orient2d", [&] { return orient2d(s.carriers, view, p.point, q.point, r.point); }) == expected);
-  REQUIRE(orient2d(s.carriers, mirrored, p.point, q.point, r.point) == -expected);
-  REQUIRE(orient2d(s.carriers, view, q.point, p.point, r.point) == -expected);
+  REQUIRE(table.ask("orient2d", [&] { return orient2d(s.input, view, p.point, q.point, r.point); }) == expected);
+  REQUIRE(orient2d(s.input, mirrored, p.point, q.point, r.point) == -expected);
+  REQUIRE(orient2d(s.input, view, q.point, p.point, r.point) == -expected);
   const auto quick = filtered_orient2d(view, p.point, q.point, r.point);
   if (quick) REQUIRE(*quick == expected);
 }
@@ -92,11 +92,11 @@ void check_order(Scene& s, TierTable& table, const std::vector<Known>& known) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
     const Sign expected = sign_of(Rational(p.place[i] - q.place[i]));
-    REQUIRE(table.ask("compare", [&] { return compare(s.carriers, axis, p.point, q.point); }) == expected);
-    REQUIRE(compare(s.carriers, axis, q.point, p.point) == -expected);
+    REQUIRE(table.ask("compare", [&] { return compare(s.input, axis, p.point, q.point); }) == expected);
+    REQUIRE(compare(s.input, axis, q.point, p.point) == -expected);
   }
-  REQUIRE(table.ask("equal", [&] { return equal(s.carriers, p.point, q.point); }) == (p.place == q.place));
-  REQUIRE(equal(s.carriers, q.point, p.point) == (p.place == q.place));
+  REQUIRE(table.ask("equal", [&] { return equal(s.input, p.point, q.point); }) == (p.place == q.place));
+  REQUIRE(equal(s.input, q.point, p.point) == (p.place == q.place));
 }
 
 void check_face(Scene& s, TierTable& table) {
@@ -104,16 +104,16 @@ void check_face(Scene& s, TierTable& table) {
   const RationalPlane plane = s.plane(f);
   const RationalPoint n = plane.normal();
   for (int axis = 0; axis < 3; ++axis)
-    REQUIRE(table.ask("normal_component", [&] { return normal_component(s.carriers, f, axis); }) ==
+    REQUIRE(table.ask("normal_component", [&] { return normal_component(s.input, f, axis); }) ==
             sign_of(n[static_cast<std::size_t>(axis)]));
-  REQUIRE(table.ask("is_degenerate", [&] { return is_degenerate(s.carriers, f); }) == is_zero(n));
+  REQUIRE(table.ask("is_degenerate", [&] { return is_degenerate(s.input, f); }) == is_zero(n));
   if (is_zero(n)) return;
-  const Projection view = table.ask("projection_of", [&] { return projection_of(s.carriers, f); });
+  const Projection view = table.ask("projection_of", [&] { return projection_of(s.input, f); });
   REQUIRE(twice_area(plane.a, plane.b, plane.c, view.u, view.v) > 0);
   for (std::uint32_t g = 0; g < s.corners.size(); ++g) {
     const RationalPoint m = s.plane(g).normal();
     if (is_zero(m) || !is_zero(cross(m, n)) || plane.side(s.plane(g).a) != Sign::zero) continue;
-    REQUIRE(table.ask("same_orientation", [&] { return same_orientation(s.carriers, f, g); }) == sign_of(dot(m, n)));
+    REQUIRE(table.ask("same_orientation", [&] { return same_orientation(s.input, f, g); }) == sign_of(dot(m, n)));
   }
 }
 
@@ -137,7 +137,7 @@ void check_tiers(TierTable& table) {
                                 "normal_component", "is_degenerate", "projection_of", "same_orientation"}) {
     CAPTURE(predicate);
     CHECK(table.count(predicate, Tier::filter) > 0);
-    CHECK(table.count(predicate, Tier::twofold) > 0);
+    CHECK(table.count(predicate, Tier::double_double) > 0);
     for (const Tier tier : widths) {
       CAPTURE(tier_names[static_cast<std::size_t>(tier)]);
       CHECK(table.count(predicate, tier) > 0);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/kernel/point.h"
 #include "kernel/numbers.h"
 #include "kernel/reference.h"
@@ -24,7 +24,7 @@ class Scene {
   Scene(Family family, bool rationals, std::uint64_t seed) : random(seed * 64 + static_cast<std::uint64_t>(family)) {
     Numbers number(family, random);
     for (Operand& operand : operands_) fill(operand, number, rationals);
-    for (Operand& operand : operands_) carriers.add(operand.points, operand.faces, operand.exact);
+    for (Operand& operand : operands_) input.add(operand.points, operand.faces, operand.exact);
   }
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
@@ -37,40 +37,40 @@ class Scene {
     return {places[c[0]], places[c[1]], places[c[2]]};
   }
 
-  /// Where the carriers of a name meet; none when they do not meet in one point.
-  [[nodiscard]] std::optional<RationalPoint> place_of(const PointName& name) const {
+  /// Where the input complex of a name meet; none when they do not meet in one point.
+  [[nodiscard]] std::optional<RationalPoint> place_of(const SymbolicPoint& name) const {
     const auto& id = name.id;
     switch (name.kind) {
-      case PointName::Kind::input:
+      case SymbolicPoint::Kind::input:
         return places[id[0]];
-      case PointName::Kind::edge_edge:
+      case SymbolicPoint::Kind::edge_edge:
         return line_meets_line(places[id[0]], places[id[1]], places[id[2]], places[id[3]]);
-      case PointName::Kind::edge_face:
+      case SymbolicPoint::Kind::edge_face:
         return line_meets_plane(places[id[0]], places[id[1]], plane(id[2]));
-      case PointName::Kind::three_faces:
+      case SymbolicPoint::Kind::three_faces:
         return planes_meet(plane(id[0]), plane(id[1]), plane(id[2]));
-      case PointName::Kind::weighted:
+      case SymbolicPoint::Kind::weighted:
         return weighted_mean(plane(id[0]), id[1]);
-      case PointName::Kind::free:
+      case SymbolicPoint::Kind::free:
         break;
     }
     return std::nullopt;
   }
 
-  /// A name of a random kind; its carriers may not meet.
-  PointName any_name() {
+  /// A name of a random kind; its input complex may not meet.
+  SymbolicPoint any_name() {
     switch (random.below(6)) {
       case 0:
-        return PointName::input(any_vertex());
+        return SymbolicPoint::input(any_vertex());
       case 1:
       case 2:
-        return PointName::edge_face(any_vertex(), any_vertex(), any_face());
+        return SymbolicPoint::edge_face(any_vertex(), any_vertex(), any_face());
       case 3:
-        return PointName::three_faces(any_face(), any_face(), any_face());
+        return SymbolicPoint::three_faces(any_face(), any_face(), any_face());
       case 4:
-        return PointName::weighted(any_face(), any_weight());
+        return SymbolicPoint::weighted(any_face(), any_weight());
       default:
-        return PointName::edge_edge(any_vertex(), any_vertex(), any_vertex(), any_vertex());
+        return SymbolicPoint::edge_edge(any_vertex(), any_vertex(), any_vertex(), any_vertex());
     }
   }
 
@@ -78,34 +78,34 @@ class Scene {
   std::vector<Known> known_points(int tries) {
     std::vector<Known> r;
     for (int i = 0; i < tries; ++i) {
-      const PointName name = any_name();
+      const SymbolicPoint name = any_name();
       const auto place = place_of(name);
       if (!place) continue;
-      r.push_back({make_point(carriers, name), *place});
+      r.push_back({make_point(input, name), *place});
       if (random.once_in(8)) add_free(r);
     }
     return r;
   }
 
   Random random;
-  Carriers carriers;
+  InputComplex input;
   std::vector<RationalPoint> places;
-  std::vector<Carriers::Indices> corners;  ///< of faces, in global numbers
+  std::vector<InputComplex::Indices> corners;  ///< of faces, in global numbers
 
  private:
   struct Operand {
-    std::vector<Carriers::Coordinates> points;
-    std::vector<Carriers::Indices> faces;
+    std::vector<InputComplex::Coordinates> points;
+    std::vector<InputComplex::Indices> faces;
     std::vector<ExactVertex> exact;
   };
 
   std::uint32_t any_weight() {
     return random.once_in(2) ? static_cast<std::uint32_t>(random.below(4))
-                             : PointName::weight_limit >> random.below(24);
+                             : SymbolicPoint::weight_limit >> random.below(24);
   }
 
   void add_free(std::vector<Known>& known) {
-    Carriers::Coordinates p;
+    InputComplex::Coordinates p;
     for (std::size_t i = 0; i < 3; ++i) {
       p[i] = to_nearest_double(random.pick(known).place[i]);
       if (!std::isfinite(p[i])) return;
@@ -130,7 +130,7 @@ class Scene {
     }
   }
 
-  void add_doubles(Operand& operand, const Carriers::Coordinates& p) {
+  void add_doubles(Operand& operand, const InputComplex::Coordinates& p) {
     operand.points.push_back(p);
     places.push_back({to_rational(p[0]), to_rational(p[1]), to_rational(p[2])});
   }

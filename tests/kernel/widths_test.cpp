@@ -11,7 +11,7 @@ using namespace strata::test;
 
 namespace {
 
-using Kind = PointName::Kind;
+using Kind = SymbolicPoint::Kind;
 using Exact = ExactEvaluation<Integer>;
 
 constexpr std::array named_kinds{Kind::input, Kind::edge_edge, Kind::edge_face, Kind::three_faces, Kind::weighted};
@@ -32,38 +32,38 @@ struct Extremes {
       const auto corner = [&] { return static_cast<std::uint32_t>(random.below(16)); };
       faces.push_back({corner(), corner(), corner()});
     }
-    carriers.add(points, faces);
+    input.add(points, faces);
     lattice.add(1);
     lattice.add(most);
   }
-  std::vector<Carriers::Coordinates> points;
-  std::vector<Carriers::Indices> faces;
-  Carriers carriers;
+  std::vector<InputComplex::Coordinates> points;
+  std::vector<InputComplex::Indices> faces;
+  InputComplex input;
   Lattice lattice;
 };
 
-PointName any_name(Random& random, Kind kind) {
+SymbolicPoint any_name(Random& random, Kind kind) {
   const auto v = [&] { return static_cast<std::uint32_t>(random.below(16)); };
   const auto f = [&] { return static_cast<std::uint32_t>(random.below(8)); };
   switch (kind) {
     case Kind::input:
-      return PointName::input(v());
+      return SymbolicPoint::input(v());
     case Kind::edge_edge:
-      return PointName::edge_edge(v(), v(), v(), v());
+      return SymbolicPoint::edge_edge(v(), v(), v(), v());
     case Kind::edge_face:
-      return PointName::edge_face(v(), v(), f());
+      return SymbolicPoint::edge_face(v(), v(), f());
     case Kind::three_faces:
-      return PointName::three_faces(f(), f(), f());
+      return SymbolicPoint::three_faces(f(), f(), f());
     case Kind::weighted:
-      return PointName::weighted(
-          f(), random.once_in(2) ? PointName::weight_limit : static_cast<std::uint32_t>(random.below(4)));
+      return SymbolicPoint::weighted(
+          f(), random.once_in(2) ? SymbolicPoint::weight_limit : static_cast<std::uint32_t>(random.below(4)));
     case Kind::free:
       break;
   }
   return {};
 }
 
-Point named(const PointName& name) { return {name, {}, {}}; }
+Point named(const SymbolicPoint& name) { return {name, {}, {}}; }
 
 void check_width(const HPoint<Integer>& p, PointWidth width) {
   REQUIRE(bits_of(p.x) <= width.xyz);
@@ -100,26 +100,26 @@ PointWidth closed_form(Kind kind, int b) {
 template <int Limbs, class Question>
 void check_forced(const Extremes& e, int width, const Question& question) {
   if (width + 1 > 64 * Limbs || e.lattice.bits() >= 64 * Limbs) return;
-  const auto wide = question(ExactEvaluation<WideInt<Limbs>>(e.carriers, e.lattice));
-  REQUIRE(wide.sign() == sign_of_integer(question(Exact(e.carriers, e.lattice))));
+  const auto wide = question(ExactEvaluation<WideInt<Limbs>>(e.input, e.lattice));
+  REQUIRE(wide.sign() == sign_of_integer(question(Exact(e.input, e.lattice))));
 }
 
 template <class Question>
 void check_value(const Extremes& e, int width, const Question& question) {
-  REQUIRE(bits_of(question(Exact(e.carriers, e.lattice))) <= width);
+  REQUIRE(bits_of(question(Exact(e.input, e.lattice))) <= width);
   check_forced<2>(e, width, question);
   check_forced<4>(e, width, question);
   check_forced<8>(e, width, question);
   check_forced<16>(e, width, question);
-  const LongInt found = question(ExactEvaluation<LongInt>(e.carriers, e.lattice));
-  REQUIRE((found.is_lost() || found.sign() == sign_of_integer(question(Exact(e.carriers, e.lattice)))));
+  const LongInt found = question(ExactEvaluation<LongInt>(e.input, e.lattice));
+  REQUIRE((found.is_lost() || found.sign() == sign_of_integer(question(Exact(e.input, e.lattice)))));
   REQUIRE((width > LongInt::bits / 2 || !found.is_lost()));
 }
 
 void check_points(Random& random, const Extremes& e, int b) {
-  const Exact exact(e.carriers, e.lattice);
+  const Exact exact(e.input, e.lattice);
   for (const Kind kind : named_kinds) {
-    const PointName name = any_name(random, kind);
+    const SymbolicPoint name = any_name(random, kind);
     check_width(exact.point(named(name)), width_of(name, b));
   }
   const PointWidth input{b, 0};
@@ -127,7 +127,7 @@ void check_points(Random& random, const Extremes& e, int b) {
 }
 
 void check_values(Random& random, const Extremes& e, int b) {
-  const Exact exact(e.carriers, e.lattice);
+  const Exact exact(e.input, e.lattice);
   std::array<Point, 4> p;
   std::array<PointWidth, 4> w;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -140,8 +140,8 @@ void check_values(Random& random, const Extremes& e, int b) {
   check_value(e, width_of_value(plane, w[3]), [&](const auto& x) {
     return value_at(plane_through(x.point(p[0]), x.point(p[1]), x.point(p[2])), x.point(p[3]));
   });
-  check_value(e, width_of_turn(w[0], w[1], w[2]),
-              [&](const auto& x) { return turn(x.point(p[0]), x.point(p[1]), x.point(p[2]), 0, 1); });
+  check_value(e, width_of_orientation(w[0], w[1], w[2]),
+              [&](const auto& x) { return orientation(x.point(p[0]), x.point(p[1]), x.point(p[2]), 0, 1); });
   check_value(e, std::max(w[0].xyz + w[1].w, w[1].xyz + w[0].w) + 1, [&](const auto& x) {
     const auto q = x.point(p[0]), r = x.point(p[1]);
     using Int = std::decay_t<decltype(q.x)>;
@@ -149,7 +149,7 @@ void check_values(Random& random, const Extremes& e, int b) {
   });
 }
 
-PointWidth width(Kind kind, int b) { return width_of({kind, {0, PointName::weight_limit - 1, 0, 0}}, b); }
+PointWidth width(Kind kind, int b) { return width_of({kind, {0, SymbolicPoint::weight_limit - 1, 0, 0}}, b); }
 
 }  // namespace
 
@@ -174,9 +174,9 @@ TEST_CASE("the width functions are the closed forms of the theory", "[kernel]") 
   CHECK(width_of_value(face, width(Kind::edge_edge, b)) == 5 * b + 12);
   CHECK(width_of_value(face, lpi) == 6 * b + 15);
   CHECK(width_of_value(face, tpi) == 9 * b + 19);
-  CHECK(width_of_turn(input, input, input) == 2 * b + 5);
-  CHECK(width_of_turn(lpi, lpi, lpi) == 11 * b + 27);
-  CHECK(width_of_turn(tpi, tpi, tpi) == 20 * b + 43);
+  CHECK(width_of_orientation(input, input, input) == 2 * b + 5);
+  CHECK(width_of_orientation(lpi, lpi, lpi) == 11 * b + 27);
+  CHECK(width_of_orientation(tpi, tpi, tpi) == 20 * b + 43);
 }
 
 // Catches: a closed form that is too small; limbs that wrap where the widths say that they do not.

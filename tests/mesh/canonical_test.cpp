@@ -73,14 +73,14 @@ Mesh pierced_cube() {
 RationalPoint point(const Rational& x, const Rational& y, const Rational& z) { return {x, y, z}; }
 
 /// A prism over a counter-clockwise polygon, as facets with the polygon on top and bottom.
-std::vector<ExactFacet> prism(const std::vector<std::pair<Rational, Rational>>& outline, const Rational& bottom,
+std::vector<ExactFacet> prism(const std::vector<std::pair<Rational, Rational>>& loop, const Rational& bottom,
                               const Rational& top) {
   std::vector<ExactFacet> facets(2);
   facets[0].resize(1);
   facets[1].resize(1);
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const auto& [x, y] = outline[i];
-    const auto& [u, v] = outline[(i + 1) % outline.size()];
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const auto& [x, y] = loop[i];
+    const auto& [u, v] = loop[(i + 1) % loop.size()];
     facets[0][0].push_back(point(x, y, top));
     facets[1][0].insert(facets[1][0].begin(), point(x, y, bottom));
     facets.push_back({{point(x, y, bottom), point(u, v, bottom), point(u, v, top), point(x, y, top)}});

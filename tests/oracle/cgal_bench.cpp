@@ -92,16 +92,16 @@ CGAL::Surface_mesh<Point> combine(Operation operation, CGAL::Surface_mesh<Point>
   CGAL::Surface_mesh<Point> result;
   bool manifold = false;
   switch (operation) {
-    case Operation::unite:
+    case Operation::union_:
       manifold = corefinement::corefine_and_compute_union(a, b, result);
       break;
-    case Operation::intersect:
+    case Operation::intersection:
       manifold = corefinement::corefine_and_compute_intersection(a, b, result);
       break;
-    case Operation::subtract:
+    case Operation::difference:
       manifold = corefinement::corefine_and_compute_difference(a, b, result);
       break;
-    case Operation::exclude:
+    case Operation::symmetric_difference:
       throw std::runtime_error("CGAL's corefinement has no symmetric difference");
   }
   if (!manifold) throw std::runtime_error("CGAL refuses: the result is not manifold");
@@ -121,10 +121,10 @@ Solid in_order(Operation operation, std::deque<Solid> operands) {
 /// Neighbours first, so that operands stay small; what is subtracted is united first.
 template <typename Solid>
 Solid in_a_tree(Operation operation, std::deque<Solid> operands) {
-  if (operation == Operation::subtract && operands.size() > 2) {
+  if (operation == Operation::difference && operands.size() > 2) {
     Solid whole = std::move(operands.front());
     operands.pop_front();
-    Solid rest = in_a_tree(Operation::unite, std::move(operands));
+    Solid rest = in_a_tree(Operation::union_, std::move(operands));
     return combine(operation, whole, rest);
   }
   while (operands.size() > 1) {

@@ -35,11 +35,11 @@ void run(const std::string& first, const std::string& second) {
   const auto nef = timed("nef, polyhedra", [&] {
     return std::array{NefSolid(solids[0].exact_mesh()), NefSolid(solids[1].exact_mesh())};
   });
-  const auto combine = [&] { return strata::combine(layers[0], layers[1], strata::Operation::unite); };
+  const auto combine = [&] { return strata::combine(layers[0], layers[1], strata::Operation::union_); };
   (void)combine();
   const auto ours = timed("strata, combination", combine);
   const auto theirs =
-      timed("nef, combination", [&] { return strata::oracle::nef_combine(strata::Operation::unite, nef); });
+      timed("nef, combination", [&] { return strata::oracle::nef_combine(strata::Operation::union_, nef); });
   const bool same = strata::Solid(ours.scene().solid(0)).canonical() == strata::canonical_form(theirs.facets());
   std::printf("%u and %u triangles, union of %u: the same as point sets: %s\n", layers[0].scene().face_count(),
               layers[1].scene().face_count(), ours.scene().face_count(), same ? "yes" : "NO");

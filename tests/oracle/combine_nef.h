@@ -13,13 +13,13 @@ using Nef = CGAL::Nef_polyhedron_3<CGAL::Exact_predicates_exact_constructions_ke
 /// A Boolean by CGAL. Not regularized: may miss or have points of a nowhere dense set.
 [[nodiscard]] inline Nef combine(Operation operation, const Nef& a, const Nef& b) {
   switch (operation) {
-    case Operation::unite:
+    case Operation::union_:
       return a + b;
-    case Operation::intersect:
+    case Operation::intersection:
       return a * b;
-    case Operation::subtract:
+    case Operation::difference:
       return a - b;
-    case Operation::exclude:
+    case Operation::symmetric_difference:
       return a ^ b;
   }
   throw std::invalid_argument("unknown operation");

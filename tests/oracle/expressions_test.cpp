@@ -17,14 +17,14 @@ using test::Recipe;
 
 Operation operation_of(Recipe::Kind kind) {
   switch (kind) {
-    case Recipe::Kind::unite:
-      return Operation::unite;
-    case Recipe::Kind::intersect:
-      return Operation::intersect;
-    case Recipe::Kind::subtract:
-      return Operation::subtract;
-    case Recipe::Kind::exclude:
-      return Operation::exclude;
+    case Recipe::Kind::union_:
+      return Operation::union_;
+    case Recipe::Kind::intersection:
+      return Operation::intersection;
+    case Recipe::Kind::difference:
+      return Operation::difference;
+    case Recipe::Kind::symmetric_difference:
+      return Operation::symmetric_difference;
     case Recipe::Kind::solid:
     case Recipe::Kind::complement:
     case Recipe::Kind::map:
@@ -45,7 +45,7 @@ CanonicalForm nef_recipe(const Recipe& recipe, Way way) {
         return nef_combine(operation_of(kind), std::vector{a, b}, way);
       },
       [&](const NefSolid& a) {
-        return nef_combine(Operation::subtract, std::vector{space, a}, way);
+        return nef_combine(Operation::difference, std::vector{space, a}, way);
       },
       [](const NefSolid& a, const test::Affine&) { return a; });
   return canonical_form(result.facets());

@@ -23,7 +23,7 @@ NefSolid union_of_pairs(const Solid& a, const Solid& b) {
   for (std::uint32_t i = 0; i < of_a.pieces.size(); ++i)
     for (std::uint32_t j = 0; j < of_b.pieces.size(); ++j)
       sums.emplace_back(convex::solid_of(convex::sum(of_a.polytope(i), of_b.polytope(j))).exact_mesh());
-  return nef_combine(Operation::unite, sums, Way::in_order);
+  return nef_combine(Operation::union_, sums, Way::in_order);
 }
 
 /// Compares one sum; CGAL may be slow or crash, which is counted and never taken for an answer. CGAL 5.5 contradicts

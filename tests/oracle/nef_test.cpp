@@ -24,14 +24,14 @@ const Mesh unit_box = test::box({0, 0, 0}, {1, 1, 1});
 TEST_CASE("the oracle merges two boxes that share a side", "[oracle]") {
   const Mesh right = test::box({1, 0, 0}, {2, 1, 1});
   const CanonicalForm expected = canonical_form(test::exact(test::box({0, 0, 0}, {2, 1, 1})));
-  CHECK(nef(Operation::unite, unit_box, right) == expected);
-  CHECK(nef(Operation::exclude, unit_box, right) == expected);
+  CHECK(nef(Operation::union_, unit_box, right) == expected);
+  CHECK(nef(Operation::symmetric_difference, unit_box, right) == expected);
 }
 
 TEST_CASE("the oracle is regularized: touching boxes have an empty intersection", "[oracle]") {
   for (const Vertex& corner : {Vertex{1, 0, 0}, Vertex{1, 1, 0}, Vertex{1, 1, 1}}) {
     const Mesh other = test::translated(unit_box, corner);
-    CHECK(nef(Operation::intersect, unit_box, other) == CanonicalForm{});
+    CHECK(nef(Operation::intersection, unit_box, other) == CanonicalForm{});
   }
 }
 
@@ -39,7 +39,7 @@ TEST_CASE("the oracle keeps rational vertices", "[oracle]") {
   const ExactMesh a = test::exact_box({0, 0, 0}, {1, 1, 1});
   const ExactMesh b = test::exact_box({Rational(1, 3), Rational(1, 3), Rational(1, 3)}, {1, 1, 1});
   const std::vector<NefSolid> solids{NefSolid(a), NefSolid(b)};
-  CHECK(facet_volume(nef_combine(Operation::subtract, solids).facets()) == Rational(19, 27));
+  CHECK(facet_volume(nef_combine(Operation::difference, solids).facets()) == Rational(19, 27));
 }
 
 TEST_CASE("the oracle builds cavities, parts and shared edges as they are", "[oracle]") {

@@ -69,9 +69,9 @@ int main(int argc, char** argv) {
   app.add_option("--runs", runs, "How often");
   CLI11_PARSE(app, argc, argv);
   using strata::planar::Operation;
-  const Operation operation = name == "union"          ? Operation::unite
-                              : name == "intersection" ? Operation::intersect
-                              : name == "difference"   ? Operation::subtract
+  const Operation operation = name == "union"          ? Operation::union_
+                              : name == "intersection" ? Operation::intersection
+                              : name == "difference"   ? Operation::difference
                                                        : Operation::symmetric_difference;
   const std::vector<Rings> operands = read(path);
   std::vector<double> times;

@@ -40,12 +40,12 @@ Set parity_of(const Loops& loops) {
       Polygon triangle;
       triangle.push_back(apex);
       for (const std::uint32_t v : {loop[i], loop[(i + 1) % loop.size()]}) {
-        const RationalPlacement p = exact_place(loops.places, v);
+        const RationalPlacement p = exact_position(loops.places, v);
         triangle.push_back({to_gmpq(p[0]), to_gmpq(p[1])});
       }
-      const auto turn = CGAL::orientation(triangle[0], triangle[1], triangle[2]);
-      if (turn == CGAL::COLLINEAR) continue;
-      if (turn == CGAL::CLOCKWISE) std::reverse(triangle.container().begin(), triangle.container().end());
+      const auto orientation = CGAL::orientation(triangle[0], triangle[1], triangle[2]);
+      if (orientation == CGAL::COLLINEAR) continue;
+      if (orientation == CGAL::CLOCKWISE) std::reverse(triangle.container().begin(), triangle.container().end());
       set.symmetric_difference(triangle);
     }
   }
@@ -54,13 +54,13 @@ Set parity_of(const Loops& loops) {
 
 Set combined(Operation operation, Set a, const Set& b) {
   switch (operation) {
-    case Operation::unite:
+    case Operation::union_:
       a.join(b);
       break;
-    case Operation::intersect:
+    case Operation::intersection:
       a.intersection(b);
       break;
-    case Operation::subtract:
+    case Operation::difference:
       a.difference(b);
       break;
     case Operation::symmetric_difference:
@@ -99,8 +99,8 @@ Loops random_loops(test::Random& random, std::uint64_t seed) {
   return seed % 4 == 0 ? test::in_thirds(all) : test::loops(all);
 }
 
-/// `combine` with strands wherever there are any.
-Region combined_by_strands(std::span<const Operand> operands, Operation operation) {
+/// `combine` with monotone chains wherever there are any.
+Region combined_by_chains(std::span<const Operand> operands, Operation operation) {
   Gathered gathered = gather(thin(operands, 1, std::size_t{1} << 40));
   const Arrangement a = arrange(std::move(gathered.segments));
   const Subdivision s = subdivide(a, gathered.first_segment);
@@ -141,7 +141,7 @@ TEST_CASE("60 Booleans of outlines of arcs are what CGAL gives", "[oracle][plana
     const Loops a = test::loops(test::random_arcs(random, grid)), b = test::loops(test::random_arcs(random, grid));
     const auto operation = static_cast<Operation>(seed % 4);
     const Region ours =
-        combined_by_strands(std::vector<Operand>{{a, FillRule::even_odd}, {b, FillRule::even_odd}}, operation);
+        combined_by_chains(std::vector<Operand>{{a, FillRule::even_odd}, {b, FillRule::even_odd}}, operation);
     CHECK(canonical_form(ours) == facts_of(combined(operation, parity_of(a), parity_of(b))).loops);
   }
 }

@@ -11,11 +11,11 @@ using namespace strata;
 namespace {
 
 /// Lists of constraints: each pair of faces in one cell, several times in a row.
-std::vector<Meetings> random_cells(test::Random& random, std::uint32_t face_count, int pairs) {
-  std::vector<Meetings> cells(static_cast<std::size_t>(random.between(1, 20)));
+std::vector<Intersections> random_cells(test::Random& random, std::uint32_t face_count, int pairs) {
+  std::vector<Intersections> cells(static_cast<std::size_t>(random.between(1, 20)));
   const std::uint32_t used = random.once_in(2) ? face_count : std::min(face_count, 3U);
   for (std::uint32_t n = 0; n < static_cast<std::uint32_t>(pairs); ++n) {
-    Meetings& cell = cells[random.below(cells.size())];
+    Intersections& cell = cells[random.below(cells.size())];
     const auto face = face_count - 1 - static_cast<std::uint32_t>(random.below(used));
     Constraint c;
     c.face = face;
@@ -34,7 +34,7 @@ TEST_CASE("constraints are ordered by face, other face and discovery", "[overlap
     CAPTURE(round);
     const auto face_count = std::uint32_t{random.pick(std::array{1U, 2U, 7U, 64U, 1000U, 1U << 20, 0xfffffffeU})};
     const auto cells = random_cells(random, face_count, random.pick(std::array{0, 1, 5, 300, 3000}));
-    std::vector<ConstraintPlace> expected;
+    std::vector<ConstraintPosition> expected;
     for (std::uint32_t c = 0; c < cells.size(); ++c)
       for (std::uint32_t i = 0; i < cells[c].constraints.size(); ++i)
         expected.push_back({std::uint64_t{cells[c].constraints[i].face} << 32 | cells[c].constraints[i].other, c, i});

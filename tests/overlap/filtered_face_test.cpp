@@ -10,47 +10,47 @@ using namespace strata;
 
 namespace {
 
-using Corners = std::array<Carriers::Coordinates, 3>;
+using Corners = std::array<InputComplex::Coordinates, 3>;
 
 /// Two faces of one operand; corners at one place have one number.
 struct Neighbours {
-  Carriers carriers;
-  std::vector<Carriers::Coordinates> points;
-  std::vector<Carriers::Indices> faces;
+  InputComplex input;
+  std::vector<InputComplex::Coordinates> points;
+  std::vector<InputComplex::Indices> faces;
 
   Neighbours(const Corners& f, const Corners& g) {
     for (const Corners* face : {&f, &g}) {
-      Carriers::Indices& t = faces.emplace_back();
+      InputComplex::Indices& t = faces.emplace_back();
       for (std::size_t i = 0; i < 3; ++i) {
         const auto at = std::find(points.begin(), points.end(), (*face)[i]);
         t[i] = static_cast<std::uint32_t>(at - points.begin());
         if (at == points.end()) points.push_back((*face)[i]);
       }
     }
-    carriers.add(points, faces);
+    input.add(points, faces);
   }
-  [[nodiscard]] bool is_off() const { return FilteredFace(carriers, 0).is_off(FilteredFace(carriers, 1)); }
+  [[nodiscard]] bool is_off() const { return FilteredFace(input, 0).is_off(FilteredFace(input, 1)); }
   [[nodiscard]] bool is_beside() const {
-    const FilteredFace f(carriers, 0), g(carriers, 1);
+    const FilteredFace f(input, 0), g(input, 1);
     return f.is_beside(g, f.sides_of(g));
   }
 };
 
 /// True when all corners of what faces of two operands share are corners of both.
 bool share_corners_only(const Corners& f, const Corners& g) {
-  const std::vector<Carriers::Indices> face{{0, 1, 2}};
-  Carriers carriers;
-  carriers.add(f, face);
-  carriers.add(g, face);
-  Meetings meetings;
-  if (!meet_faces(carriers, FilteredFace(carriers, 0), FilteredFace(carriers, 1), meetings)) return true;
+  const std::vector<InputComplex::Indices> face{{0, 1, 2}};
+  InputComplex input;
+  input.add(f, face);
+  input.add(g, face);
+  Intersections intersections;
+  if (!meet_faces(input, FilteredFace(input, 0), FilteredFace(input, 1), intersections)) return true;
   const auto is_common = [&](PointId id) {
-    const PointName name =
-        id < carriers.vertex_count() ? PointName::input(id) : meetings.constructed[id - carriers.vertex_count()];
-    const Carriers::Coordinates p = nearest_doubles(carriers, make_point(carriers, name));
+    const SymbolicPoint name =
+        id < input.vertex_count() ? SymbolicPoint::input(id) : intersections.constructed[id - input.vertex_count()];
+    const InputComplex::Coordinates p = nearest_doubles(input, make_point(input, name));
     return std::find(f.begin(), f.end(), p) != f.end() && std::find(g.begin(), g.end(), p) != g.end();
   };
-  return std::all_of(meetings.constraints.begin(), meetings.constraints.end(), [&](const Constraint& c) {
+  return std::all_of(intersections.constraints.begin(), intersections.constraints.end(), [&](const Constraint& c) {
     return c.kind == ConstraintKind::coplanar || (is_common(c.tail) && is_common(c.head));
   });
 }

@@ -13,23 +13,23 @@ namespace {
 /// Two triangles, one operand each.
 struct Pair {
   std::array<std::array<double, 3>, 3> f, g;
-  std::array<Carriers::Indices, 1> face{{{0, 1, 2}}};
-  Carriers carriers;
-  Meetings meetings;
+  std::array<InputComplex::Indices, 1> face{{{0, 1, 2}}};
+  InputComplex input;
+  Intersections intersections;
   bool meet = false;
 
   Pair(const std::array<std::array<double, 3>, 3>& a, const std::array<std::array<double, 3>, 3>& b) : f(a), g(b) {
-    carriers.add(f, face);
-    carriers.add(g, face);
-    meet = meet_faces(carriers, FilteredFace(carriers, 0), FilteredFace(carriers, 1), meetings);
+    input.add(f, face);
+    input.add(g, face);
+    meet = meet_faces(input, FilteredFace(input, 0), FilteredFace(input, 1), intersections);
   }
-  [[nodiscard]] PointName name(PointId id) const {
-    const std::uint32_t vertices = carriers.vertex_count();
-    return id < vertices ? PointName::input(id) : meetings.constructed[id - vertices];
+  [[nodiscard]] SymbolicPoint name(PointId id) const {
+    const std::uint32_t vertices = input.vertex_count();
+    return id < vertices ? SymbolicPoint::input(id) : intersections.constructed[id - vertices];
   }
   [[nodiscard]] std::vector<Constraint> on(std::uint32_t x) const {
     std::vector<Constraint> r;
-    for (const Constraint& c : meetings.constraints)
+    for (const Constraint& c : intersections.constraints)
       if (c.face == x) r.push_back(c);
     return r;
   }
@@ -52,10 +52,10 @@ TEST_CASE("a face that pierces another: a segment, with the deeper side on its l
   REQUIRE(on_f.size() == 1);
   REQUIRE(on_g.size() == 1);
   CHECK(on_f[0].kind == ConstraintKind::crossing);
-  CHECK(p.name(on_f[0].tail).kind == PointName::Kind::edge_face);
-  const Point tail = make_point(p.carriers, p.name(on_f[0].tail)), head = make_point(p.carriers, p.name(on_f[0].head));
+  CHECK(p.name(on_f[0].tail).kind == SymbolicPoint::Kind::edge_face);
+  const Point tail = make_point(p.input, p.name(on_f[0].tail)), head = make_point(p.input, p.name(on_f[0].head));
   // Left of the segment, seen from above, is x < 1: it runs towards +y.
-  CHECK(compare(p.carriers, 1, head, tail) == Sign::positive);
+  CHECK(compare(p.input, 1, head, tail) == Sign::positive);
   CHECK(on_g[0].tail == on_f[0].head);  // seen from the wall, inside the floor's operand is below
   CHECK(on_g[0].head == on_f[0].tail);
 }
@@ -83,14 +83,14 @@ TEST_CASE("the cases of the table", "[overlap][degenerate]") {
     const Pair p(floor_face, {{{1, 0, -1}, {1, 0, 1}, {1, -2, 0}}});
     REQUIRE(p.on(0).size() == 1);
     CHECK(p.on(0)[0].kind == ConstraintKind::point);
-    CHECK(p.name(p.on(0)[0].tail).kind == PointName::Kind::edge_edge);
+    CHECK(p.name(p.on(0)[0].tail).kind == SymbolicPoint::Kind::edge_edge);
     CHECK(p.on(0)[0].tail == p.on(1)[0].tail);
   }
   SECTION("equal vertices are noted") {
     const Pair p(floor_face, {{{0, 0, 0}, {-1, 0, 1}, {0, -1, 1}}});
-    REQUIRE(p.meetings.equal.size() >= 1);
-    CHECK(p.meetings.equal[0].a == 0);
-    CHECK(p.meetings.equal[0].b == 3);
+    REQUIRE(p.intersections.equal.size() >= 1);
+    CHECK(p.intersections.equal[0].a == 0);
+    CHECK(p.intersections.equal[0].b == 3);
     CHECK(p.on(0)[0].tail == 0);
     CHECK(p.on(1)[0].tail == 3);
   }
@@ -110,24 +110,24 @@ TEST_CASE("the cases of the table", "[overlap][degenerate]") {
 
 TEST_CASE("meeting is symmetric, and its points lie on both faces", "[overlap][property]") {
   test::Random random(7);
-  int meetings = 0;
+  int intersections = 0;
   for (int n = 0; n < 20'000; ++n) {
     std::array<std::array<double, 3>, 3> f, g;
     for (auto* t : {&f, &g})
       for (auto& v : *t)
         for (double& x : v) x = random.between(0, 3);
     const Pair p(f, g), q(g, f);
-    if (is_degenerate(p.carriers, 0) || is_degenerate(p.carriers, 1)) continue;
+    if (is_degenerate(p.input, 0) || is_degenerate(p.input, 1)) continue;
     CAPTURE(n);
     REQUIRE(p.meet == q.meet);
     REQUIRE(p.on(0).size() == q.on(1).size());
-    meetings += p.meet;
-    for (const Constraint& c : p.meetings.constraints)
+    intersections += p.meet;
+    for (const Constraint& c : p.intersections.constraints)
       for (const PointId id : {c.tail, c.head}) {
-        const Point x = make_point(p.carriers, p.name(id));
-        REQUIRE(side_of_face(p.carriers, c.face, x) == Sign::zero);
-        if (c.kind != ConstraintKind::coplanar) REQUIRE(side_of_face(p.carriers, c.other, x) == Sign::zero);
+        const Point x = make_point(p.input, p.name(id));
+        REQUIRE(side_of_face(p.input, c.face, x) == Sign::zero);
+        if (c.kind != ConstraintKind::coplanar) REQUIRE(side_of_face(p.input, c.other, x) == Sign::zero);
       }
   }
-  CHECK(meetings > 2'000);
+  CHECK(intersections > 2'000);
 }

@@ -13,28 +13,28 @@ namespace {
 
 /// Every two faces of different operands whose boxes overlap are one cell's business, unless they are apart for
 /// certain.
-void check_pairs(const Carriers& carriers, const CellTree& tree) {
+void check_pairs(const InputComplex& input, const CellTree& tree) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> owners;
   for (const Cell& cell : tree.cells())
     for (const CellFace& f : cell.faces)
       for (const CellFace& g : cell.faces)
         if (f.face < g.face && f.box.overlaps(g.box) && tree.owns(cell, f, g)) ++owners[{f.face, g.face}];
   const auto box = [&](std::uint32_t f) {
-    const auto v = carriers.face(f);
-    return tree.grid().box(carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2]));
+    const auto v = input.face(f);
+    return tree.grid().box(input.vertex(v[0]), input.vertex(v[1]), input.vertex(v[2]));
   };
   int owned = 0, apart = 0;
-  for (std::uint32_t f = 0; f < carriers.face_count(0); ++f)
-    for (std::uint32_t g = carriers.first_face(1); g < carriers.face_count(); ++g) {
+  for (std::uint32_t f = 0; f < input.face_count(0); ++f)
+    for (std::uint32_t g = input.first_face(1); g < input.face_count(); ++g) {
       if (!box(f).overlaps(box(g))) continue;
       const int times = owners[{f, g}];
       REQUIRE(times <= 1);
-      Meetings meetings;
+      Intersections intersections;
       if (times == 1) {
         ++owned;
       } else {
         ++apart;
-        REQUIRE_FALSE(meet_faces(carriers, FilteredFace(carriers, f), FilteredFace(carriers, g), meetings));
+        REQUIRE_FALSE(meet_faces(input, FilteredFace(input, f), FilteredFace(input, g), intersections));
       }
     }
   CHECK(owned > 0);
@@ -45,12 +45,12 @@ void check_pairs(const Carriers& carriers, const CellTree& tree) {
 
 TEST_CASE("two faces that meet are the business of one cell", "[cells][property]") {
   const auto check = [](const Mesh& a, const Mesh& b, std::size_t leaf_faces) {
-    Carriers carriers;
-    carriers.add(a.vertices, a.triangles);
-    carriers.add(b.vertices, b.triangles);
-    const CellTree tree(carriers, {.leaf_faces = leaf_faces});
+    InputComplex input;
+    input.add(a.vertices, a.triangles);
+    input.add(b.vertices, b.triangles);
+    const CellTree tree(input, {.leaf_faces = leaf_faces});
     REQUIRE(tree.cells().size() > 2);
-    check_pairs(carriers, tree);
+    check_pairs(input, tree);
   };
   const Mesh ball = test::icosphere({0, 0, 0}, 1, 3);
   check(ball, test::icosphere({.3, .1, .05}, 1, 3), 4);

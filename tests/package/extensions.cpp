@@ -23,16 +23,16 @@ int main() {
   const bool is_bounded = bsp::Partition<3>::half_space(std::array<Rational, 4>{0, 0, 1, -1}).is_bounded();
   Options by_partitions;
   by_partitions.engine = &bsp_engine;
-  const bool agree = combine_solids(Operation::subtract, solids, by_partitions) == solids[0] - solids[1];
+  const bool agree = combine_solids(Operation::difference, solids, by_partitions) == solids[0] - solids[1];
   const contact::Relation relation = contact::Assembly(solids).relation(0, 1);
   const complex::SelectiveComplex open = complex::of_solid(solids[0], complex::Border::open);
-  const Workpiece workpiece = Workpiece(solids[0]).with(Operation::subtract, solids[1]);
+  const IncrementalSolid solid_in_steps = IncrementalSolid(solids[0]).with(Operation::difference, solids[1]);
   const CsgModel model = read_csg("cube(size = 2, center = false);", "model");
   const planar::PlanarFile file = planar::read_planar("POLYGON ((0 0, 3 0, 0 1))", planar::PlanarFormat::wkt, "text");
   const Where where = Locator(scene_of(solids)).membership({0.5, 0.5, 0.5});
 
   std::cout << "hull " << hull << ", bounded " << is_bounded << ", agree " << agree << ", " << name(relation)
-            << ", open " << complex::is_open(open) << ", left " << workpiece.volume() << ", cube "
+            << ", open " << complex::is_open(open) << ", left " << solid_in_steps.volume() << ", cube "
             << model.expression.evaluate().volume() << ", polygon " << planar::area(planar::fill(file.loops)) << ", in "
             << (where == Where::in) << '\n';
 }

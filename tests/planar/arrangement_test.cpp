@@ -34,7 +34,7 @@ std::size_t count_vertices(const Arrangement& a) {
 std::set<std::pair<RationalPlacement, RationalPlacement>> edges(const Arrangement& a) {
   std::set<std::pair<RationalPlacement, RationalPlacement>> all;
   for (const auto& [p, q] : a.pieces) {
-    const auto u = exact_place(a.places, p), v = exact_place(a.places, q);
+    const auto u = exact_position(a.places, p), v = exact_position(a.places, q);
     all.insert(std::minmax(u, v));
   }
   return all;
@@ -43,7 +43,8 @@ std::set<std::pair<RationalPlacement, RationalPlacement>> edges(const Arrangemen
 /// The same, from the definition: every point of any two segments cuts all segments that it lies inside.
 std::set<std::pair<RationalPlacement, RationalPlacement>> edges_by_definition(
     const std::vector<std::array<RationalPlacement, 2>>& segments) {
-  const auto turn = [](const RationalPlacement& p, const RationalPlacement& q, const RationalPlacement& r) -> Rational {
+  const auto orientation = [](const RationalPlacement& p, const RationalPlacement& q,
+                              const RationalPlacement& r) -> Rational {
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
   };
   std::set<RationalPlacement> points;
@@ -51,7 +52,7 @@ std::set<std::pair<RationalPlacement, RationalPlacement>> edges_by_definition(
     points.insert(p);
     points.insert(q);
     for (const auto& [r, u] : segments) {
-      const Rational from = turn(r, u, p), to = turn(r, u, q);
+      const Rational from = orientation(r, u, p), to = orientation(r, u, q);
       if (from == to) continue;
       const Rational t = from / (from - to);
       points.insert({p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])});
@@ -62,13 +63,13 @@ std::set<std::pair<RationalPlacement, RationalPlacement>> edges_by_definition(
     const auto [p, q] = std::minmax(s[0], s[1]);
     RationalPlacement last = p;
     for (const RationalPlacement& r : points) {
-      if (!(p < r && r <= q) || turn(p, q, r) != 0) continue;
+      if (!(p < r && r <= q) || orientation(p, q, r) != 0) continue;
       // Only where a segment that holds r is not along this one, or ends here.
       bool cuts = r == q;
       for (const auto& [a, b] : segments) {
         const auto [lo, hi] = std::minmax(a, b);
-        if (r < lo || hi < r || (a != b && turn(a, b, r) != 0)) continue;
-        if (r == a || r == b || turn(p, q, a) != 0 || turn(p, q, b) != 0) cuts = true;
+        if (r < lo || hi < r || (a != b && orientation(a, b, r) != 0)) continue;
+        if (r == a || r == b || orientation(p, q, a) != 0 || orientation(p, q, b) != 0) cuts = true;
       }
       if (!cuts) continue;
       all.insert({last, r});
@@ -85,7 +86,7 @@ TEST_CASE("crossing segments share a vertex that is the meet of their lines", "[
   REQUIRE(a.pieces.size() == 4);
   CHECK(a.first_piece == std::vector<std::uint32_t>{0, 2, 4});
   CHECK(a.pieces[0][1] == a.pieces[2][1]);
-  CHECK(exact_place(a.places, a.pieces[0][1]) == RationalPlacement{Rational(3, 4), Rational(1, 4)});
+  CHECK(exact_position(a.places, a.pieces[0][1]) == RationalPlacement{Rational(3, 4), Rational(1, 4)});
   CHECK(a.segment_of(1) == 0);
   CHECK(a.segment_of(2) == 1);
 }
@@ -96,7 +97,7 @@ TEST_CASE("three segments through one point make one vertex", "[planar][arrangem
       arrange(segments_of({{0, 0}, {1, 1}, {0, 1}, {0.5, 0}, {1, 0}, {0, 0.5}}, {{0, 1}, {2, 3}, {4, 5}}));
   CHECK(count_vertices(a) == 7);
   CHECK(a.pieces.size() == 6);
-  CHECK(exact_place(a.places, a.pieces[0][1]) == RationalPlacement{Rational(1, 3), Rational(1, 3)});
+  CHECK(exact_position(a.places, a.pieces[0][1]) == RationalPlacement{Rational(1, 3), Rational(1, 3)});
 }
 
 TEST_CASE("overlapping segments have their common pieces twice", "[planar][arrangement][degenerate]") {
@@ -113,7 +114,7 @@ TEST_CASE("a segment that is a point cuts what it lies on", "[planar][arrangemen
   CHECK(a.is_point(1));
 }
 
-// Catches: pairs that strips or the sweep lose, meetings taken for none, points not identified.
+// Catches: pairs that strips or the sweep lose, intersections taken for none, points not identified.
 TEST_CASE("arrangements are what the definition gives", "[planar][arrangement][property]") {
   const auto seed = GENERATE(range(0u, static_cast<unsigned>(strata::test::rounds(1500))));
   CAPTURE(seed);

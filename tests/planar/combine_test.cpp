@@ -33,7 +33,7 @@ struct Listed {
 };
 Listed listed(const Region& r) {
   Listed all{r.first_loop, r.loops.first_vertex, {}};
-  for (const std::uint32_t v : r.loops.vertices) all.corners.push_back(exact_place(r.loops.places, v));
+  for (const std::uint32_t v : r.loops.vertices) all.corners.push_back(exact_position(r.loops.places, v));
   return all;
 }
 
@@ -41,25 +41,25 @@ Listed listed(const Region& r) {
 
 TEST_CASE("two squares, combined", "[planar][combine]") {
   const Loops a = square(0, 0, 2), b = square(1, 1, 2);
-  CHECK(area(unite(a, b)) == 7);
-  CHECK(area(intersect(a, b)) == 1);
-  CHECK(area(subtract(a, b)) == 3);
+  CHECK(area(union_(a, b)) == 7);
+  CHECK(area(intersection(a, b)) == 1);
+  CHECK(area(difference(a, b)) == 3);
   const Region both = symmetric_difference(a, b);
   CHECK(area(both) == 6);
   CHECK(both.polygons() == 2);
-  CHECK(unite(a, b).loops.vertices.size() == 8);
+  CHECK(union_(a, b).loops.vertices.size() == 8);
 }
 
 TEST_CASE("squares side by side are united without a cut", "[planar][combine][degenerate]") {
-  const Region r = unite(square(0, 0), square(1, 0));
+  const Region r = union_(square(0, 0), square(1, 0));
   CHECK(r.polygons() == 1);
   CHECK(r.loops.vertices.size() == 4);
-  CHECK(intersect(square(0, 0), square(1, 0)).empty());
+  CHECK(intersection(square(0, 0), square(1, 0)).empty());
 }
 
 TEST_CASE("two squares in checkerboard contact stay two polygons that share a vertex",
           "[planar][combine][degenerate]") {
-  const Region r = unite(square(0, 0), square(1, 1));
+  const Region r = union_(square(0, 0), square(1, 1));
   REQUIRE(r.polygons() == 2);
   CHECK(validate(r).empty());
   CHECK(r.loops.vertices[2] == r.loops.vertices[4]);
@@ -71,9 +71,9 @@ TEST_CASE("the order of what is listed depends on the set alone", "[planar][comb
   const Region holes = fill({loops({around, low, high}), FillRule::even_odd});
   CHECK(holes.holes(0) == 2);
   CHECK(listed(holes) == listed(fill({loops({high, around, low}), FillRule::even_odd})));
-  const Region tips = unite(loops({low}), loops({high}));
+  const Region tips = union_(loops({low}), loops({high}));
   CHECK(tips.polygons() == 2);
-  CHECK(listed(tips) == listed(unite(loops({high}), loops({low}))));
+  CHECK(listed(tips) == listed(union_(loops({high}), loops({low}))));
   for (unsigned seed = 0; seed < seeds(1000); ++seed) {
     CAPTURE(seed);
     Random random(seed);
@@ -94,14 +94,14 @@ TEST_CASE("meets of rationals below all doubles are found", "[planar][combine][d
     return builder.finish();
   };
   const Loop a{{1, 1}, {8, 7}, {1, 2}, {5, 6}, {1, 0}}, b{{6, 5}, {6, -4}, {2, 2}};
-  for (const auto combined : {&unite, &intersect}) {
+  for (const auto combined : {&union_, &intersection}) {
     const Loops narrow_a = narrow(a), narrow_b = narrow(b), wide_a = loops({a}), wide_b = loops({b});
     CHECK(area(combined(narrow_a, narrow_b)) == area(combined(wide_a, wide_b)) * unit);
   }
 }
 
 TEST_CASE("zeros of results have no sign", "[planar][combine][degenerate]") {
-  const Region r = unite(loops({{{-0.0, -0.0}, {2, -0.0}, {-0.0, 2}}}), loops({box(-1, -1, -0.0, 1)}));
+  const Region r = union_(loops({{{-0.0, -0.0}, {2, -0.0}, {-0.0, 2}}}), loops({box(-1, -1, -0.0, 1)}));
   for (const PlanePoint& p : r.loops.places.place)
     for (const double x : p) CHECK_FALSE((x == 0 && std::signbit(x)));
   CHECK(area(r) == 4);
@@ -135,7 +135,7 @@ TEST_CASE("membership in a result is the combination of memberships", "[planar][
   const double unit = seed % 8 == 1 ? 0x1p-1074 : seed % 8 == 2 ? 0x1p1020 : 1;
   const FillRule fill = seed % 3 == 0 ? FillRule::nonzero : seed % 3 == 1 ? FillRule::even_odd : FillRule::positive;
   for (const Operation operation :
-       {Operation::unite, Operation::intersect, Operation::subtract, Operation::symmetric_difference}) {
+       {Operation::union_, Operation::intersection, Operation::difference, Operation::symmetric_difference}) {
     CAPTURE(static_cast<int>(operation));
     const Region r = combine(std::vector<Operand>{{a, fill}, {b, fill}}, operation);
     const auto broken = validate(r);
@@ -160,22 +160,22 @@ TEST_CASE("Boolean laws hold for results of results", "[planar][combine][propert
   CAPTURE(seed);
   Random random(seed);
   const Region a = fill(random_operand(random, seed)), b = fill(random_operand(random, seed));
-  const Region both = unite(a, b), common = intersect(a, b), either = symmetric_difference(a, b);
+  const Region both = union_(a, b), common = intersection(a, b), either = symmetric_difference(a, b);
   CHECK(area(a) + area(b) == area(both) + area(common));
   CHECK(area(either) == area(both) - area(common));
-  CHECK(same(either, subtract(both, common)));
-  CHECK(same(both, unite(b, a)));
-  CHECK(same(common, intersect(b, a)));
-  CHECK(same(unite(a, a), a));
-  CHECK(same(intersect(a, a), a));
-  CHECK(subtract(a, a).empty());
-  CHECK(same(subtract(a, b), subtract(a, common)));
-  CHECK(same(unite(subtract(a, b), common), a));
+  CHECK(same(either, difference(both, common)));
+  CHECK(same(both, union_(b, a)));
+  CHECK(same(common, intersection(b, a)));
+  CHECK(same(union_(a, a), a));
+  CHECK(same(intersection(a, a), a));
+  CHECK(difference(a, a).empty());
+  CHECK(same(difference(a, b), difference(a, common)));
+  CHECK(same(union_(difference(a, b), common), a));
   // De Morgan inside a frame.
   const double far = 0x1p1023;
   const Loops frame = loops({box(-far, -far, far, far)});
-  CHECK(same(subtract(frame, both), intersect(subtract(frame, a), subtract(frame, b))));
-  CHECK(same(subtract(frame, common), unite(subtract(frame, a), subtract(frame, b))));
+  CHECK(same(difference(frame, both), intersection(difference(frame, a), difference(frame, b))));
+  CHECK(same(difference(frame, common), union_(difference(frame, a), difference(frame, b))));
   CHECK(validate(either).empty());
 }
 

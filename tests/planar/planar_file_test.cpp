@@ -80,7 +80,7 @@ TEST_CASE("files that are nested without end are refused", "[planar][degenerate]
 
 // Catches: a reader that runs beyond the end, or takes a part for the whole.
 TEST_CASE("every beginning of a file is read or refused with a reason", "[planar][property]") {
-  const Region ring = subtract(planar::test::square(0, 0, 3), planar::test::square(1, 1));
+  const Region ring = difference(planar::test::square(0, 0, 3), planar::test::square(1, 1));
   for (const PlanarFormat format : formats) {
     const std::string text = to_text(ring, format);
     for (std::size_t n = 0; n < text.size(); ++n) {

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "core/kernel/filtered_turn.h"
+#include "core/kernel/filtered_orientation.h"
 #include "planar/shapes.h"
 #include "strata/planar.h"
 
@@ -15,7 +15,7 @@ Region boxes(const std::vector<Loop>& all) { return fill(loops(all)); }
 
 std::vector<SelfMeetingKind> kinds(const Loop& loop) {
   std::vector<SelfMeetingKind> found;
-  for (const SelfMeeting& m : self_meetings(loops({loop}))) found.push_back(m.kind);
+  for (const SelfMeeting& m : self_intersections(loops({loop}))) found.push_back(m.kind);
   return found;
 }
 
@@ -32,14 +32,14 @@ TEST_CASE("polyloops that are not clean are told how and where", "[planar][polyl
 
   const Loop bow{{0, 0}, {3, 3}, {3, 0}, {0, 3}};
   CHECK(kinds(bow) == std::vector{K::edges_crossing});
-  const SelfMeeting crossing = self_meetings(loops({bow})).front();
+  const SelfMeeting crossing = self_intersections(loops({bow})).front();
   CHECK(crossing.where == RationalPlacement{Rational(3, 2), Rational(3, 2)});
   CHECK(crossing.edges == std::vector<std::uint32_t>{0, 2});
   CHECK(parity(bow).polygons() == 2);
 
   const Loop pinched{{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1}};
   CHECK(kinds(pinched) == std::vector{K::vertex_on_vertex});
-  CHECK(self_meetings(loops({pinched})).front().vertices == std::vector<std::uint32_t>{2, 5});
+  CHECK(self_intersections(loops({pinched})).front().vertices == std::vector<std::uint32_t>{2, 5});
   CHECK(parity(pinched).polygons() == 2);
 
   const Loop touching{{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}};
@@ -54,7 +54,7 @@ TEST_CASE("polyloops that are not clean are told how and where", "[planar][polyl
 TEST_CASE("a loop without right turns need not be convex", "[planar][polyloop]") {
   // A star of five points turns left everywhere, and winds twice; its interior by parity is five triangles.
   const Loop star{{0, 3}, {-2, -3}, {3, 1}, {-3, 1}, {2, -3}};
-  for (std::size_t i = 0; i < 5; ++i) CHECK(filtered_turn(star[i], star[(i + 1) % 5], star[(i + 2) % 5]) > 0);
+  for (std::size_t i = 0; i < 5; ++i) CHECK(filtered_orientation(star[i], star[(i + 1) % 5], star[(i + 2) % 5]) > 0);
   CHECK(parity(star).polygons() == 5);
   CHECK(fill(loops({star})).polygons() == 1);
 }
@@ -77,16 +77,16 @@ TEST_CASE("membership is in, on or out, also beside vertices", "[planar][locator
 
 TEST_CASE("an intersection of four components, one of which touches itself", "[planar][combine][degenerate]") {
   const Region a =
-      subtract(boxes({box(0, 0, 3, 3), box(0, -1, 10, 0), box(5, 0, 6, 3), box(8, 0, 10, 1), box(9, 1, 10, 2)}),
-               loops({box(1, 1, 2, 2)}));
+      difference(boxes({box(0, 0, 3, 3), box(0, -1, 10, 0), box(5, 0, 6, 3), box(8, 0, 10, 1), box(9, 1, 10, 2)}),
+                 loops({box(1, 1, 2, 2)}));
   const Region b =
-      subtract(boxes({box(0, 0, 3, 3), box(0, 3, 10, 4), box(5, 0, 6, 3), box(8, 0, 9, 3), box(9, 1, 10, 2)}),
-               loops({box(2, 2, 3, 3)}));
+      difference(boxes({box(0, 0, 3, 3), box(0, 3, 10, 4), box(5, 0, 6, 3), box(8, 0, 9, 3), box(9, 1, 10, 2)}),
+                 loops({box(2, 2, 3, 3)}));
   REQUIRE(a.polygons() == 1);
   REQUIRE(b.polygons() == 1);
   CHECK(kind_of(a, 0).is_manifold);
   CHECK(kind_of(b, 0).is_manifold);
-  const Region common = intersect(a, b);
+  const Region common = intersection(a, b);
   REQUIRE(common.polygons() == 4);
   CHECK_FALSE(kind_of(common, 0).is_manifold);  // around the square hole of a, to its corner
   CHECK(kind_of(common, 0).is_simply_connected);
@@ -106,7 +106,7 @@ TEST_CASE("the canonical decomposition has the polygon's corners and where it to
   CHECK(d.edges.size() == 4);
   CHECK(d.exterior_faces == 1);
   CHECK(d.is_manifold());
-  const Region pinched = subtract(loops({box(0, 0, 2, 2)}), loops({{{0, 1}, {1, 0.5}, {1, 1.5}}}));
+  const Region pinched = difference(loops({box(0, 0, 2, 2)}), loops({{{0, 1}, {1, 0.5}, {1, 1.5}}}));
   const CanonicalDecomposition e = canonical_decomposition(pinched, 0);
   CHECK(e.vertices.size() == 7);
   CHECK_FALSE(e.is_manifold());
@@ -132,7 +132,7 @@ TEST_CASE("rounding that makes loops meet is told", "[planar][clean]") {
   builder.add_vertex(PlanePoint{2, 1});
   builder.end_loop();
   const Loops triangle = builder.finish();
-  const Region r = unite(triangle, loops({box(0, -1, 1, 1)}));
+  const Region r = union_(triangle, loops({box(0, -1, 1, 1)}));
   REQUIRE(rounding_conflicts(r).size() == 1);
   CHECK(rounding_conflicts(r).front().kind == SelfMeetingKind::vertex_on_edge);
   CHECK(rounding_conflicts(fill(triangle)).empty());
@@ -154,7 +154,7 @@ TEST_CASE("polygons are one loop with bridges and back, and touch one another in
     const Loops one = bridged(r, p);
     CHECK(one.size() == 1);
     CHECK(canonical_form(fill({one, FillRule::even_odd})) == canonical_form(polygons.back()));
-    for (const SelfMeeting& m : self_meetings(one)) CHECK(m.kind != SelfMeetingKind::edges_crossing);
+    for (const SelfMeeting& m : self_intersections(one)) CHECK(m.kind != SelfMeetingKind::edges_crossing);
   }
   for (std::size_t p = 0; p < polygons.size(); ++p)
     for (std::size_t q = 0; q < p; ++q) {

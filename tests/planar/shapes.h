@@ -47,8 +47,8 @@ inline void add_arc(const PlanePoint& p, const PlanePoint& q, double unit, Loop&
   }
 }
 
-/// Loops over a small grid with arcs in place of their edges: many edges and few meetings, but arcs that coincide, run
-/// back, touch at their ends, and go straight.
+/// Loops over a small grid with arcs in place of their edges: many edges and few intersections, but arcs that coincide,
+/// run back, touch at their ends, and go straight.
 inline std::vector<Loop> random_arcs(Random& random, int grid, double unit = 1) {
   std::vector<Loop> all;
   for (const Loop& corners : random_grid_loops(random, grid)) {
@@ -75,12 +75,12 @@ inline int winding(const Loops& loops, const RationalPlacement& q) {
   for (std::uint32_t l = 0; l < loops.size(); ++l) {
     const auto loop = loops.loop(l);
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const RationalPlacement a = exact_place(loops.places, loop[i]),
-                              b = exact_place(loops.places, loop[(i + 1) % loop.size()]);
+      const RationalPlacement a = exact_position(loops.places, loop[i]),
+                              b = exact_position(loops.places, loop[(i + 1) % loop.size()]);
       if ((a[1] <= q[1]) == (b[1] <= q[1])) continue;
-      const Rational turn = (b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0]);
-      if (b[1] > a[1] && turn > 0) ++sum;
-      if (b[1] < a[1] && turn < 0) --sum;
+      const Rational orientation = (b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0]);
+      if (b[1] > a[1] && orientation > 0) ++sum;
+      if (b[1] < a[1] && orientation < 0) --sum;
     }
   }
   return sum;

@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-/// A combination with all meetings and all nesting found by sweeps (patience 0), or all by pairs and rays.
+/// A combination with all intersections and all nesting found by sweeps (patience 0), or all by pairs and rays.
 Region combine_with(std::size_t patience, const std::vector<Operand>& operands, Operation operation) {
   Gathered gathered = gather(operands);
   const Arrangement a = arrange(std::move(gathered.segments), {}, patience);
@@ -144,13 +144,13 @@ TEST_CASE("sweeps find what pairs and rays find", "[planar][sweep][degenerate][p
   const Loops p = thirds ? in_thirds(a) : loops(a), q = thirds ? in_thirds(b) : loops(b);
   const FillRule fill = seed % 3 == 0 ? FillRule::even_odd : FillRule::nonzero;
   const std::vector<Operand> operands{{p, fill}, {q, fill}};
-  for (const Operation operation : {Operation::unite, Operation::symmetric_difference})
+  for (const Operation operation : {Operation::union_, Operation::symmetric_difference})
     CHECK(agree(operands, operation));
   // Operands with meets for vertices.
   const Region either = combine(operands, Operation::symmetric_difference),
-               both = combine(operands, Operation::intersect);
+               both = combine(operands, Operation::intersection);
   CHECK(agree({either, both, {q, fill}}, Operation::symmetric_difference));
-  CHECK(agree({either, both}, Operation::unite));
+  CHECK(agree({either, both}, Operation::union_));
 }
 
 TEST_CASE("a fan whose edges overlap in several lengths has every end on the longer ones",

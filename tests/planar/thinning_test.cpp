@@ -17,13 +17,13 @@ using namespace test;
 constexpr std::size_t endless = std::size_t{1} << 40;
 
 struct Pipeline {
-  bool has_strands = true;
+  bool has_chains = true;
   std::size_t patience = usual_patience;
-  std::size_t strands = 0;  ///< so far
+  std::size_t chains = 0;  ///< so far
 
   Region combine(const std::vector<Operand>& operands, Operation operation) {
-    Thinned thinned = thin(operands, has_strands ? 1 : none, endless);
-    strands += thinned.strands.size();
+    Thinned thinned = thin(operands, has_chains ? 1 : none, endless);
+    chains += thinned.chains.size();
     Gathered gathered = gather(std::move(thinned));
     const Arrangement a = arrange(std::move(gathered.segments), {}, patience);
     const Subdivision s = subdivide(a, gathered.first_segment, ChainEnds::nodes, patience);
@@ -36,16 +36,17 @@ struct Listed {
   std::vector<std::uint32_t> first_loop, first_vertex;
   std::vector<RationalPlacement> corners;
   std::vector<PlanePoint> nearest;
-  std::vector<std::uint32_t> twin;  ///< of every vertex: the first one with its number
+  std::vector<std::uint32_t> partner;  ///< of every vertex: the first one with its number
   friend bool operator==(const Listed&, const Listed&) = default;
 };
 Listed listed(const Region& r) {
   Listed all{r.first_loop, r.loops.first_vertex, {}, {}, {}};
   const auto& vertices = r.loops.vertices;
   for (const std::uint32_t v : vertices) {
-    all.corners.push_back(exact_place(r.loops.places, v));
+    all.corners.push_back(exact_position(r.loops.places, v));
     all.nearest.push_back(r.loops.places.place[v]);
-    all.twin.push_back(static_cast<std::uint32_t>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin()));
+    all.partner.push_back(
+        static_cast<std::uint32_t>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin()));
   }
   return all;
 }
@@ -119,23 +120,23 @@ TEST_CASE("circles apart are strands but for a few edges", "[planar][thinning]")
   const Loops a = circle(0, 0, 1, 1000), b = circle(3, 0, 1, 1000);
   const std::vector<Operand> operands{a, b};
   const Thinned thinned = thin(operands);
-  CHECK(thinned.strands.size() == 8);
+  CHECK(thinned.chains.size() == 8);
   for (const Operand& o : thinned.operands) CHECK(o.loops->vertices.size() < 24);
-  CHECK(canonical_form(unite(a, b)) == canonical_form(Pipeline{false}.combine(operands, Operation::unite)));
-  CHECK(unite(a, b).loops.vertices.size() == 2000);
-  CHECK(validate(unite(a, b)).empty());
+  CHECK(canonical_form(union_(a, b)) == canonical_form(Pipeline{false}.combine(operands, Operation::union_)));
+  CHECK(union_(a, b).loops.vertices.size() == 2000);
+  CHECK(validate(union_(a, b)).empty());
 }
 
 TEST_CASE("where chains are short, or too many boxes meet, there are no strands", "[planar][thinning]") {
   const Loops a = circle(0, 0, 1, 100), b = circle(1, 0, 1, 1000), twice = circle(1, 0, 1, 1000);
-  CHECK(thin(std::array<Operand, 1>{a}).strands.empty());
-  CHECK(thin(std::array<Operand, 1>{a}, 8).strands.size() == 4);
-  CHECK_FALSE(thin(std::array<Operand, 1>{b}).strands.empty());
-  CHECK(thin(std::array<Operand, 2>{b, twice}).strands.empty());
-  CHECK(thin(std::array<Operand, 1>{b}, usual_chain, 0).strands.empty());
+  CHECK(thin(std::array<Operand, 1>{a}).chains.empty());
+  CHECK(thin(std::array<Operand, 1>{a}, 8).chains.size() == 4);
+  CHECK_FALSE(thin(std::array<Operand, 1>{b}).chains.empty());
+  CHECK(thin(std::array<Operand, 2>{b, twice}).chains.empty());
+  CHECK(thin(std::array<Operand, 1>{b}, usual_chain, 0).chains.empty());
 }
 
-// Catches: a strand next to a place where the boundary goes straight on, or with such places inside.
+// Catches: a monotone chain next to a place where the boundary goes straight on, or with such places inside.
 TEST_CASE("a result has no vertices where an outline goes straight on", "[planar][thinning][degenerate]") {
   Loop loop;  // a parabola's vertices and the middles of its edges; the top is straight
   for (int i = -40; i <= 40; ++i) {
@@ -143,12 +144,13 @@ TEST_CASE("a result has no vertices where an outline goes straight on", "[planar
     if (i < 40) loop.push_back({4.0 * i + 2, (i * i + (i + 1.0) * (i + 1.0))});
   }
   const Loops a = loops({loop}), b = square(1000, 0);
-  CHECK_FALSE(thin(std::array<Operand, 1>{a}).strands.empty());
-  CHECK(unite(a, b).loops.vertices.size() == 81 + 4);
-  CHECK(unite(a, circle(0, 20, 1, 200)).loops.vertices.size() == 81 + 0);
+  CHECK_FALSE(thin(std::array<Operand, 1>{a}).chains.empty());
+  CHECK(union_(a, b).loops.vertices.size() == 81 + 4);
+  CHECK(union_(a, circle(0, 20, 1, 200)).loops.vertices.size() == 81 + 0);
 }
 
-// Catches: edges that touch something in a strand; strands that change their direction, or do not follow their loops.
+// Catches: edges that touch something in a monotone chain; monotone chains that change their direction, or do not
+// follow their loops.
 TEST_CASE("a strand meets nothing but its neighbours", "[planar][thinning][degenerate][property]") {
   const auto seed = GENERATE(range(0u, seeds(300)));
   CAPTURE(seed);
@@ -166,7 +168,7 @@ TEST_CASE("a strand meets nothing but its neighbours", "[planar][thinning][degen
     all.add(loop);
   }
   std::vector<std::uint8_t> is_inside(all.vertices.size()), is_edge(all.vertices.size());
-  for (const Strand& s : thinned.strands) {
+  for (const MonotoneChain& s : thinned.chains) {
     const std::uint32_t offset = s.loops == &a ? 0 : shift;
     for (std::uint32_t i = s.first; i < s.last; ++i) is_edge[offset + i] = 1;
     for (std::uint32_t i = s.first; i <= s.last; ++i) is_inside[offset + i] = 1;
@@ -175,10 +177,10 @@ TEST_CASE("a strand meets nothing but its neighbours", "[planar][thinning][degen
     for (const PlanePoint& p : points) turned.push_back({p[1], p[0]});
     for (const auto& ordered : {points, turned})
       CHECK((std::is_sorted(ordered.begin(), ordered.end()) || std::is_sorted(ordered.rbegin(), ordered.rend())));
-    CHECK(turn(s.point(s.first - 1), s.point(s.first), s.point(s.first + 1)) != Sign::zero);
-    CHECK(turn(s.point(s.last - 1), s.point(s.last), s.point(s.last + 1)) != Sign::zero);
+    CHECK(orientation(s.point(s.first - 1), s.point(s.first), s.point(s.first + 1)) != Sign::zero);
+    CHECK(orientation(s.point(s.last - 1), s.point(s.last), s.point(s.last + 1)) != Sign::zero);
   }
-  for (const SelfMeeting& m : self_meetings(all)) {
+  for (const SelfMeeting& m : self_intersections(all)) {
     for (const std::uint32_t v : m.vertices) CHECK(is_inside[v] == 0);
     for (const std::uint32_t e : m.edges) CHECK(is_edge[e] == 0);
   }
@@ -188,18 +190,18 @@ TEST_CASE("a strand meets nothing but its neighbours", "[planar][thinning][degen
     for (const std::uint32_t v : given.vertices) before.push_back(given.places.place[v]);
     for (std::uint32_t k = 0; k < left.vertices.size(); ++k) {
       after.push_back(left.places.place[left.vertices[k]]);
-      if (thinned.strand_of[i].empty() || thinned.strand_of[i][k] == none) continue;
-      const Strand& s = thinned.strands[thinned.strand_of[i][k]];
+      if (thinned.chain_of[i].empty() || thinned.chain_of[i][k] == none) continue;
+      const MonotoneChain& s = thinned.chains[thinned.chain_of[i][k]];
       for (std::uint32_t v = s.first + 1; v < s.last; ++v) after.push_back(s.point(v));
     }
     CHECK(before == after);
   }
 }
 
-// Catches: strands on the wrong side of a ray or of a sweep, taken the wrong way around, or lost; lines and meets of
-// results that come to the wrong points.
+// Catches: monotone chains on the wrong side of a ray or of a sweep, taken the wrong way around, or lost; lines and
+// meets of results that come to the wrong points.
 TEST_CASE("results do not depend on strands", "[planar][thinning][degenerate][property]") {
-  static std::size_t strands = 0;
+  static std::size_t chains = 0;
   const auto seed = GENERATE(range(0u, seeds(400)));
   CAPTURE(seed);
   Random random(seed);
@@ -216,13 +218,13 @@ TEST_CASE("results do not depend on strands", "[planar][thinning][degenerate][pr
     Pipeline with{true, patience};
     CHECK(listed(with.combine({{a, rule}, {b, rule}}, first)) == listed(expected));
     CHECK(listed(with.combine({expected, {c, rule}}, second)) == listed(then));
-    strands += with.strands;
+    chains += with.chains;
   }
-  if (seed + 1 == seeds(400)) CHECK(strands > seed);  // they do come up
+  if (seed + 1 == seeds(400)) CHECK(chains > seed);  // they do come up
 }
 
-// Catches: rays and sweeps that take a strand for the line between its ends: they pass by it, or see it on the wrong
-// side.
+// Catches: rays and sweeps that take a monotone chain for the line between its ends: they pass by it, or see it on the
+// wrong side.
 TEST_CASE("islands are seen between a strand and the line through its ends", "[planar][thinning][property]") {
   const auto seed = GENERATE(range(0u, seeds(60)));
   CAPTURE(seed);
@@ -252,7 +254,7 @@ TEST_CASE("islands are seen between a strand and the line through its ends", "[p
   for (const std::size_t patience : {std::size_t{0}, endless}) {
     Pipeline with{true, patience};
     CHECK(listed(with.combine(operands, Operation::symmetric_difference)) == listed(expected));
-    CHECK(with.strands >= 12);
+    CHECK(with.chains >= 12);
   }
 }
 

@@ -19,12 +19,12 @@ RationalPoint minus(const Vertex& p, const Vertex& q) {
           to_rational(p[2]) - to_rational(q[2])};
 }
 
-/// Only carriers that meet in one point name one.
-bool meet_in_one_point(const std::vector<Vertex>& p, const PointName& name) {
+/// Only input complex that meet in one point name one.
+bool meet_in_one_point(const std::vector<Vertex>& p, const SymbolicPoint& name) {
   const auto normal = [&](std::size_t f) {
     return cross(minus(p[3 * f + 1], p[3 * f]), minus(p[3 * f + 2], p[3 * f]));
   };
-  if (name.kind == PointName::Kind::edge_face) return dot(normal(1), minus(p[1], p[0])) != 0;
+  if (name.kind == SymbolicPoint::Kind::edge_face) return dot(normal(1), minus(p[1], p[0])) != 0;
   return dot(normal(0), cross(normal(1), normal(2))) != 0;
 }
 
@@ -38,16 +38,16 @@ TEST_CASE("constructed points round to the nearest doubles, ties included", "[ro
     for (Vertex& p : points)
       for (double& x : p) x = lattice ? random.between(-4, 4) : random.unit() * 2 - 1;
     const std::vector<Triangle> faces{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
-    Carriers carriers;
-    carriers.add(points, faces);
-    const auto name = random.once_in(2) ? PointName::edge_face(0, 1, 1) : PointName::three_faces(0, 1, 2);
+    InputComplex input;
+    input.add(points, faces);
+    const auto name = random.once_in(2) ? SymbolicPoint::edge_face(0, 1, 1) : SymbolicPoint::three_faces(0, 1, 2);
     if (!meet_in_one_point(points, name)) continue;
-    PointTable table(carriers);
+    PointTable table(input);
     const Boundary boundary{{}, table.add(std::vector{name}, {}), {}, {}};
-    const auto rounded = round_to_doubles(carriers, table, boundary, {});
-    const RationalPoint exact = exact_position(carriers, make_point(carriers, name));
+    const auto rounded = round_to_doubles(input, table, boundary, {});
+    const RationalPoint exact = exact_position(input, make_point(input, name));
     for (std::size_t i = 0; i < 3; ++i) REQUIRE(rounded[0][i] == to_nearest_double(exact[i]));
-    const auto places = exact_places(carriers, table, boundary, rounded, {});
+    const auto places = exact_positions(input, table, boundary, rounded, {});
     const bool is_double = to_rational(rounded[0][0]) == exact[0] && to_rational(rounded[0][1]) == exact[1] &&
                            to_rational(rounded[0][2]) == exact[2];
     REQUIRE(places.size() == (is_double ? 0 : 1));

@@ -7,7 +7,7 @@
 #include <cmath>
 
 // Seen to fail: a slab test without its widening (misses no box).
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/scene_data.h"
 #include "extensions/scene/signed_covering.h"
@@ -119,8 +119,8 @@ TEST_CASE("the tree shows every face that a ray meets once, nearest boxes first"
     REQUIRE(std::adjacent_find(seen.begin(), seen.end()) == seen.end());
     for (std::uint32_t f = 0; f < scene.face_count(); ++f) {
       test::RationalHit hit;
-      const auto c = carriers_of(scene).face(f);
-      const auto corner = [&](std::size_t i) { return test::rational(carriers_of(scene).vertex(c[i])); };
+      const auto c = input_complex_of(scene).face(f);
+      const auto corner = [&](std::size_t i) { return test::rational(input_complex_of(scene).vertex(c[i])); };
       if (test::meet({corner(0), corner(1), corner(2)}, test::rational(from), test::rational(d), hit) ==
               test::RayMeets::inside &&
           hit.t >= 0)

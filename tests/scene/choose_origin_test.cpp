@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/scene_data.h"
 #include "extensions/scene/sight.h"
@@ -16,9 +16,10 @@ using namespace strata;
 namespace {
 
 std::uint32_t flat_faces(const Scene& scene, const Origin& origin) {
-  const Sight sight(carriers_of(scene), origin);
+  const Sight sight(input_complex_of(scene), origin);
   std::uint32_t flat = 0;
-  for (std::uint32_t f = 0; f < scene.face_count(); ++f) flat += sight.turn(carriers_of(scene).face(f)) == Sign::zero;
+  for (std::uint32_t f = 0; f < scene.face_count(); ++f)
+    flat += sight.orientation(input_complex_of(scene).face(f)) == Sign::zero;
   return flat;
 }
 

@@ -1,7 +1,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/layer_decomposition_data.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/signed_covering.h"
@@ -56,7 +56,7 @@ TEST_CASE("results are operands about the same origin", "[csg][layers]") {
   const LayerDecomposition a = layers_of(test::box({0, 0, 0}, {4, 4, 4}), origin);
   const LayerDecomposition b = layers_of(test::octahedron({4, 4, 4}, 3), origin);
   const LayerDecomposition c = layers_of(test::octahedron({0, 0, 0}, 2.5), origin);
-  const LayerDecomposition chain = combine(combine(a, b, Operation::subtract), c, Operation::unite);
+  const LayerDecomposition chain = combine(combine(a, b, Operation::difference), c, Operation::union_);
   CHECK(chain.validate().empty());
   const std::array<Solid, 3> s{Solid(test::box({0, 0, 0}, {4, 4, 4})), Solid(test::octahedron({4, 4, 4}, 3)),
                                Solid(test::octahedron({0, 0, 0}, 2.5))};
@@ -66,15 +66,15 @@ TEST_CASE("results are operands about the same origin", "[csg][layers]") {
 TEST_CASE("decompositions that do not fit are refused", "[csg][layers]") {
   const Mesh box = test::box({0, 0, 0}, {1, 1, 1});
   const LayerDecomposition a = layers_of(box, Origin::point({2, 2, 2}));
-  CHECK_THROWS_AS(combine(a, layers_of(box, Origin::direction({2, 2, 2})), Operation::unite), std::invalid_argument);
+  CHECK_THROWS_AS(combine(a, layers_of(box, Origin::direction({2, 2, 2})), Operation::union_), std::invalid_argument);
   const LayerDecomposition two(test::scene_of({box, box}), Origin::point({2, 2, 2}));
-  CHECK_THROWS_AS(combine(a, two, Operation::unite), std::invalid_argument);
+  CHECK_THROWS_AS(combine(a, two, Operation::union_), std::invalid_argument);
 }
 
 TEST_CASE("nothing in common leaves an empty decomposition", "[csg][layers]") {
   const Origin origin = Origin::point({9, 9, 9.5});
   const LayerDecomposition none = combine(layers_of(test::box({0, 0, 0}, {1, 1, 1}), origin),
-                                          layers_of(test::box({1, 0, 0}, {2, 1, 1}), origin), Operation::intersect);
+                                          layers_of(test::box({1, 0, 0}, {2, 1, 1}), origin), Operation::intersection);
   CHECK(none.layer_count() == 0);
   CHECK(none.scene().face_count() == 0);
   CHECK(covering_of(none).membership({.5, .5, .5}) == Where::out);

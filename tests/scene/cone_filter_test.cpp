@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/kernel/predicates.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/signed_covering.h"
@@ -13,7 +13,7 @@ using namespace strata;
 
 namespace {
 
-using Point3 = Carriers::Coordinates;
+using Point3 = InputComplex::Coordinates;
 
 /// Does the segment from o to q meet the closed face, and does it go through its inside and on? Exact.
 struct Meets {

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/signed_covering.h"
 #include "extensions/scene/subordination.h"
@@ -165,13 +165,13 @@ TEST_CASE("the named overlaps of tetrahedra", "[layers][degenerate]") {
                                      {4, 0, 1},  {0, 4, 1},  {4, 4, 1},   // along its rim
                                      {1, 1, .5}, {2, 1, 2},  {1, 2, 2},   // through it
                                      {1, 1, 1},  {2, 1, 1},  {1, 2, 1}};  // in it
-  std::vector<Carriers::Indices> faces;
+  std::vector<InputComplex::Indices> faces;
   for (std::uint32_t i = 0; i < vertices.size(); i += 3) faces.push_back({i, i + 1, i + 2});
-  Carriers carriers;
-  carriers.add(vertices, faces);
+  InputComplex input;
+  input.add(vertices, faces);
   for (const Origin& origin : {Origin::direction({0, 0, 1}), Origin::point({0.5, 0.25, -100})}) {
-    const Sight sight(carriers, origin);
-    const auto seen = [&](std::uint32_t f) { return SeenTriangle{carriers.face(f), sight.turn(carriers.face(f))}; };
+    const Sight sight(input, origin);
+    const auto seen = [&](std::uint32_t f) { return SeenTriangle{input.face(f), sight.orientation(input.face(f))}; };
     const auto check = [&](std::uint32_t f, TetrahedraOverlap there, TetrahedraOverlap back) {
       CAPTURE(f);
       CHECK(overlap_of(sight, seen(0), seen(f)) == there);

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/signed_covering.h"
 #include "scene/rational_rays.h"

@@ -10,7 +10,7 @@
 
 // Seen to fail: boxes without the step around rational vertices (rational corner), all faces at a rim counted as
 // crossed, filter bounds taken for zero, hits at 0 left out (rays that love to touch).
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/scene_data.h"
 #include "extensions/scene/signed_covering.h"
@@ -92,7 +92,7 @@ std::vector<RayHit> plain_hits(const Scene& scene, const Ray& ray, test::Random&
   std::vector<RayHit> hits;
   for (std::uint32_t s = 0; s < scene.solid_count(); ++s)
     for (const auto& e : PlainSolid(scene.solid(s)).events(ray, random)) {
-      RayHit hit{e.t, {}, {}, carriers_of(scene).first_face(s) + e.face, s, e.passage};
+      RayHit hit{e.t, {}, {}, input_complex_of(scene).first_face(s) + e.face, s, e.passage};
       for (std::size_t i = 0; i < 3; ++i) {
         hit.place[i] = to_rational(ray.from[i]) + e.t * to_rational(ray.direction[i]);
         hit.rounded[i] = to_nearest_double(hit.place[i]);

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/layer_decomposition_data.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/scene_data.h"
@@ -71,16 +71,16 @@ TEST_CASE("seen stretches and regions agree with rational rays", "[layers][prope
   const Scene scene = test::scene_of(meshes);
   const Visibility visibility{LayerDecomposition(scene, origin)};
   const PlainView plain(scene, origin);
-  const auto& carriers = carriers_of(scene);
+  const auto& input = input_complex_of(scene);
   for (int n = 0; n < 40; ++n) {
     const auto face = static_cast<std::uint32_t>(random.below(scene.face_count()));
-    if (covering_of(visibility.decomposition()).turn(face) == Sign::zero) {
+    if (covering_of(visibility.decomposition()).orientation(face) == Sign::zero) {
       REQUIRE(visibility.seen_region(face).empty());
       continue;
     }
     const auto& t = plain.triangle(face);
     const auto side = static_cast<std::size_t>(random.below(3));
-    const auto seen = visibility.seen_along(face, carriers.face(face)[side], carriers.face(face)[(side + 1) % 3]);
+    const auto seen = visibility.seen_along(face, input.face(face)[side], input.face(face)[(side + 1) % 3]);
     const Rational at = Rational(random.between(1, 996), 997);
     const RationalPoint on_edge = between(t[side], t[(side + 1) % 3], at);
     const RationalPoint beside = between(on_edge, t[(side + 2) % 3], Rational(1, 1 << 30));
@@ -109,7 +109,7 @@ TEST_CASE("an edge seen end on is not drawn", "[layers][visibility][degenerate]"
   const Visibility visibility{LayerDecomposition(scene, Origin::point({0, 0, 5}))};
   std::size_t drawn = 0;
   for (const SeenEdge& e : find_seen_edges(visibility, 30)) {
-    const auto at = [&](std::uint32_t v) { return carriers_of(scene).vertex(v); };
+    const auto at = [&](std::uint32_t v) { return input_complex_of(scene).vertex(v); };
     CHECK_FALSE((at(e.a)[0] == 0 && at(e.b)[0] == 0 && at(e.a)[1] == 0 && at(e.b)[1] == 0));
     drawn += e.seen.empty() ? 0 : 1;
   }
@@ -124,9 +124,9 @@ TEST_CASE("an edge that bends less than the crease angle is drawn where it is an
     const std::vector<SeenEdge> edges = find_seen_edges(visibility, crease_angle);
     return std::count_if(edges.begin(), edges.end(), [&](const SeenEdge& e) { return e.kind == kind; });
   };
-  CHECK(count(89, EdgeKind::outline) == 6);
+  CHECK(count(89, EdgeKind::loop) == 6);
   CHECK(count(89, EdgeKind::crease) == 3);
-  CHECK(count(91, EdgeKind::outline) == 6);
+  CHECK(count(91, EdgeKind::loop) == 6);
   CHECK(count(91, EdgeKind::crease) == 0);
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("edges that coincide as seen are hidden by what lies on their own side
   REQUIRE(faces.size() == 2);
   for (const std::uint32_t f : faces) CHECK(scene.solid_of(f) == 0);
   for (std::uint32_t f = 12; f < 24; ++f) {
-    const auto v = carriers_of(scene).face(f);
+    const auto v = input_complex_of(scene).face(f);
     for (std::size_t i = 0; i < 3; ++i) CHECK(visibility.seen_along(f, v[i], v[(i + 1) % 3]).empty());
   }
 }

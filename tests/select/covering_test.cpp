@@ -6,7 +6,7 @@
 
 #include "core/overlap/coincidences.h"
 #include "core/overlap/pairs.h"
-#include "core/winding/local_layers.h"
+#include "core/winding/local_windings.h"
 #include "strata/options.h"
 #include "support/shapes.h"
 #include "support/subdivision.h"
@@ -20,15 +20,15 @@ namespace {
 class Scene {
  public:
   explicit Scene(std::vector<Mesh> meshes)
-      : meshes_(std::move(meshes)), carriers_(carriers_of(meshes_)), cells_(carriers_, {}), layers_(carriers_, cells_) {
-    carriers_.identify(find_coincidences(carriers_, cells_, monitor_));
-    PointTable points(carriers_);
-    constraints_ = find_meetings(carriers_, cells_, false, points, monitor_).constraints;
+      : meshes_(std::move(meshes)), input_(input_complex_of(meshes_)), cells_(input_, {}), layers_(input_, cells_) {
+    input_.identify(find_coincidences(input_, cells_, monitor_));
+    PointTable points(input_);
+    constraints_ = find_intersections(input_, cells_, false, points, monitor_).constraints;
   }
 
   void check(Operation operation) {
-    const Rule rule(operation, carriers_.operand_count());
-    Covering covering(carriers_, rule);
+    const Rule rule(operation, input_.operand_count());
+    Covering covering(input_, rule);
     for (std::size_t first = 0, last = 0; first < constraints_.size(); first = last) {
       while (last < constraints_.size() && constraints_[last].face == constraints_[first].face) ++last;
       covering.start(std::span(constraints_).subspan(first, last - first));
@@ -39,17 +39,17 @@ class Scene {
   int told = 0, hidden = 0;  ///< how often something was known without a walk
 
  private:
-  static Carriers carriers_of(const std::vector<Mesh>& meshes) {
-    Carriers carriers;
-    for (const Mesh& m : meshes) carriers.add(m.vertices, m.triangles);
-    return carriers;
+  static InputComplex input_complex_of(const std::vector<Mesh>& meshes) {
+    InputComplex input;
+    for (const Mesh& m : meshes) input.add(m.vertices, m.triangles);
+    return input;
   }
 
   void check(std::uint32_t f, Covering& covering, const Rule& rule) {
     const bool hides = covering.hides_face();
     hidden += static_cast<int>(hides);
     for (std::uint32_t t = 1; t < 8; ++t) {
-      const Point q = make_point(carriers_, PointName::weighted(f, t));
+      const Point q = make_point(input_, SymbolicPoint::weighted(f, t));
       const auto covers = covers_at(f, q, covering);
       if (!covers) continue;
       const Windings above = walk(f, q, *covers);
@@ -64,9 +64,9 @@ class Scene {
   /// The faces through q; nothing when it is on one that is not coplanar, or on an edge.
   std::optional<std::vector<std::uint32_t>> covers_at(std::uint32_t f, const Point& q, Covering& covering) const {
     std::vector<std::uint32_t> covers;
-    for (std::uint32_t g = 0; g < carriers_.face_count(); ++g) {
-      if (carriers_.operand_of_face(g) == carriers_.operand_of_face(f)) continue;
-      if (side_of_face(carriers_, g, q) != Sign::zero || !is_in_closed(g, q)) continue;
+    for (std::uint32_t g = 0; g < input_.face_count(); ++g) {
+      if (input_.operand_of_face(g) == input_.operand_of_face(f)) continue;
+      if (side_of_face(input_, g, q) != Sign::zero || !is_in_closed(g, q)) continue;
       const auto coplanar = covering.coplanar();
       if (std::find(coplanar.begin(), coplanar.end(), g) == coplanar.end() || !covering.covers(g, q))
         return std::nullopt;
@@ -75,35 +75,34 @@ class Scene {
     return covers;
   }
   bool is_in_closed(std::uint32_t g, const Point& q) const {
-    const auto v = carriers_.face(g);
-    const Projection projection = projection_of(carriers_, g);
+    const auto v = input_.face(g);
+    const Projection projection = projection_of(input_, g);
     for (std::size_t i = 0; i < 3; ++i)
-      if (orient2d(carriers_, projection, corner(v[i]), corner(v[(i + 1) % 3]), q) == Sign::negative) return false;
+      if (orient2d(input_, projection, corner(v[i]), corner(v[(i + 1) % 3]), q) == Sign::negative) return false;
     return true;
   }
-  Point corner(std::uint32_t v) const { return make_point(carriers_, PointName::input(v)); }
+  Point corner(std::uint32_t v) const { return make_point(input_, SymbolicPoint::input(v)); }
 
   Windings walk(std::uint32_t f, const Point& q, std::vector<std::uint32_t> through) const {
     through.push_back(f);
     Windings w = layers_.above(f, q, through);
-    w.set(carriers_.operand_of_face(f), 0);
+    w.set(input_.operand_of_face(f), 0);
     return w;
   }
 
   bool is_dropped(std::uint32_t f, const Windings& above, const std::vector<std::uint32_t>& covers, const Rule& rule) {
     if (!covers.empty() && covers.front() < f) return true;
     Windings below = above;
-    below.add(carriers_.operand_of_face(f), 1);
-    for (const std::uint32_t g : covers)
-      below.add(carriers_.operand_of_face(g), to_int(same_orientation(carriers_, f, g)));
+    below.add(input_.operand_of_face(f), 1);
+    for (const std::uint32_t g : covers) below.add(input_.operand_of_face(g), to_int(same_orientation(input_, f, g)));
     return rule.inside(above) == rule.inside(below);
   }
 
   std::vector<Mesh> meshes_;
   Monitor monitor_;
-  Carriers carriers_;
+  InputComplex input_;
   CellTree cells_;
-  LocalLayers layers_;
+  LocalWindings layers_;
   std::vector<Constraint> constraints_;
 };
 
@@ -132,7 +131,7 @@ TEST_CASE("faces of a wall between two solids are hidden, whatever their triangl
   test::Random random(7);
   Scene scene({test::subdivided(test::box({0, 0, 0}, {1, 4, 4}), random, 100),
                test::subdivided(test::box({1, 0, 0}, {2, 4, 4}), random, 100)});
-  scene.check(Operation::unite);
+  scene.check(Operation::union_);
   CHECK(scene.hidden > 20);
 }
 

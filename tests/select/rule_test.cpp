@@ -11,16 +11,16 @@ TEST_CASE("the rules of the four operations", "[select]") {
     for (const int x : w) windings.add(i++, x);
     return Rule(op, static_cast<std::uint32_t>(w.size())).inside(windings);
   };
-  CHECK(inside(Operation::unite, {0, 1, 0}));
-  CHECK_FALSE(inside(Operation::unite, {0, 0, 0}));
-  CHECK_FALSE(inside(Operation::unite, {-1, 0, 0}));
-  CHECK(inside(Operation::intersect, {1, 2, 1}));
-  CHECK_FALSE(inside(Operation::intersect, {1, 0, 1}));
-  CHECK(inside(Operation::subtract, {1, 0, 0}));
-  CHECK_FALSE(inside(Operation::subtract, {1, 0, 1}));
-  CHECK_FALSE(inside(Operation::subtract, {0, 1, 0}));
-  CHECK(inside(Operation::exclude, {1, 1, 1}));
-  CHECK_FALSE(inside(Operation::exclude, {1, 1, 0}));
+  CHECK(inside(Operation::union_, {0, 1, 0}));
+  CHECK_FALSE(inside(Operation::union_, {0, 0, 0}));
+  CHECK_FALSE(inside(Operation::union_, {-1, 0, 0}));
+  CHECK(inside(Operation::intersection, {1, 2, 1}));
+  CHECK_FALSE(inside(Operation::intersection, {1, 0, 1}));
+  CHECK(inside(Operation::difference, {1, 0, 0}));
+  CHECK_FALSE(inside(Operation::difference, {1, 0, 1}));
+  CHECK_FALSE(inside(Operation::difference, {0, 1, 0}));
+  CHECK(inside(Operation::symmetric_difference, {1, 1, 1}));
+  CHECK_FALSE(inside(Operation::symmetric_difference, {1, 1, 0}));
 }
 
 TEST_CASE("winding numbers are kept sparse", "[select]") {

@@ -109,7 +109,7 @@ void add_coinciding(std::vector<Case>& cases) {
   cases.push_back({.name = "d_minus20k",
                    .about = "a sphere of 20,480 triangles minus itself",
                    .group = Group::dense,
-                   .operation = Operation::subtract,
+                   .operation = Operation::difference,
                    .volume = 0,
                    .make = same(5)});
   cases.push_back({.name = "d_facecubes",
@@ -122,7 +122,7 @@ void add_coinciding(std::vector<Case>& cases) {
   cases.push_back({.name = "d_notch",
                    .about = "a cube minus one in its corner, three faces in common",
                    .group = Group::small,
-                   .operation = Operation::subtract,
+                   .operation = Operation::difference,
                    .volume = 0.875,
                    .make = [](const Corpus&) {
                      return Meshes{box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0.5}, {0.5, 0.5, 1})};
@@ -153,14 +153,14 @@ void add_crossings(std::vector<Case>& cases) {
   cases.push_back({.name = "h_cut1m",
                    .about = "a cube of 12 triangles minus a bumpy sphere of 1,003,520, all crossings in one side",
                    .group = Group::dense,
-                   .operation = Operation::subtract,
+                   .operation = Operation::difference,
                    .make = [](const Corpus&) {
                      return Meshes{box({-2, -2, -2}, {2, 2, 0.3}), bumpy_sphere(224)};
                    }});
   cases.push_back({.name = "h_drill2m",
                    .about = "a sphere of 1,997,120 triangles minus a drill of 92 right through it",
                    .group = Group::drill,
-                   .operation = Operation::subtract,
+                   .operation = Operation::difference,
                    .make = [](const Corpus&) {
                      const Mesh drill = prism({.sides = 24, .radius = 0.05, .bottom = -1.2, .top = 1.2});
                      return Meshes{geodesic_sphere(316), rotated(drill, rotation({3, -1, 2}, 77))};
@@ -237,7 +237,7 @@ void add_many(std::vector<Case>& cases) {
   cases.push_back({.name = "n_drill1000",
                    .about = "a plate minus 999 drills of 60 triangles, in one call",
                    .group = Group::many,
-                   .operation = Operation::subtract,
+                   .operation = Operation::difference,
                    .volume = perforated_volume(),
                    .make = [](const Corpus&) { return perforated_plate(); }});
 }
@@ -247,7 +247,7 @@ void add_chains(std::vector<Case>& cases) {
     cases.push_back({.name = name,
                      .about = about,
                      .group = Group::chain,
-                     .operation = Operation::subtract,
+                     .operation = Operation::difference,
                      .make = [make](const Corpus&) { return make(); }});
   };
   add("k_nine", "a sphere minus three tori and six spheres, 9 cuts in one call", nine_cuts);

@@ -29,7 +29,7 @@ struct Case {
   std::string name;
   std::string about;  ///< one line for the table
   Group group = Group::pair;
-  strata::Operation operation = strata::Operation::unite;
+  strata::Operation operation = strata::Operation::union_;
   bool from_corpus = false;
   std::optional<double> volume = {};                             ///< of the result, where it is known by construction
   std::function<std::vector<strata::Mesh>(const Corpus&)> make;  ///< throws MissingMesh

@@ -44,15 +44,15 @@ double height(double x, double y) {
 /// The tool's outline across the x axis where it is at (x, y): a half circle below, straight walls up to the top.
 std::array<Vertex, profile_size> profile(double x, double y) {
   constexpr double radius = 0.3, top = 4;
-  std::array<Vertex, profile_size> outline;
+  std::array<Vertex, profile_size> loop;
   const double z = height(x, y);
   for (uint32_t k = 0; k + 2 < profile_size; ++k) {
     const double angle = pi * k / (profile_size - 3);
-    outline[k] = {x, y - radius * std::cos(angle), z - radius * std::sin(angle)};
+    loop[k] = {x, y - radius * std::cos(angle), z - radius * std::sin(angle)};
   }
-  outline[profile_size - 2] = {x, y + radius, top};
-  outline[profile_size - 1] = {x, y - radius, top};
-  return outline;
+  loop[profile_size - 2] = {x, y + radius, top};
+  loop[profile_size - 1] = {x, y - radius, top};
+  return loop;
 }
 
 /// Between two outlines, seen from x = infinity counter-clockwise.
@@ -87,8 +87,8 @@ Mesh capsule(double half_length, double radius, uint32_t sides, uint32_t rings) 
     const bool upper = r > rings;
     const double angle = pi / 2 * (upper ? r - rings - 1 : static_cast<double>(r) - rings) / rings;
     for (uint32_t k = 0; k < sides; ++k) {
-      const double turn = 2 * pi * k / sides, distance = radius * std::cos(angle);
-      mesh.vertices.push_back({distance * std::cos(turn), distance * std::sin(turn),
+      const double orientation = 2 * pi * k / sides, distance = radius * std::cos(angle);
+      mesh.vertices.push_back({distance * std::cos(orientation), distance * std::sin(orientation),
                                radius * std::sin(angle) + (upper ? half_length : -half_length)});
     }
   }

@@ -66,7 +66,7 @@ Subject one_by_one(const Request& request, std::span<const Mesh> operands, Outco
   const strata::Options options{.threads = request.threads};
   return {[&outcome] { outcome = {}; },
           [&outcome, &request, operands, options] {
-            strata::Workpiece whole{strata::Solid(operands.front())};
+            strata::IncrementalSolid whole{strata::Solid(operands.front())};
             for (const Mesh& mesh : operands.subspan(1))
               whole = whole.with(request.operation, strata::Solid(mesh), options);
             outcome.solid = whole.solid();

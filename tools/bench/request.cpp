@@ -8,6 +8,7 @@ namespace {
 std::map<std::string, strata::Operation> operations() {
   std::map<std::string, strata::Operation> all;
   for (const strata::Operation operation : strata::all_operations) all.emplace(name(operation), operation);
+  all.emplace("xor", strata::Operation::symmetric_difference);
   return all;
 }
 
@@ -15,7 +16,7 @@ std::map<std::string, strata::Operation> operations() {
 
 void add_options(CLI::App& app, Request& request) {
   app.add_option("CASE", request.case_file, "A case file")->required()->check(CLI::ExistingFile);
-  app.add_option("--operation", request.operation, "union, intersection, difference or xor")
+  app.add_option("--operation", request.operation, "union, intersection, difference or symmetric-difference")
       ->transform(CLI::Transformer(operations()));
   app.add_flag("--one-by-one", request.one_by_one, "Join operand after operand to the result so far");
   app.add_option("--threads", request.threads)->check(CLI::Range(1, 1024))->capture_default_str();

@@ -9,7 +9,7 @@ namespace bench {
 /// What is to be measured, and for how long at most.
 struct Request {
   std::string case_file;
-  strata::Operation operation = strata::Operation::unite;
+  strata::Operation operation = strata::Operation::union_;
   bool one_by_one = false;  ///< operand after operand is joined to the result so far, instead of all at once
   unsigned threads = 1;
   unsigned repetitions = 5;

@@ -6,7 +6,7 @@ from engine import Refused, main
 def run(operation, a, b):
     import numpy
     from igl.copyleft import cgal
-    word = {"union": "union", "intersection": "intersect", "difference": "minus", "xor": "xor"}[operation]
+    word = {"union": "union", "intersection": "intersect", "difference": "minus", "symmetric-difference": "xor"}[operation]
     try:
         vertices, triangles, _ = cgal.mesh_boolean(*a, *b, word)
     except RuntimeError as error:

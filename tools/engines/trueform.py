@@ -12,7 +12,7 @@ def pair(operation, a, b):
 
 
 def run(operation, a, b):
-    return xor_by_differences(pair, a, b) if operation == "xor" else pair(operation, a, b)
+    return xor_by_differences(pair, a, b) if operation == "symmetric-difference" else pair(operation, a, b)
 
 
 if __name__ == "__main__":

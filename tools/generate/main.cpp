@@ -48,9 +48,9 @@ strata::Mesh make(const Wish& wish) {
 }
 
 void place(strata::Mesh& mesh, const Wish& wish) {
-  const int turns = wish.axis == "x" ? 2 : wish.axis == "y" ? 1 : 0;  // a cyclic exchange of axes: exact
+  const int orientations = wish.axis == "x" ? 2 : wish.axis == "y" ? 1 : 0;  // a cyclic exchange of axes: exact
   for (strata::Vertex& vertex : mesh.vertices) {
-    std::rotate(vertex.begin(), vertex.begin() + turns, vertex.end());
+    std::rotate(vertex.begin(), vertex.begin() + orientations, vertex.end());
     for (std::size_t k = 0; k < 3; ++k) vertex[k] += wish.at[k];
   }
 }

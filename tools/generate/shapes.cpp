@@ -20,11 +20,11 @@ void add_quad(Mesh& mesh, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
 }
 
 // Outline k sits at vertices k (below) and n + k (above); the outline is counter-clockwise.
-Mesh walls(const std::vector<Point2>& outline, double height) {
+Mesh walls(const std::vector<Point2>& loop, double height) {
   Mesh mesh;
-  const auto n = static_cast<uint32_t>(outline.size());
+  const auto n = static_cast<uint32_t>(loop.size());
   for (const double z : {-height / 2, height / 2}) {
-    for (const Point2& p : outline) mesh.vertices.push_back({p[0], p[1], z});
+    for (const Point2& p : loop) mesh.vertices.push_back({p[0], p[1], z});
   }
   for (uint32_t k = 0; k < n; ++k) {
     const uint32_t next = (k + 1) % n;
@@ -34,9 +34,9 @@ Mesh walls(const std::vector<Point2>& outline, double height) {
 }
 
 // A prism over an outline that sees the origin.
-Mesh extrude_star(const std::vector<Point2>& outline, double height) {
-  Mesh mesh = walls(outline, height);
-  const auto n = static_cast<uint32_t>(outline.size());
+Mesh extrude_star(const std::vector<Point2>& loop, double height) {
+  Mesh mesh = walls(loop, height);
+  const auto n = static_cast<uint32_t>(loop.size());
   mesh.vertices.push_back({0, 0, -height / 2});
   mesh.vertices.push_back({0, 0, height / 2});
   for (uint32_t k = 0; k < n; ++k) {
@@ -103,18 +103,18 @@ Mesh torus(double radius, double tube, unsigned n) {
 }
 
 Mesh cylinder(double radius, double height, unsigned n) {
-  std::vector<Point2> outline;
-  for (uint32_t k = 0; k < n; ++k) outline.push_back({radius * std::cos(angle(k, n)), radius * std::sin(angle(k, n))});
-  return extrude_star(outline, height);
+  std::vector<Point2> loop;
+  for (uint32_t k = 0; k < n; ++k) loop.push_back({radius * std::cos(angle(k, n)), radius * std::sin(angle(k, n))});
+  return extrude_star(loop, height);
 }
 
 Mesh gear(double inner, double outer, double height, unsigned n) {
-  std::vector<Point2> outline;
+  std::vector<Point2> loop;
   for (uint32_t k = 0; k < 4 * n; ++k) {
     const double radius = k % 4 < 2 ? outer : inner;
-    outline.push_back({radius * std::cos(angle(k, 4 * n)), radius * std::sin(angle(k, 4 * n))});
+    loop.push_back({radius * std::cos(angle(k, 4 * n)), radius * std::sin(angle(k, 4 * n))});
   }
-  return extrude_star(outline, height);
+  return extrude_star(loop, height);
 }
 
 Mesh bracket(double leg, double thickness, double width) {

@@ -8,7 +8,7 @@
 
 #include "core/io/file.h"
 #include "core/io/sink.h"
-#include "json_place.h"
+#include "json_location.h"
 #include "sha256.h"
 #include "strata/io.h"
 #include "threads.h"
@@ -28,14 +28,14 @@ struct Header {
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) { throw strata::IoError(path, {}, reason); }
 
-std::size_t read_count(const JsonPlace& place) {
+std::size_t read_count(const JsonLocation& place) {
   if (!place.value().is_number_unsigned()) place.fail_expected("a count");
   return place.value().get<std::size_t>();
 }
 
 Header read_header(std::string_view text, const std::string& path) {
   const Json json = parse_json(text, path);
-  const JsonPlace root(json, path);
+  const JsonLocation root(json, path);
   if (read_count(root.at("version")) != version) root.at("version").fail_expected(fmt::format("{}", version));
   Header header{read_count(root.at("done")), root.at("digest").text(), read_marks(root)};
   if (header.marks.size() != header.done + 1) root.fail("the number of marks is not that of the steps done and one");

@@ -10,8 +10,8 @@
 
 #include "core/io/file.h"
 #include "json_choice.h"
+#include "json_location.h"
 #include "json_matrix.h"
-#include "json_place.h"
 
 namespace {
 
@@ -31,12 +31,12 @@ std::string read_text(const std::string& path) {
   return text;
 }
 
-strata::Placement read_placement(const JsonPlace& place) {
+strata::Placement read_placement(const JsonLocation& place) {
   constexpr std::array placements = {strata::Placement::exact, strata::Placement::rounded};
   return placements[place.choice("placement of transforms", {"exact", "rounded"})];
 }
 
-ChainOperand read_operand(const JsonPlace& place, const Defaults& defaults) {
+ChainOperand read_operand(const JsonLocation& place, const Defaults& defaults) {
   ChainOperand operand;
   operand.place = place.path();
   operand.file = place.at("file").text();
@@ -50,13 +50,18 @@ ChainOperand read_operand(const JsonPlace& place, const Defaults& defaults) {
   return operand;
 }
 
-ChainStep read_step(const JsonPlace& place, const Defaults& defaults) {
-  place.expect_keys({"operation", "file", "transform", "input", "label"});
-  const auto operation = read_choice(place.at("operation"), "operation", strata::all_operations);
-  return {operation, read_operand(place, defaults)};
+strata::Operation read_operation(const JsonLocation& place) {
+  if (place.value().is_string())
+    if (const auto operation = strata::operation_named(place.value().get<std::string>())) return *operation;
+  return read_choice(place, "operation", strata::all_operations);
 }
 
-std::optional<ChainOperand> read_start(const JsonPlace& place, const Defaults& defaults) {
+ChainStep read_step(const JsonLocation& place, const Defaults& defaults) {
+  place.expect_keys({"operation", "file", "transform", "input", "label"});
+  return {read_operation(place.at("operation")), read_operand(place, defaults)};
+}
+
+std::optional<ChainOperand> read_start(const JsonLocation& place, const Defaults& defaults) {
   if (place.value().is_null()) return {};
   place.expect_keys({"file", "transform", "input", "label"});
   return read_operand(place, defaults);
@@ -74,12 +79,12 @@ ChainDocument parse_chain_document(std::string_view text, const std::string& pat
   ChainDocument document;
   document.name = path == "-" ? "standard input" : path;
   const Json json = parse_json(text, document.name);
-  const JsonPlace root(json, document.name);
+  const JsonLocation root(json, document.name);
   root.expect_keys({"transforms", "start", "steps"});
   Defaults defaults{path == "-" ? fs::path() : fs::path(path).parent_path(), settings.input, settings.placement};
   if (const auto place = root.find("transforms"))
     if (read_placement(*place) == strata::Placement::rounded) defaults.placement = strata::Placement::rounded;
   document.start = read_start(root.at("start"), defaults);
-  for (const JsonPlace& step : root.at("steps").items()) document.steps.push_back(read_step(step, defaults));
+  for (const JsonLocation& step : root.at("steps").items()) document.steps.push_back(read_step(step, defaults));
   return document;
 }

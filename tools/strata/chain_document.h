@@ -22,7 +22,7 @@ struct ChainOperand {
 };
 
 struct ChainStep {
-  strata::Operation operation = strata::Operation::unite;
+  strata::Operation operation = strata::Operation::union_;
   ChainOperand operand;
 };
 

@@ -48,8 +48,8 @@ class Marker {
   std::map<std::string, std::string> digests_;  // by path
 };
 
-ChainMark read_mark(const JsonPlace& place, const std::vector<std::string>& files) {
-  const std::vector<JsonPlace> items = place.items();
+ChainMark read_mark(const JsonLocation& place, const std::vector<std::string>& files) {
+  const std::vector<JsonLocation> items = place.items();
   if (items.size() != 4) place.fail_expected("four values");
   ChainMark mark;
   const std::array<std::pair<std::size_t, std::string*>, 3> texts = {
@@ -58,6 +58,7 @@ ChainMark read_mark(const JsonPlace& place, const std::vector<std::string>& file
     if (!items[k].value().is_string()) items[k].fail_expected("a string");
     *text = items[k].value().get<std::string>();
   }
+  if (const auto operation = strata::operation_named(mark.operation)) mark.operation = name(*operation);
   if (items[1].value().is_null()) return mark;
   if (!items[1].value().is_number_unsigned() || items[1].value().get<std::size_t>() >= files.size())
     items[1].fail_expected("the number of a file");
@@ -107,11 +108,11 @@ Json to_json(const std::vector<ChainMark>& marks, std::size_t count) {
   return {{"files", std::move(files)}, {"marks", std::move(list)}};
 }
 
-std::vector<ChainMark> read_marks(const JsonPlace& place) {
+std::vector<ChainMark> read_marks(const JsonLocation& place) {
   std::vector<std::string> files;
-  for (const JsonPlace& file : place.at("files").items()) files.push_back(file.text());
+  for (const JsonLocation& file : place.at("files").items()) files.push_back(file.text());
   std::vector<ChainMark> marks;
-  for (const JsonPlace& mark : place.at("marks").items()) marks.push_back(read_mark(mark, files));
+  for (const JsonLocation& mark : place.at("marks").items()) marks.push_back(read_mark(mark, files));
   return marks;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "chain_document.h"
-#include "json_place.h"
+#include "json_location.h"
 
 /// What of an operand and what is done with it the result depends on: neither labels nor names of files.
 struct ChainMark {
@@ -24,7 +24,7 @@ struct ChainMark {
 [[nodiscard]] Json to_json(const std::vector<ChainMark>& marks, std::size_t count);
 
 /// The inverse. Throws strata::IoError.
-[[nodiscard]] std::vector<ChainMark> read_marks(const JsonPlace& place);
+[[nodiscard]] std::vector<ChainMark> read_marks(const JsonLocation& place);
 
 /// What differs first: "steps[3].operation is union, was difference"; empty if one list begins as the other.
 [[nodiscard]] std::string difference(const std::vector<ChainMark>& now, const std::vector<ChainMark>& before);

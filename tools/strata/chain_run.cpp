@@ -26,7 +26,7 @@ ChainRun::ChainRun(const ChainDocument& document, const std::vector<ChainMark>& 
     : document_(document), marks_(marks), chain_(chain), settings_(settings), watch_(watch) {}
 
 void ChainRun::begin(const ChainCheckpoint& from) {
-  workpiece_ = strata::Workpiece(from.solid);
+  solid_in_steps_ = strata::IncrementalSolid(from.solid);
   done_ = from.done;
   resumed_ = {{"checkpoint", chain_.resume}, {"steps_done", done_}};
   resumed_.update(facts());
@@ -34,7 +34,7 @@ void ChainRun::begin(const ChainCheckpoint& from) {
 
 void ChainRun::begin(ChainOperands& operands) {
   const std::optional<ChainOperand>& start = document_.start;
-  if (start) workpiece_ = strata::Workpiece(operands.take(*start));
+  if (start) solid_in_steps_ = strata::IncrementalSolid(operands.take(*start));
   start_ = {{"label", start ? label_of(*start) : Json(nullptr)}, {"file", start ? Json(start->file) : Json(nullptr)}};
   start_.update(facts());
 }
@@ -66,8 +66,8 @@ void ChainRun::do_step(const ChainStep& step, ChainOperands& operands, const str
   Stopwatch stopwatch;
   strata::Solid before;
   const strata::Solid tool = operands.take(step.operand);
-  workpiece_ = with_reproduction([&] { return asked(before = workpiece_.solid(), step, tool); }, "chain", settings_,
-                                 [&] { return workpiece_.with(step.operation, tool, options); });
+  solid_in_steps_ = with_reproduction([&] { return asked(before = solid_in_steps_.solid(), step, tool); }, "chain",
+                                      settings_, [&] { return solid_in_steps_.with(step.operation, tool, options); });
   const double seconds = stopwatch.lap();
   watch_.hold();
   ++done_;
@@ -85,10 +85,10 @@ void ChainRun::do_step(const ChainStep& step, ChainOperands& operands, const str
 }
 
 Json ChainRun::facts() {
-  Json row = {{"triangles", workpiece_.triangle_count()}, {"volume", workpiece_.volume()}};
+  Json row = {{"triangles", solid_in_steps_.triangle_count()}, {"volume", solid_in_steps_.volume()}};
   if (!chain_.exact_volumes) return row;
   Stopwatch stopwatch;
-  row["volume_exact"] = workpiece_.solid().volume().str();
+  row["volume_exact"] = solid_in_steps_.solid().volume().str();
   measuring_ += stopwatch.lap();
   return row;
 }
@@ -96,7 +96,7 @@ Json ChainRun::facts() {
 void ChainRun::save() {
   if (saved_ == done_) return;
   Stopwatch stopwatch;
-  write_checkpoint(chain_.checkpoint, {done_, workpiece_.solid()}, marks_, settings_);
+  write_checkpoint(chain_.checkpoint, {done_, solid_in_steps_.solid()}, marks_, settings_);
   saving_ += stopwatch.lap();
   saved_ = done_;
   ++saves_;

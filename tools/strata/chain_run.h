@@ -11,7 +11,7 @@
 #include "strata/incremental.h"
 #include "watch.h"
 
-/// A chain being done: the workpiece as it is now, and what there is to report.
+/// A chain being done: the incremental solid as it is now, and what there is to report.
 class ChainRun {
  public:
   /// All must outlive this. `marks` may be empty where no checkpoint is asked for.
@@ -26,7 +26,7 @@ class ChainRun {
   /// which tells about it.
   void finish(ChainOperands& operands);
 
-  [[nodiscard]] strata::Solid solid() const { return workpiece_.solid(); }
+  [[nodiscard]] strata::Solid solid() const { return solid_in_steps_.solid(); }
 
   /// {start, resumed, steps, checkpoints, seconds: {evaluate, volumes, checkpoints}}.
   void add_to(Json& report) const;
@@ -42,7 +42,7 @@ class ChainRun {
   const Settings& settings_;
   Watch& watch_;
 
-  strata::Workpiece workpiece_;
+  strata::IncrementalSolid solid_in_steps_;
   std::size_t done_ = 0;
   Json start_, resumed_, rows_ = Json::array();
   double evaluating_ = 0, measuring_ = 0, saving_ = 0;  // seconds

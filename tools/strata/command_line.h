@@ -23,7 +23,7 @@ inline constexpr const char* exit_codes =
     "4 invalid input; 5 the result is not certified; 6 cancelled, out of time or out of memory;\n"
     "70 an error of the program itself.";
 
-/// union, intersection, difference, xor, eval, chain, check, info, compare.
+/// union, intersection, difference, symmetric-difference, eval, chain, check, info, compare.
 void add_boolean_verbs(CommandLine& line);
 
 /// draw, layers, bsp, topology, contacts, locate, ray.

@@ -13,9 +13,11 @@
 
 namespace {
 
-void add_boolean(CommandLine& line, strata::Operation operation, const char* name, const std::string& what) {
+void add_boolean(CommandLine& line, strata::Operation operation, const std::string& what) {
   Settings& settings = line.settings;
+  const char* name = strata::name(operation);
   CLI::App* verb = line.app.add_subcommand(name, what);
+  if (operation == strata::Operation::symmetric_difference) verb->alias("xor");
   add_common_options(*verb, settings, 2, 0);
   add_input_class(*verb, settings);
   add_engine(*verb, settings, {&strata::bsp_engine, &strata::layer_engine});
@@ -107,10 +109,10 @@ void add_compare(CommandLine& line) {
 
 void add_boolean_verbs(CommandLine& line) {
   using strata::Operation;
-  add_boolean(line, Operation::unite, "union", "What is in any of the meshes");
-  add_boolean(line, Operation::intersect, "intersection", "What is in all of the meshes");
-  add_boolean(line, Operation::subtract, "difference", "What is in the first mesh and in no other");
-  add_boolean(line, Operation::exclude, "xor", "What is in an odd number of the meshes");
+  add_boolean(line, Operation::union_, "What is in any of the meshes");
+  add_boolean(line, Operation::intersection, "What is in all of the meshes");
+  add_boolean(line, Operation::difference, "What is in the first mesh and in no other");
+  add_boolean(line, Operation::symmetric_difference, "What is in an odd number of the meshes");
   add_eval(line);
   add_chain(line);
   add_check(line);

@@ -29,8 +29,10 @@ void add_planar_verbs(CommandLine& line) {
   CLI::App* verb = line.app.add_subcommand("planar", "Polygons in the plane: Booleans, a clean test, measures");
   const auto planar = std::make_shared<PlanarSettings>();
   verb->require_subcommand(1);
-  const auto add = [&](Operation operation, const char* name, const char* what) {
+  const auto add = [&](Operation operation, const char* what) {
+    const char* name = strata::name(operation);
     CLI::App* sub = verb->add_subcommand(name, what);
+    if (operation == Operation::symmetric_difference) sub->alias("xor");
     add_planar_options(*sub, *planar, settings, 1, 0);
     sub->add_option("-o,--output", settings.output, "Where the polygons go; - is standard output")
         ->required()
@@ -42,10 +44,10 @@ void add_planar_verbs(CommandLine& line) {
     sub->footer(fmt::format("Example:\n  strata planar {} A.geojson B.wkt -o OUT.svg\n\n{}", name, exit_codes));
     line.on(*sub, [&settings, planar, operation, name] { return run_planar(operation, name, *planar, settings); });
   };
-  add(Operation::unite, "union", "What is in any of the files");
-  add(Operation::intersect, "intersection", "What is in all of the files");
-  add(Operation::subtract, "difference", "What is in the first file and in no other");
-  add(Operation::symmetric_difference, "xor", "What is in an odd number of the files");
+  add(Operation::union_, "What is in any of the files");
+  add(Operation::intersection, "What is in all of the files");
+  add(Operation::difference, "What is in the first file and in no other");
+  add(Operation::symmetric_difference, "What is in an odd number of the files");
   CLI::App* check = verb->add_subcommand("check", "Are the loops clean? Lists where they meet themselves");
   add_planar_options(*check, *planar, settings, 1, 1);
   check->footer(exit_codes);

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/csg/arena.h"
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/layer_decomposition_data.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/signed_covering.h"
@@ -50,7 +50,7 @@ strata::LayerDecomposition decompose(const std::vector<strata::Solid>& solids, c
   strata::LayerDecomposition layers(strata::scene_of(solids), origin, monitor);
   const auto& inside = covering_of(layers).windings_of_origin();
   if (layers.cuts_at_crossings() == 0 || inside.begin() != inside.end()) return layers;
-  const strata::Solid all = strata::unite(solids);
+  const strata::Solid all = strata::union_(solids);
   return strata::LayerDecomposition(strata::scene_of({&all, 1}), origin, monitor);
 }
 
@@ -129,7 +129,7 @@ SvgPage draw_page(const DrawSettings& draw, const strata::Visibility& visibility
   if (draw.style != "lines") fill_back_to_front(visibility.decomposition(), view, page);
   if (draw.style != "fill") {
     page.add_lines(draw_lines(visibility, edges, strata::EdgeKind::crease, view), draw.width / 1250, "#333");
-    page.add_lines(draw_lines(visibility, edges, strata::EdgeKind::outline, view), draw.width / 500, "#000");
+    page.add_lines(draw_lines(visibility, edges, strata::EdgeKind::loop, view), draw.width / 500, "#000");
   }
   return page;
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* coefficient = "a number or a string with an integer or a quotient of integers, like \"-1/3\"";
 
-Rational read_quotient(const JsonPlace& place) {
+Rational read_quotient(const JsonLocation& place) {
   const std::string text = place.text();
   if (const auto value = parse_quotient(text)) return *value;
   const std::size_t slash = text.find('/');
@@ -22,7 +22,7 @@ Rational read_quotient(const JsonPlace& place) {
   place.fail_expected(coefficient);
 }
 
-Rational read_coefficient(const JsonPlace& place) {
+Rational read_coefficient(const JsonLocation& place) {
   const Json& value = place.value();
   if (value.is_number_unsigned()) return Rational(Integer(value.get<std::uint64_t>()));
   if (value.is_number_integer()) return Rational(Integer(value.get<std::int64_t>()));
@@ -31,8 +31,8 @@ Rational read_coefficient(const JsonPlace& place) {
   return read_quotient(place);
 }
 
-strata::Transform::Row read_row(const JsonPlace& place) {
-  const std::vector<JsonPlace> items = place.items();
+strata::Transform::Row read_row(const JsonLocation& place) {
+  const std::vector<JsonLocation> items = place.items();
   if (items.size() != 4)
     place.fail("a row of a matrix has 4 coefficients, this one has " + std::to_string(items.size()));
   strata::Transform::Row row;
@@ -42,8 +42,8 @@ strata::Transform::Row read_row(const JsonPlace& place) {
 
 }  // namespace
 
-strata::Transform read_matrix(const JsonPlace& place) {
-  const std::vector<JsonPlace> items = place.items();
+strata::Transform read_matrix(const JsonLocation& place) {
+  const std::vector<JsonLocation> items = place.items();
   if (items.size() != 4) place.fail("a matrix has 4 rows, this one has " + std::to_string(items.size()));
   std::array<strata::Transform::Row, 3> rows;
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = read_row(items[i]);

@@ -11,7 +11,7 @@
 
 #include "core/io/binary.h"
 #include "core/io/blocks.h"
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/scene_data.h"
 #include "extensions/scene/signed_covering.h"
@@ -31,13 +31,13 @@ Colour colour_of(std::uint32_t layer) { return layer == 0 ? grey : palette_colou
 class PieceMesh {
  public:
   explicit PieceMesh(const LayerDecomposition& layers) : layers_(layers) {
-    const strata::Carriers& carriers = carriers_of(layers.scene());
-    for (std::uint32_t s = 0; s < carriers.operand_count(); ++s)
-      vertices.insert(vertices.end(), carriers.points(s).begin(), carriers.points(s).end());
+    const strata::InputComplex& input = input_complex_of(layers.scene());
+    for (std::uint32_t s = 0; s < input.operand_count(); ++s)
+      vertices.insert(vertices.end(), input.points(s).begin(), input.points(s).end());
     for (std::uint32_t p = 0; p < layers.piece_count(); ++p) {
       if (layers.is_replaced(p)) continue;
       pieces.push_back(p);
-      triangles.push_back(p < carriers.face_count() ? carriers.face(p) : triangle_of_part(p));
+      triangles.push_back(p < input.face_count() ? input.face(p) : triangle_of_part(p));
     }
   }
 
@@ -49,7 +49,7 @@ class PieceMesh {
   /// Corners of the face stay what they are; others are made once per solid and place.
   Triangle triangle_of_part(std::uint32_t piece) {
     const std::uint32_t face = layers_.face_of(piece);
-    const Triangle own = carriers_of(layers_.scene()).face(face);
+    const Triangle own = input_complex_of(layers_.scene()).face(face);
     const auto places = layers_.triangle(piece);
     Triangle t{};
     for (std::size_t i = 0; i < 3; ++i) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/layer_decomposition_data.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/signed_covering.h"
@@ -48,7 +48,7 @@ Json layers_report(const LayerDecomposition& layers) {
   for (std::uint32_t l = 1; l <= layers.layer_count(); ++l) counts.push_back(layers.layer_pieces(l).size());
   std::uint32_t flat = 0;
   for (std::uint32_t f = 0; f < layers.scene().face_count(); ++f)
-    flat += covering_of(layers).turn(f) == strata::Sign::zero;
+    flat += covering_of(layers).orientation(f) == strata::Sign::zero;
   return {{"origin", to_json(layers.origin())},
           {"solids", layers.scene().solid_count()},
           {"faces", layers.scene().face_count()},

@@ -19,7 +19,7 @@ constexpr const char* examples = R"(Examples:
   strata union left.stl right.stl -o both.stl
   strata difference block.obj drill1.stl drill2.ply -o part.ply --certify --report part.json
   strata intersection a.glb b.3mf -o common.obj --input repair
-  cat a.off | strata xor - b.off --input-format off -o - --format off > changed.off
+  cat a.off | strata symmetric-difference - b.off --input-format off -o - --format off > changed.off
   strata difference block.stl drill.stl -o part.xoff && strata union part.xoff bolt.stl -o whole.xoff
   strata check scan.stl
   strata compare yesterday.stl today.obj

@@ -19,7 +19,7 @@ namespace {
 
 using namespace strata::planar;
 
-constexpr std::size_t most_listed = 100;  ///< meetings in a report
+constexpr std::size_t most_listed = 100;  ///< intersections in a report
 
 std::optional<PlanarFormat> format_asked(const std::string& name) {
   if (name.empty()) return std::nullopt;
@@ -77,9 +77,10 @@ Json to_json(const SelfMeeting& m) {
   return j;
 }
 
-Json to_json(const std::vector<SelfMeeting>& meetings) {
+Json to_json(const std::vector<SelfMeeting>& intersections) {
   Json list = Json::array();
-  for (std::size_t i = 0; i < std::min(meetings.size(), most_listed); ++i) list.push_back(to_json(meetings[i]));
+  for (std::size_t i = 0; i < std::min(intersections.size(), most_listed); ++i)
+    list.push_back(to_json(intersections[i]));
   return list;
 }
 
@@ -191,20 +192,20 @@ ExitCode run_planar(Operation operation, const char* name, const PlanarSettings&
 ExitCode run_planar_check(const Settings& settings) {
   Watch watch(settings.timeout);
   const PlanarFile file = read_operand(settings.operands.front(), settings);
-  const std::vector<SelfMeeting> meetings = self_meetings(file.loops);
-  const bool clean = meetings.empty() && is_clean(file.loops);
+  const std::vector<SelfMeeting> intersections = self_intersections(file.loops);
+  const bool clean = intersections.empty() && is_clean(file.loops);
   if (!settings.quiet && settings.report != "-") {
     fmt::print("{}: {}\n", settings.operands.front(), clean ? "clean" : "not clean");
-    for (std::size_t i = 0; i < std::min(meetings.size(), most_listed); ++i)
-      fmt::print("  {} at {}\n", name(meetings[i].kind), place(meetings[i].where).dump());
-    if (meetings.size() > most_listed) fmt::print("  and {} more\n", meetings.size() - most_listed);
+    for (std::size_t i = 0; i < std::min(intersections.size(), most_listed); ++i)
+      fmt::print("  {} at {}\n", name(intersections[i].kind), place(intersections[i].where).dump());
+    if (intersections.size() > most_listed) fmt::print("  and {} more\n", intersections.size() - most_listed);
   }
   if (!settings.report.empty())
     write_report(settings.report, {{"operation", "planar check"},
                                    {"operands", operand_facts(settings, {file})},
                                    {"clean", clean},
-                                   {"meetings", meetings.size()},
-                                   {"listed", to_json(meetings)}});
+                                   {"meetings", intersections.size()},
+                                   {"listed", to_json(intersections)}});
   return clean ? ExitCode::ok : ExitCode::negative;
 }
 
@@ -213,7 +214,7 @@ ExitCode run_planar_info(const PlanarSettings& planar, const Settings& settings)
   const PlanarFile file = read_operand(settings.operands.front(), settings);
   const Region region = cancellable(watch, settings, [&](const strata::Monitor& monitor) {
     const Operand operand(file.loops, fill_rule(planar));
-    return combine(std::span(&operand, 1), Operation::unite, monitor);
+    return combine(std::span(&operand, 1), Operation::union_, monitor);
   });
   Json result = facts(region);
   print_facts(result, settings);

@@ -3,7 +3,7 @@
 #include "settings.h"
 #include "strata/options.h"
 
-/// union, intersection, difference, xor. `name` is the verb, as it stands in the report.
+/// union, intersection, difference, symmetric-difference. `name` is the verb, as it stands in the report.
 [[nodiscard]] ExitCode run_boolean(strata::Operation operation, const char* name, const Settings& settings);
 
 /// An expression over meshes, evaluated at once.

@@ -18,23 +18,22 @@ constexpr std::size_t few = 32;
 /// What vertices show to be in the plane of a face.
 class PlaneOfFace {
  public:
-  PlaneOfFace(const Carriers& carriers, std::uint32_t face)
-      : carriers_(carriers), face_(face), corners_(carriers.face(face)) {}
+  PlaneOfFace(const InputComplex& input, std::uint32_t face) : input_(input), face_(face), corners_(input.face(face)) {}
 
   /// Certain where the answer is yes: an edge or a face through the point is in the plane.
-  [[nodiscard]] bool has(const PointName& name) const {
+  [[nodiscard]] bool has(const SymbolicPoint& name) const {
     const auto& id = name.id;
     switch (name.kind) {
-      case PointName::Kind::input:
+      case SymbolicPoint::Kind::input:
         return has_vertex(id[0]);
-      case PointName::Kind::edge_edge:
+      case SymbolicPoint::Kind::edge_edge:
         return has_edge(id[0], id[1]) || has_edge(id[2], id[3]);
-      case PointName::Kind::edge_face:
+      case SymbolicPoint::Kind::edge_face:
         return has_face(id[2]) || has_edge(id[0], id[1]);
-      case PointName::Kind::three_faces:
+      case SymbolicPoint::Kind::three_faces:
         return has_face(id[0]) || has_face(id[1]) || has_face(id[2]);
-      case PointName::Kind::weighted:
-      case PointName::Kind::free:
+      case SymbolicPoint::Kind::weighted:
+      case SymbolicPoint::Kind::free:
         return false;
     }
     return false;
@@ -43,26 +42,26 @@ class PlaneOfFace {
  private:
   [[nodiscard]] bool has_vertex(std::uint32_t v) const {
     return v == corners_[0] || v == corners_[1] || v == corners_[2] ||
-           orient3d(carriers_, corners_[0], corners_[1], corners_[2], v) == Sign::zero;
+           orient3d(input_, corners_[0], corners_[1], corners_[2], v) == Sign::zero;
   }
   [[nodiscard]] bool has_edge(std::uint32_t v, std::uint32_t w) const { return has_vertex(v) && has_vertex(w); }
   [[nodiscard]] bool has_face(std::uint32_t face) const {
     if (face == face_) return true;
-    const auto v = carriers_.face(face);
+    const auto v = input_.face(face);
     return has_vertex(v[0]) && has_vertex(v[1]) && has_vertex(v[2]);
   }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   std::uint32_t face_;
-  Carriers::Indices corners_;
+  InputComplex::Indices corners_;
 };
 
 }  // namespace
 
 void FacePoints::start(std::uint32_t face) {
   face_ = face;
-  corners_ = carriers_.face(face);
-  projection_ = projection_of(carriers_, face);
+  corners_ = input_.face(face);
+  projection_ = projection_of(input_, face);
   points_.clear();
   ids_.clear();
   known_.clear();
@@ -108,20 +107,20 @@ void FacePoints::drop_last() {
   ids_.pop_back();
 }
 
-Sign FacePoints::turn(std::int32_t a, std::int32_t b, std::int32_t c) const {
+Sign FacePoints::orientation(std::int32_t a, std::int32_t b, std::int32_t c) const {
   if (a == b || b == c || a == c) return Sign::zero;
   const Point &p = points_[at(a)], &q = points_[at(b)], &r = points_[at(c)];
   if (const auto sign = filtered_orient2d(projection_, p, q, r)) return *sign;
   if (collinear_by_name(p, q, r)) return Sign::zero;
   if (const auto sign = refined_orient2d(projection_, p, q, r)) return *sign;
   if (collinear_by_edges(p, q, r) || collinear_by_planes(p, q, r) || collinear_by_faces(p, q, r)) return Sign::zero;
-  return exact_orient2d(carriers_, projection_, p, q, r);
+  return exact_orient2d(input_, projection_, p, q, r);
 }
 
 /// Three points of this face are collinear when they lie in another source plane too.
 bool FacePoints::collinear_by_planes(const Point& p, const Point& q, const Point& r) const {
-  if (!carriers_.has_planes()) return false;
-  const KnownPlanes of_p(carriers_, p), of_q(carriers_, q), of_r(carriers_, r);
+  if (!input_.has_planes()) return false;
+  const KnownPlanes of_p(input_, p), of_q(input_, q), of_r(input_, r);
   for (const SourcePlane* plane : of_p.list())
     if (of_q.has(plane) && of_r.has(plane) && is_surely_other_plane(*plane)) return true;
   return false;
@@ -140,9 +139,9 @@ bool FacePoints::are_on_edge(int k, std::int32_t a, std::int32_t b) const {
   return named_on_edge(points_[at(a)].name, from, to) && named_on_edge(points_[at(b)].name, from, to);
 }
 
-bool FacePoints::leaves_plane(const Carriers::Indices& vertices) const {
+bool FacePoints::leaves_plane(const InputComplex::Indices& vertices) const {
   for (const std::uint32_t v : vertices)
-    if (orient3d(carriers_, corners_[0], corners_[1], corners_[2], v) != Sign::zero) return true;
+    if (orient3d(input_, corners_[0], corners_[1], corners_[2], v) != Sign::zero) return true;
   return false;
 }
 
@@ -153,7 +152,7 @@ bool FacePoints::collinear_by_name(const Point& p, const Point& q, const Point& 
   };
   const auto all_on_face = [&](std::uint32_t g) {
     if (g == face_) return false;
-    const auto v = carriers_.face(g);
+    const auto v = input_.face(g);
     return named_on_face(p.name, g, v) && named_on_face(q.name, g, v) && named_on_face(r.name, g, v) && leaves_plane(v);
   };
   for (int i = 0; i < 3; ++i)
@@ -161,18 +160,18 @@ bool FacePoints::collinear_by_name(const Point& p, const Point& q, const Point& 
   for (const Point* x : {&p, &q, &r}) {
     const auto& id = x->name.id;
     switch (x->name.kind) {
-      case PointName::Kind::edge_edge:
+      case SymbolicPoint::Kind::edge_edge:
         if (all_on_edge(id[0], id[1]) || all_on_edge(id[2], id[3])) return true;
         break;
-      case PointName::Kind::edge_face:
+      case SymbolicPoint::Kind::edge_face:
         if (all_on_edge(id[0], id[1]) || all_on_face(id[2])) return true;
         break;
-      case PointName::Kind::three_faces:
+      case SymbolicPoint::Kind::three_faces:
         if (all_on_face(id[0]) || all_on_face(id[1]) || all_on_face(id[2])) return true;
         break;
-      case PointName::Kind::input:
-      case PointName::Kind::weighted:
-      case PointName::Kind::free:
+      case SymbolicPoint::Kind::input:
+      case SymbolicPoint::Kind::weighted:
+      case SymbolicPoint::Kind::free:
         break;
     }
   }
@@ -186,13 +185,13 @@ bool FacePoints::collinear_by_edges(const Point& p, const Point& q, const Point&
   std::array<std::uint32_t, 6> ends{};
   std::size_t count = 0;
   for (const Point* x : {&p, &q, &r}) {
-    if (x->name.kind != PointName::Kind::edge_face || x->name.id[2] != face_) return false;
+    if (x->name.kind != SymbolicPoint::Kind::edge_face || x->name.id[2] != face_) return false;
     ends[count++] = x->name.id[0];
     ends[count++] = x->name.id[1];
   }
   std::sort(ends.begin(), ends.end());
   if (std::unique(ends.begin(), ends.end()) != ends.begin() + 4) return false;
-  return orient3d(carriers_, ends[0], ends[1], ends[2], ends[3]) == Sign::zero;
+  return orient3d(input_, ends[0], ends[1], ends[2], ends[3]) == Sign::zero;
 }
 
 /// Three points of this face are collinear when they lie in the plane of another face, too: as where edges of coplanar
@@ -200,9 +199,9 @@ bool FacePoints::collinear_by_edges(const Point& p, const Point& q, const Point&
 bool FacePoints::collinear_by_faces(const Point& p, const Point& q, const Point& r) const {
   for (const Point* x : {&p, &q, &r}) {
     const std::uint32_t g = x->name.id[2];
-    if (x->name.kind != PointName::Kind::edge_face || g == face_) continue;
-    const PlaneOfFace plane(carriers_, g);
-    if (plane.has(p.name) && plane.has(q.name) && plane.has(r.name)) return leaves_plane(carriers_.face(g));
+    if (x->name.kind != SymbolicPoint::Kind::edge_face || g == face_) continue;
+    const PlaneOfFace plane(input_, g);
+    if (plane.has(p.name) && plane.has(q.name) && plane.has(r.name)) return leaves_plane(input_.face(g));
   }
   return false;
 }

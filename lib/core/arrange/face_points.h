@@ -17,7 +17,7 @@ class FacePoints {
   /// The number of a point that is not in the table.
   static constexpr PointId unnumbered = std::numeric_limits<PointId>::max();
 
-  FacePoints(const Carriers& carriers, const PointTable& table) : carriers_(carriers), table_(table) {}
+  FacePoints(const InputComplex& input, const PointTable& table) : input_(input), table_(table) {}
 
   /// Starts over with the corners of a face, as points 0, 1, 2.
   void start(std::uint32_t face);
@@ -35,12 +35,12 @@ class FacePoints {
   void drop_last();
 
   /// Positive when a, b, c are a left turn; exact.
-  [[nodiscard]] Sign turn(std::int32_t a, std::int32_t b, std::int32_t c) const;
+  [[nodiscard]] Sign orientation(std::int32_t a, std::int32_t b, std::int32_t c) const;
   /// True when the names of both points tell that they lie on corner k's edge, from corner k to the next.
   [[nodiscard]] bool are_on_edge(int k, std::int32_t a, std::int32_t b) const;
 
   [[nodiscard]] std::uint32_t face() const { return face_; }
-  [[nodiscard]] const Carriers::Indices& corners() const { return corners_; }
+  [[nodiscard]] const InputComplex::Indices& corners() const { return corners_; }
   [[nodiscard]] Projection projection() const { return projection_; }
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(points_.size()); }
   [[nodiscard]] const Point& operator[](std::int32_t v) const { return points_[static_cast<std::size_t>(v)]; }
@@ -55,12 +55,12 @@ class FacePoints {
   [[nodiscard]] bool collinear_by_faces(const Point& p, const Point& q, const Point& r) const;
   [[nodiscard]] bool is_surely_other_plane(const SourcePlane& plane) const;
   [[nodiscard]] bool collinear_by_edges(const Point& p, const Point& q, const Point& r) const;
-  [[nodiscard]] bool leaves_plane(const Carriers::Indices& vertices) const;
+  [[nodiscard]] bool leaves_plane(const InputComplex::Indices& vertices) const;
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const PointTable& table_;
   std::uint32_t face_ = 0;
-  Carriers::Indices corners_{};
+  InputComplex::Indices corners_{};
   Projection projection_;
   std::vector<Point> points_;
   std::vector<PointId> ids_;

@@ -22,8 +22,8 @@ bool PathPolygons::find(std::span<const Constraint> constraints) {
 
 /// Where a point is that a surface's crossing constructed: on an edge of this face and a face of the other, or inside
 /// this face on an edge of the other.
-int PathPolygons::edge_of(const PointName& name) const {
-  if (name.kind != PointName::Kind::edge_face) return elsewhere;
+int PathPolygons::edge_of(const SymbolicPoint& name) const {
+  if (name.kind != SymbolicPoint::Kind::edge_face) return elsewhere;
   if (name.id[2] == points_.face()) return inside;
   const auto& v = points_.corners();
   for (int k = 0; k < 3; ++k)
@@ -67,8 +67,8 @@ bool PathPolygons::walk_border() {
     const auto extent = [&](int axis) { return points_[next(k)].at[at(axis)].value - points_[k].at[at(axis)].value; };
     const auto [u, v] = points_.projection();
     const int axis = std::abs(extent(u)) >= std::abs(extent(v)) ? u : v;
-    const Sign along = compare(carriers_, axis, points_[next(k)], points_[k]);
-    const auto order = [&](std::int32_t p, std::int32_t q) { return compare(carriers_, axis, points_[q], points_[p]); };
+    const Sign along = compare(input_, axis, points_[next(k)], points_[k]);
+    const auto order = [&](std::int32_t p, std::int32_t q) { return compare(input_, axis, points_[q], points_[p]); };
     const auto first = border_.begin() + static_cast<std::ptrdiff_t>(begin);
     std::sort(first, border_.end(), [&](std::int32_t p, std::int32_t q) { return order(p, q) == along; });
     if (along == Sign::zero ||

@@ -21,7 +21,7 @@ class PathPolygons {
     bool forward = true;       ///< runs along tail -> head of the constraint
   };
 
-  PathPolygons(const Carriers& carriers, FacePoints& points) : carriers_(carriers), points_(points) {}
+  PathPolygons(const InputComplex& input, FacePoints& points) : input_(input), points_(points) {}
 
   /// Adds the ends of all constraints to the points, which hold the face's corners only, and finds the polygons.
   /// False when the constraints are anything else than simple paths as far as names tell. O(n log n).
@@ -42,13 +42,13 @@ class PathPolygons {
   };
   static constexpr int inside = -1, elsewhere = -2;
 
-  [[nodiscard]] int edge_of(const PointName& name) const;
+  [[nodiscard]] int edge_of(const SymbolicPoint& name) const;
   [[nodiscard]] bool add_ends(std::span<const Constraint> constraints);
   [[nodiscard]] bool walk_border();
   void trace(std::int32_t start);
   [[nodiscard]] std::int32_t follow(std::int32_t from);
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   FacePoints& points_;
   std::vector<std::array<std::int32_t, 2>> ends_;  ///< tail and head per constraint
   std::vector<Station> stations_;                  ///< per point

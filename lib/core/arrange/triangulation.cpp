@@ -59,7 +59,8 @@ Triangulation::Location Triangulation::locate(std::int32_t p) {
     int zeros = 0, zero = 0, other = 0, beyond = -1;
     for (int k = 0; k < 3 && beyond < 0; ++k) {
       const int i = static_cast<int>((static_cast<std::size_t>(k) + step) % 3);
-      const Sign s = tri(t).n[at(i)] < 0 ? inner_side({t, i}, p) : turn(tri(t).v[at(i)], tri(t).v[at(next(i))], p);
+      const Sign s =
+          tri(t).n[at(i)] < 0 ? inner_side({t, i}, p) : orientation(tri(t).v[at(i)], tri(t).v[at(next(i))], p);
       if (s == Sign::negative) beyond = i;
       if (s == Sign::zero) {
         ++zeros;
@@ -87,9 +88,9 @@ Triangulation::Location Triangulation::locate(std::int32_t p) {
 /// ends of that edge: degree 3, where the turn itself has 8. Edges that nearly cross make this frequent.
 Sign Triangulation::inner_side(Side s, std::int32_t p) const {
   const std::int32_t from = tri(s.triangle).v[at(s.index)], to = tri(s.triangle).v[at(next(s.index))];
-  const PointName& name = points_[p].name;
-  const bool is_crossed = name.kind == PointName::Kind::edge_face && name.id[2] == points_.face();
-  if (given_names_ == Names::lowest && name.kind == PointName::Kind::edge_face) {
+  const SymbolicPoint& name = points_[p].name;
+  const bool is_crossed = name.kind == SymbolicPoint::Kind::edge_face && name.id[2] == points_.face();
+  if (given_names_ == Names::lowest && name.kind == SymbolicPoint::Kind::edge_face) {
     if (is_crossed) return Sign::positive;
     for (int i = 0; i < 3; ++i) {
       if (points_.are_on_edge(i, from, to)) return points_.are_on_edge(i, p, p) ? Sign::zero : Sign::positive;
@@ -101,10 +102,10 @@ Sign Triangulation::inner_side(Side s, std::int32_t p) const {
       if (!points_.are_on_edge(i, from, to)) continue;
       const auto& v = points_.corners();
       const std::uint32_t a = v[at(i)], b = v[at(next(i))], c = name.id[0], d = name.id[1];
-      const Sign above = orient3d(carriers_, v[0], v[1], v[2], c);
-      if (above != Sign::zero) return -(orient3d(carriers_, a, b, c, d) * above);
+      const Sign above = orient3d(input_, v[0], v[1], v[2], c);
+      if (above != Sign::zero) return -(orient3d(input_, a, b, c, d) * above);
     }
-  return turn(from, to, p);
+  return orientation(from, to, p);
 }
 
 std::int32_t Triangulation::new_vertex(const Point& p) {

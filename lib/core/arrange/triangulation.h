@@ -38,8 +38,8 @@ class Triangulation {
     int index = 0;  ///< of the side or vertex in the triangle
   };
 
-  Triangulation(const Carriers& carriers, const PointTable& table)
-      : carriers_(carriers), points_(carriers, table), paths_(carriers, points_) {}
+  Triangulation(const InputComplex& input, const PointTable& table)
+      : input_(input), points_(input, table), paths_(input, points_) {}
   Triangulation(const Triangulation&) = delete;
   Triangulation& operator=(const Triangulation&) = delete;
 
@@ -66,7 +66,7 @@ class Triangulation {
   /// A name that was found to be a vertex, too.
   struct OtherName {
     std::int32_t vertex = 0;
-    PointName name;
+    SymbolicPoint name;
   };
 
   /// Inserts a segment between two local vertices as constraint number `constraint`, carried by `line`.
@@ -100,7 +100,9 @@ class Triangulation {
     std::int32_t vertex = -1;  ///< else the vertex it reaches along a side
   };
 
-  [[nodiscard]] Sign turn(std::int32_t a, std::int32_t b, std::int32_t c) const { return points_.turn(a, b, c); }
+  [[nodiscard]] Sign orientation(std::int32_t a, std::int32_t b, std::int32_t c) const {
+    return points_.orientation(a, b, c);
+  }
   [[nodiscard]] Sign inner_side(Side s, std::int32_t p) const;
   [[nodiscard]] Location locate(std::int32_t vertex);
   std::int32_t new_vertex(const Point& p);
@@ -108,7 +110,7 @@ class Triangulation {
 
   [[nodiscard]] Triangle& tri(std::int32_t t) { return triangles_[static_cast<std::size_t>(t)]; }
   [[nodiscard]] const Triangle& tri(std::int32_t t) const { return triangles_[static_cast<std::size_t>(t)]; }
-  [[nodiscard]] Side twin(Side s) const;
+  [[nodiscard]] Side partner(Side s) const;
   [[nodiscard]] int index_of(std::int32_t triangle, std::int32_t vertex) const;
   [[nodiscard]] Side find_side(std::int32_t a, std::int32_t b) const;
   void link(std::int32_t t, int i, std::int32_t u);
@@ -121,15 +123,15 @@ class Triangulation {
 
   /// A side of the polygon of which ears are cut.
   struct PolygonSide {
-    PathPolygons::Side side;  ///< with its carrier, unless
-    Side inner;               ///< a triangle is there already
-    Sign turn = Sign::zero;   ///< at `from`, if known
-    bool turn_known = false;
+    PathPolygons::Side side;        ///< with its carrier, unless
+    Side inner;                     ///< a triangle is there already
+    Sign orientation = Sign::zero;  ///< at `from`, if known
+    bool orientation_known = false;
   };
   bool cut_ears(std::span<const PathPolygons::Side> sides);
   [[nodiscard]] bool is_straight(std::size_t i) const;
   [[nodiscard]] bool crosses_one_plane(std::size_t i) const;
-  [[nodiscard]] Sign corner_turn(std::size_t i);
+  [[nodiscard]] Sign corner_orientation(std::size_t i);
   [[nodiscard]] bool is_ear(std::size_t i);
   void cut_ear(std::size_t i);
   std::int32_t new_triangle(std::int32_t a, std::int32_t b, std::int32_t c);
@@ -140,12 +142,12 @@ class Triangulation {
   std::int32_t advance(std::int32_t from, std::int32_t to, const ConstraintLine& line);
   void open_way(std::int32_t from, std::int32_t to, std::vector<std::pair<std::int32_t, std::int32_t>>& crossed);
   std::int32_t cross_constraint(Side s, const ConstraintLine& line);
-  [[nodiscard]] PointName name_of_crossing(const ConstraintLine& a, const ConstraintLine& b) const;
+  [[nodiscard]] SymbolicPoint name_of_crossing(const ConstraintLine& a, const ConstraintLine& b) const;
   [[nodiscard]] std::uint32_t operand_of(const ConstraintLine& line) const;
   void mark(std::int32_t from, std::int32_t to, std::int32_t constraint);
   void add_note(Side s, std::int32_t constraint, bool forward);
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   Names given_names_ = Names::any;
   FacePoints points_;
   PathPolygons paths_;

@@ -12,7 +12,7 @@ int Triangulation::index_of(std::int32_t triangle, std::int32_t vertex) const {
   return v[0] == vertex ? 0 : v[1] == vertex ? 1 : 2;
 }
 
-Triangulation::Side Triangulation::twin(Side s) const {
+Triangulation::Side Triangulation::partner(Side s) const {
   const std::int32_t u = tri(s.triangle).n[at(s.index)];
   if (u < 0) return {};
   return {u, index_of(u, tri(s.triangle).v[at(next(s.index))])};
@@ -40,7 +40,7 @@ void Triangulation::split_triangle(std::int32_t t, std::int32_t v) {
 }
 
 void Triangulation::split_side(Side s, std::int32_t v) {
-  const Side o = twin(s);
+  const Side o = partner(s);
   const auto halve = [&](Side x) {  // (a, b, c) becomes (a, v, c) and (v, b, c)
     const Triangle old = tri(x.triangle);
     const int i = x.index, j = next(i), k = previous(i);
@@ -67,7 +67,7 @@ void Triangulation::split_side(Side s, std::int32_t v) {
 
 /// Turns the diagonal of the quadrilateral around a side: (p, q, c) and (q, p, d) become (p, d, c) and (d, q, c).
 void Triangulation::flip(Side s) {
-  const Side o = twin(s);
+  const Side o = partner(s);
   const Triangle t = tri(s.triangle), u = tri(o.triangle);
   const int i = s.index, j = o.index;
   const std::int32_t p = t.v[at(i)], q = t.v[at(next(i))], c = t.v[at(previous(i))], d = u.v[at(previous(j))];
@@ -82,12 +82,12 @@ void Triangulation::flip(Side s) {
 }
 
 bool Triangulation::is_flippable(Side s) const {
-  const Side o = twin(s);
+  const Side o = partner(s);
   const Triangle& t = tri(s.triangle);
   const Triangle& u = tri(o.triangle);
   const std::int32_t p = t.v[at(s.index)], q = t.v[at(next(s.index))], c = t.v[at(previous(s.index))],
                      d = u.v[at(previous(o.index))];
-  return turn(p, d, c) == Sign::positive && turn(d, q, c) == Sign::positive;
+  return orientation(p, d, c) == Sign::positive && orientation(d, q, c) == Sign::positive;
 }
 
 double Triangulation::squared_length(std::int32_t a, std::int32_t b) const {
@@ -100,7 +100,7 @@ double Triangulation::squared_length(std::int32_t a, std::int32_t b) const {
 }
 
 bool Triangulation::prefers_flip(Side s) const {
-  const Side o = twin(s);
+  const Side o = partner(s);
   const std::int32_t c = tri(s.triangle).v[at(previous(s.index))], d = tri(o.triangle).v[at(previous(o.index))];
   return squared_length(c, d) < squared_length(tri(s.triangle).v[at(s.index)], tri(s.triangle).v[at(next(s.index))]);
 }

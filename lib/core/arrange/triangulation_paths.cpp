@@ -21,9 +21,9 @@ bool Triangulation::add_paths(std::span<const Constraint> constraints) {
     at_.assign(at(points_.size()), -1);
     halves_.assign(2 * constraints.size(), {});
     crossed_planes_.clear();
-    if (carriers_.has_planes())
+    if (input_.has_planes())
       for (const Constraint& c : constraints)
-        crossed_planes_.push_back(c.line.edge ? nullptr : carriers_.source_plane(c.line.a));
+        crossed_planes_.push_back(c.line.edge ? nullptr : input_.source_plane(c.line.a));
     bool simple = true;
     for (std::size_t i = 0; i < paths_.count() && simple; ++i) simple = cut_ears(paths_[i]);
     if (simple) {
@@ -48,7 +48,7 @@ bool Triangulation::cut_ears(std::span<const PathPolygons::Side> sides) {
     std::size_t best = n;
     double least = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      if (corner_turn(i) != Sign::positive) continue;
+      if (corner_orientation(i) != Sign::positive) continue;
       const double base = squared_length(polygon_[(i + n - 1) % n].side.from, polygon_[(i + 1) % n].side.from);
       if ((best == n || base < least) && is_ear(i)) {
         best = i;
@@ -58,22 +58,23 @@ bool Triangulation::cut_ears(std::span<const PathPolygons::Side> sides) {
     if (best == n) return false;
     cut_ear(best);
   }
-  if (polygon_.size() < 3 || corner_turn(1) != Sign::positive) return false;
+  if (polygon_.size() < 3 || corner_orientation(1) != Sign::positive) return false;
   const auto t = new_triangle(polygon_[0].side.from, polygon_[1].side.from, polygon_[2].side.from);
   for (int i = 0; i < 3; ++i) attach({t, i}, polygon_[at(i)]);
   return true;
 }
 
-Sign Triangulation::corner_turn(std::size_t i) {
+Sign Triangulation::corner_orientation(std::size_t i) {
   const std::size_t n = polygon_.size();
   const PolygonSide &before = polygon_[(i + n - 1) % n], &after = polygon_[(i + 1) % n];
   PolygonSide& here = polygon_[i];
-  if (!here.turn_known) {
-    here.turn =
-        is_straight(i) || crosses_one_plane(i) ? Sign::zero : turn(before.side.from, here.side.from, after.side.from);
-    here.turn_known = true;
+  if (!here.orientation_known) {
+    here.orientation = is_straight(i) || crosses_one_plane(i)
+                           ? Sign::zero
+                           : orientation(before.side.from, here.side.from, after.side.from);
+    here.orientation_known = true;
   }
-  return here.turn;
+  return here.orientation;
 }
 
 /// True at a point where the polygon runs on along an edge of the face.
@@ -100,9 +101,10 @@ bool Triangulation::is_ear(std::size_t i) {
                      c = polygon_[(i + 1) % n].side.from;
   for (std::size_t k = 2; k + 1 < n; ++k) {
     const std::size_t j = (i + k) % n;
-    if (corner_turn(j) == Sign::positive) continue;
+    if (corner_orientation(j) == Sign::positive) continue;
     const std::int32_t p = polygon_[j].side.from;
-    if (turn(c, a, p) != Sign::negative && turn(a, b, p) != Sign::negative && turn(b, c, p) != Sign::negative)
+    if (orientation(c, a, p) != Sign::negative && orientation(a, b, p) != Sign::negative &&
+        orientation(b, c, p) != Sign::negative)
       return false;
   }
   return true;
@@ -114,7 +116,7 @@ void Triangulation::cut_ear(std::size_t i) {
   attach({t, 0}, polygon_[before]);
   attach({t, 1}, polygon_[i]);
   polygon_[before].inner = {t, 2};
-  polygon_[before].turn_known = polygon_[after].turn_known = false;
+  polygon_[before].orientation_known = polygon_[after].orientation_known = false;
   polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(i));
 }
 

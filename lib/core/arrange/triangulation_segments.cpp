@@ -42,7 +42,7 @@ Triangulation::Departure Triangulation::depart(std::int32_t from, std::int32_t t
     do {
       const int i = index_of(t, from);
       const std::int32_t x = tri(t).v[at(next(i))], y = tri(t).v[at(previous(i))];
-      const Sign sx = turn(from, to, x), sy = turn(from, to, y);
+      const Sign sx = orientation(from, to, x), sy = orientation(from, to, y);
       if (sx == Sign::zero && sy == Sign::positive) return {{}, x};
       if (sy == Sign::zero && sx == Sign::negative) return {{}, y};
       if (sx == Sign::negative && sy == Sign::positive) return {{t, next(i)}, -1};
@@ -66,10 +66,10 @@ std::int32_t Triangulation::advance(std::int32_t from, std::int32_t to, const Co
     }
     const std::int32_t x = tri(s.triangle).v[at(s.index)], y = tri(s.triangle).v[at(next(s.index))];
     crossed_.emplace_back(x, y);
-    const Side o = twin(s);
+    const Side o = partner(s);
     if (o.triangle < 0) fail("a segment leaves its face", face());
     const std::int32_t z = tri(o.triangle).v[at(previous(o.index))];
-    const Sign side = z == to ? Sign::zero : turn(from, to, z);
+    const Sign side = z == to ? Sign::zero : orientation(from, to, z);
     // o runs from y to x: its next side is x -> z (the segment passes right of z), then z -> y.
     if (side == Sign::zero) target = z;
     if (side == Sign::positive) s = {o.triangle, next(o.index)};
@@ -89,24 +89,24 @@ void Triangulation::open_way(std::int32_t from, std::int32_t to,
       crossed.emplace_back(x, y);
       continue;
     }
-    const Side o = twin(s);
+    const Side o = partner(s);
     const std::int32_t c = tri(s.triangle).v[at(previous(s.index))], d = tri(o.triangle).v[at(previous(o.index))];
     flip(s);
     if (c == from || c == to || d == from || d == to) continue;
-    const Sign sc = turn(from, to, c), sd = turn(from, to, d);
+    const Sign sc = orientation(from, to, c), sd = orientation(from, to, d);
     if (sc * sd == Sign::negative) crossed.emplace_back(c, d);
   }
 }
 
-PointName Triangulation::name_of_crossing(const ConstraintLine& a, const ConstraintLine& b) const {
-  if (a.edge && b.edge) return PointName::edge_edge(a.a, a.b, b.a, b.b);
-  if (a.edge) return PointName::edge_face(a.a, a.b, b.a);
-  if (b.edge) return PointName::edge_face(b.a, b.b, a.a);
-  return PointName::three_faces(face(), a.a, b.a);
+SymbolicPoint Triangulation::name_of_crossing(const ConstraintLine& a, const ConstraintLine& b) const {
+  if (a.edge && b.edge) return SymbolicPoint::edge_edge(a.a, a.b, b.a, b.b);
+  if (a.edge) return SymbolicPoint::edge_face(a.a, a.b, b.a);
+  if (b.edge) return SymbolicPoint::edge_face(b.a, b.b, a.a);
+  return SymbolicPoint::three_faces(face(), a.a, b.a);
 }
 
 std::uint32_t Triangulation::operand_of(const ConstraintLine& line) const {
-  return line.edge ? carriers_.operand_of_vertex(line.a) : carriers_.operand_of_face(line.a);
+  return line.edge ? input_.operand_of_vertex(line.a) : input_.operand_of_face(line.a);
 }
 
 void Triangulation::connect_names(bool same_operand, std::span<const std::int32_t> wanted) {
@@ -142,8 +142,8 @@ void Triangulation::connect_names(bool same_operand, std::span<const std::int32_
       for (std::size_t j = first; j < i; ++j) {
         const Arm &x = arms[i].second, &y = arms[j].second;
         if (x.line == y.line || (!same_operand && x.operand == y.operand)) continue;
-        const PointName name = name_of_crossing(x.line, y.line);
-        if (name == points_[v].name || turn(v, x.end, y.end) == Sign::zero) continue;
+        const SymbolicPoint name = name_of_crossing(x.line, y.line);
+        if (name == points_[v].name || orientation(v, x.end, y.end) == Sign::zero) continue;
         other_names_.push_back({v, name});
       }
   }
@@ -153,9 +153,9 @@ void Triangulation::connect_names(bool same_operand, std::span<const std::int32_
 std::int32_t Triangulation::cross_constraint(Side s, const ConstraintLine& line) {
   std::int32_t v = -1;
   for (std::int32_t n = tri(s.triangle).c[at(s.index)]; n >= 0; n = note(n).next) {
-    const PointName name = name_of_crossing(line, lines_[at(note(n).constraint)]);
+    const SymbolicPoint name = name_of_crossing(line, lines_[at(note(n).constraint)]);
     if (v < 0) {
-      v = new_vertex(make_point(carriers_, name));
+      v = new_vertex(make_point(input_, name));
     } else if (name != points_[v].name) {
       other_names_.push_back({v, name});
     }
@@ -167,7 +167,7 @@ std::int32_t Triangulation::cross_constraint(Side s, const ConstraintLine& line)
 void Triangulation::mark(std::int32_t from, std::int32_t to, std::int32_t constraint) {
   const Side s = find_side(from, to);
   if (s.triangle >= 0) add_note(s, constraint, true);
-  const Side o = s.triangle >= 0 ? twin(s) : find_side(to, from);
+  const Side o = s.triangle >= 0 ? partner(s) : find_side(to, from);
   if (o.triangle >= 0) add_note(o, constraint, false);
 }
 

@@ -59,7 +59,7 @@ double BrickGrid::centre(int axis, std::uint32_t k) const {
   return k == 1 && along(axis, grid_.at(axis, middle)) != k ? corner_[at(axis)] : middle;
 }
 
-Carriers::Coordinates BrickGrid::centre(BrickCode code) const {
+InputComplex::Coordinates BrickGrid::centre(BrickCode code) const {
   return {centre(0, BrickBox::along(code, 0)), centre(1, BrickBox::along(code, 1)),
           centre(2, BrickBox::along(code, 2))};
 }

@@ -94,7 +94,7 @@ class BrickGrid {
   /// Grid box of a brick inside, half-open.
   [[nodiscard]] GridBox box(BrickCode code) const;
   /// A point in a brick inside. Bricks in line have it at the same coordinates across.
-  [[nodiscard]] Carriers::Coordinates centre(BrickCode code) const;
+  [[nodiscard]] InputComplex::Coordinates centre(BrickCode code) const;
   /// The least double of brick k along an axis, for k in 1 .. size - 1.
   [[nodiscard]] double lower_bound(int axis, std::uint32_t k) const;
 
@@ -110,7 +110,7 @@ class BrickGrid {
   [[nodiscard]] bool has_centres() const;
 
   Grid grid_;
-  Carriers::Coordinates corner_{};                 ///< of the space of interest
+  InputComplex::Coordinates corner_{};             ///< of the space of interest
   std::array<std::int32_t, 3> lower_{}, upper_{};  ///< of the space of interest
   int shift_ = 30;
   std::array<std::uint32_t, 3> size_{};

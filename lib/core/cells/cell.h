@@ -43,7 +43,7 @@ class FaceList {
 /// The bricks of a region count as one cell; `box` is one of them.
 struct Cell {
   GridBox box;
-  Carriers::Coordinates origin{};
+  InputComplex::Coordinates origin{};
   std::shared_ptr<const Windings> windings;  ///< at the origin (in the sense of walk.h)
   FaceList faces;                            ///< of a mixed cell, by increasing face number
   bool mixed = false;

@@ -11,13 +11,13 @@ namespace strata {
 namespace {
 
 /// The median of the longest sides of faces' boxes on the grid, of a sample.
-std::int32_t typical_extent(const Carriers& carriers, const Grid& grid) {
+std::int32_t typical_extent(const InputComplex& input, const Grid& grid) {
   constexpr std::uint32_t sample = 1023;
   std::vector<std::int32_t> extents;
-  const std::uint32_t step = carriers.face_count() / sample + 1;
-  for (std::uint32_t f = step / 2; f < carriers.face_count(); f += step) {
-    const auto v = carriers.face(f);
-    const GridBox box = grid.box(carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2]));
+  const std::uint32_t step = input.face_count() / sample + 1;
+  for (std::uint32_t f = step / 2; f < input.face_count(); f += step) {
+    const auto v = input.face(f);
+    const GridBox box = grid.box(input.vertex(v[0]), input.vertex(v[1]), input.vertex(v[2]));
     std::int32_t longest = 0;
     for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, box.upper[i] - box.lower[i]);
     extents.push_back(longest);
@@ -28,37 +28,37 @@ std::int32_t typical_extent(const Carriers& carriers, const Grid& grid) {
 }
 
 /// Bricks that hold a few faces each, if these are of about the same size.
-BrickGrid bricks_for(const Carriers& carriers, const Space& space) {
+BrickGrid bricks_for(const InputComplex& input, const Space& space) {
   constexpr std::size_t few = 512, most = std::size_t{1} << 21;
-  const std::size_t faces = carriers.face_count();
+  const std::size_t faces = input.face_count();
   if (faces < few) return {space, 1, Grid::extent};
-  return {space, std::min(most, 2 * faces), 2 * typical_extent(carriers, space.grid)};
+  return {space, std::min(most, 2 * faces), 2 * typical_extent(input, space.grid)};
 }
 
 }  // namespace
 
-CellTree::CellTree(const Carriers& carriers, const CellOptions& options)
-    : carriers_(carriers), space_(find_space(carriers, options.self)) {
+CellTree::CellTree(const InputComplex& input, const CellOptions& options)
+    : input_(input), space_(find_space(input, options.self)) {
   cells_.push_back({{}, {}, std::make_shared<const Windings>(), {}, false});
   if (space_.empty) return;
-  bricks_ = bricks_for(carriers, space_);
-  make_cells(carriers, options);
+  bricks_ = bricks_for(input, space_);
+  make_cells(input, options);
 }
 
-void CellTree::make_cells(const Carriers& carriers, const CellOptions& options) {
+void CellTree::make_cells(const InputComplex& input, const CellOptions& options) {
   const Monitor& monitor = options.monitor;
-  raster_ = std::make_unique<const Raster>(carriers, bricks_);
+  raster_ = std::make_unique<const Raster>(input, bricks_);
   const Raster& raster = *raster_;
-  codes_ = std::make_unique<const BrickCodes>(carriers, space_.grid, bricks_, monitor);
-  const Occupancy occupancy(carriers, bricks_, raster, *codes_, options.self, monitor);
+  codes_ = std::make_unique<const BrickCodes>(input, space_.grid, bricks_, monitor);
+  const Occupancy occupancy(input, bricks_, raster, *codes_, options.self, monitor);
   regions_ = std::make_unique<const Regions>(bricks_, occupancy, options.everywhere);
   Lines lines(bricks_);
   std::vector<Target> targets;
   for (const auto* places : {&regions_->regions(), &regions_->mixed()})
     for (const std::uint32_t brick : *places) targets.push_back({lines.add(bricks_.code_of(brick)), brick});
   const NearFaces near =
-      find_near_faces(carriers, space_.grid, bricks_, raster, *codes_, occupancy, *regions_, lines, monitor);
-  const std::vector<Windings> windings = walk_to_origins(carriers, space_, bricks_, near.line_faces, targets, monitor);
+      find_near_faces(input, space_.grid, bricks_, raster, *codes_, occupancy, *regions_, lines, monitor);
+  const std::vector<Windings> windings = walk_to_origins(input, space_, bricks_, near.line_faces, targets, monitor);
 
   tbb::concurrent_vector<Cell> cells;
   cells.push_back(std::move(cells_.front()));
@@ -68,8 +68,8 @@ void CellTree::make_cells(const Carriers& carriers, const CellOptions& options) 
   };
   const std::size_t regions = regions_->regions().size(), mixed = regions_->mixed().size();
   for (std::size_t n = 0; n < regions; ++n) cells.push_back(cell_of_target(n));
-  BrickFaces brick_faces(carriers, raster, *codes_, *regions_, near.faces);
-  const Refinement refinement(carriers, options, space_.grid, cells);
+  BrickFaces brick_faces(input, raster, *codes_, *regions_, near.faces);
+  const Refinement refinement(input, options, space_.grid, cells);
   std::vector<Branch> branches(mixed);
   tbb::parallel_for(std::size_t{0}, mixed, [&](std::size_t n) {
     monitor.check();
@@ -106,8 +106,8 @@ std::uint32_t CellTree::cell_at(const std::array<std::int32_t, 3>& g) const {
 }
 
 PlaneFilter CellTree::plane_of(std::uint32_t face) const {
-  const auto v = carriers_.face(face);
-  return {carriers_.vertex(v[0]), carriers_.vertex(v[1]), carriers_.vertex(v[2])};
+  const auto v = input_.face(face);
+  return {input_.vertex(v[0]), input_.vertex(v[1]), input_.vertex(v[2])};
 }
 
 /// The pair is owned in the first brick common to both faces.
@@ -135,7 +135,7 @@ bool CellTree::owns_thinned(const Cell& cell, const CellFace& a, const CellFace&
 }
 
 std::uint32_t CellTree::mixed_cell_of_vertex(std::uint32_t place, std::uint32_t vertex) const {
-  return descend(roots_[place - Regions::mixed_flag], space_.grid.at(carriers_.vertex(vertex)));
+  return descend(roots_[place - Regions::mixed_flag], space_.grid.at(input_.vertex(vertex)));
 }
 
 std::uint32_t CellTree::descend(std::uint32_t node, const std::array<std::int32_t, 3>& g) const {
@@ -147,7 +147,7 @@ std::uint32_t CellTree::descend(std::uint32_t node, const std::array<std::int32_
 
 std::size_t CellTree::bytes() const {
   if (space_.empty) return 0;
-  std::size_t sum = carriers_.vertex_count() * sizeof(BrickCode) + bricks_.brick_count() * sizeof(std::uint32_t) +
+  std::size_t sum = input_.vertex_count() * sizeof(BrickCode) + bricks_.brick_count() * sizeof(std::uint32_t) +
                     cells_.size() * sizeof(Cell) + roots_.size() * sizeof(std::uint32_t) + nodes_.size() * sizeof(Node);
   for (const Cell& c : cells_) sum += c.faces.size() * sizeof(CellFace);
   return sum;

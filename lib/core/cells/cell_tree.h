@@ -19,8 +19,8 @@ class CellTree {
  public:
   /// Runs in the current task arena. The subdivision does not depend on the number of threads; the numbering of the
   /// cells does. A few streaming passes over all faces; O(m log m) for the m faces of even density near the meeting
-  /// surfaces. `carriers` must outlive it.
-  CellTree(const Carriers& carriers, const CellOptions& options);
+  /// surfaces. `input complex` must outlive it.
+  CellTree(const InputComplex& input, const CellOptions& options);
 
   [[nodiscard]] const Grid& grid() const { return space_.grid; }
   [[nodiscard]] std::span<const Cell> cells() const { return cells_; }
@@ -53,7 +53,7 @@ class CellTree {
     std::int32_t split = 0;
     std::uint32_t below = 0, above = 0;  ///< nodes, or `below` = cell of a leaf
   };
-  void make_cells(const Carriers& carriers, const CellOptions& options);
+  void make_cells(const InputComplex& input, const CellOptions& options);
   [[nodiscard]] bool owns_thinned(const Cell& cell, const CellFace& a, const CellFace& b,
                                   std::array<std::int32_t, 3> corner) const;
   [[nodiscard]] PlaneFilter plane_of(std::uint32_t face) const;
@@ -63,7 +63,7 @@ class CellTree {
 
   static constexpr std::uint32_t outside_cell = 0;  // regions follow by number
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   Space space_;
   BrickGrid bricks_;
   std::unique_ptr<const Raster> raster_;

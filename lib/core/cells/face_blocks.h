@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "strata/options.h"
 
 namespace strata {
@@ -17,12 +17,12 @@ struct FaceBlock {
 };
 
 /// All faces in runs, in order.
-[[nodiscard]] inline std::vector<FaceBlock> face_blocks(const Carriers& carriers) {
+[[nodiscard]] inline std::vector<FaceBlock> face_blocks(const InputComplex& input) {
   constexpr std::uint32_t size = 1 << 14;
   std::vector<FaceBlock> blocks;
-  for (std::uint32_t o = 0; o < carriers.operand_count(); ++o)
-    for (std::uint32_t i = 0; i < carriers.face_count(o); i += size)
-      blocks.push_back({o, i, std::min(i + size, carriers.face_count(o))});
+  for (std::uint32_t o = 0; o < input.operand_count(); ++o)
+    for (std::uint32_t i = 0; i < input.face_count(o); i += size)
+      blocks.push_back({o, i, std::min(i + size, input.face_count(o))});
   return blocks;
 }
 
@@ -32,19 +32,19 @@ struct FaceBlockView {
   std::uint32_t operand = 0;
   std::uint32_t first_face = 0;    ///< of the block
   std::uint32_t first_vertex = 0;  ///< of the operand
-  std::span<const Carriers::Coordinates> points;
-  std::span<const Carriers::Indices> faces;  ///< by local vertices
+  std::span<const InputComplex::Coordinates> points;
+  std::span<const InputComplex::Indices> faces;  ///< by local vertices
 };
 
 /// Visits the blocks in parallel, each as a FaceBlockView.
 template <class Visit>
-void for_each_face_block(const Carriers& carriers, const std::vector<FaceBlock>& blocks, const Monitor& monitor,
+void for_each_face_block(const InputComplex& input, const std::vector<FaceBlock>& blocks, const Monitor& monitor,
                          const Visit& visit) {
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t n) {
     monitor.check();
     const auto& [operand, first, last] = blocks[n];
-    visit(FaceBlockView{n, operand, carriers.first_face(operand) + first, carriers.first_vertex(operand),
-                        carriers.points(operand), carriers.faces(operand).subspan(first, last - first)});
+    visit(FaceBlockView{n, operand, input.first_face(operand) + first, input.first_vertex(operand),
+                        input.points(operand), input.faces(operand).subspan(first, last - first)});
   });
 }
 

@@ -4,7 +4,7 @@
 
 namespace strata {
 
-Grid::Grid(const Carriers::Coordinates& lower, const Carriers::Coordinates& upper) {
+Grid::Grid(const InputComplex::Coordinates& lower, const InputComplex::Coordinates& upper) {
   double longest = 0;  // halved, so that it cannot overflow
   for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, upper[i] * 0.5 - lower[i] * 0.5);
   int exponent = 0;

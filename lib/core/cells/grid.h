@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 
 namespace strata {
 
@@ -37,21 +37,21 @@ class Grid {
 
   Grid() = default;
   /// A grid that resolves the box [lower, upper] into `extent` steps along its longest side.
-  Grid(const Carriers::Coordinates& lower, const Carriers::Coordinates& upper);
+  Grid(const InputComplex::Coordinates& lower, const InputComplex::Coordinates& upper);
 
   [[nodiscard]] std::int32_t at(int axis, double x) const {
     const double g = x * scale1_ * scale2_ - offset_[static_cast<std::size_t>(axis)];
     return static_cast<std::int32_t>(std::min(std::max(g, 0.0), static_cast<double>(extent)));
   }
-  [[nodiscard]] std::array<std::int32_t, 3> at(const Carriers::Coordinates& p) const {
+  [[nodiscard]] std::array<std::int32_t, 3> at(const InputComplex::Coordinates& p) const {
     return {at(0, p[0]), at(1, p[1]), at(2, p[2])};
   }
   /// A double in [low, high] whose grid coordinate is as near to g as doubles allow.
   [[nodiscard]] double inverse(int axis, std::int32_t g) const;
 
   /// Grid box of a triangle.
-  [[nodiscard]] GridBox box(const Carriers::Coordinates& a, const Carriers::Coordinates& b,
-                            const Carriers::Coordinates& c) const {
+  [[nodiscard]] GridBox box(const InputComplex::Coordinates& a, const InputComplex::Coordinates& b,
+                            const InputComplex::Coordinates& c) const {
     GridBox r;
     for (std::size_t i = 0; i < 3; ++i) {
       r.lower[i] = at(static_cast<int>(i), std::min({a[i], b[i], c[i]}));

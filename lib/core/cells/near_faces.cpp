@@ -20,7 +20,7 @@ std::uint32_t Lines::add(BrickCode code) {
   return number;
 }
 
-NearFaces find_near_faces(const Carriers& carriers, const Grid& grid, const BrickGrid& bricks, const Raster& raster,
+NearFaces find_near_faces(const InputComplex& input, const Grid& grid, const BrickGrid& bricks, const Raster& raster,
                           const BrickCodes& codes, const Occupancy& occupancy, const Regions& regions,
                           const Lines& lines, const Monitor& monitor) {
   std::vector<std::array<std::int32_t, 2>> line_at(std::size_t{bricks.size(1)} * bricks.size(2));
@@ -29,7 +29,7 @@ NearFaces find_near_faces(const Carriers& carriers, const Grid& grid, const Bric
       const auto g = grid.at(bricks.centre(1 | y << 8 | z << 16));
       line_at[y + bricks.size(1) * z] = {g[1], g[2]};
     }
-  const std::vector<FaceBlock> blocks = face_blocks(carriers);
+  const std::vector<FaceBlock> blocks = face_blocks(input);
   std::vector<NearFaces> found(blocks.size());
   const auto may_matter = [&](const BrickBox& box) {
     constexpr std::uint32_t many = 64;
@@ -40,7 +40,7 @@ NearFaces find_near_faces(const Carriers& carriers, const Grid& grid, const Bric
         box, [&](std::uint32_t brick) { matters = matters || (regions.place(brick) & Regions::mixed_flag) != 0; });
     return matters;
   };
-  for_each_face_block(carriers, blocks, monitor, [&](const FaceBlockView& block) {
+  for_each_face_block(input, blocks, monitor, [&](const FaceBlockView& block) {
     const auto points = block.points;
     NearFaces& here = found[block.number];
     for (std::uint32_t i = 0; i < block.faces.size(); ++i) {
@@ -74,16 +74,16 @@ NearFaces find_near_faces(const Carriers& carriers, const Grid& grid, const Bric
   return all;
 }
 
-BrickFaces::BrickFaces(const Carriers& carriers, const Raster& raster, const BrickCodes& codes, const Regions& regions,
+BrickFaces::BrickFaces(const InputComplex& input, const Raster& raster, const BrickCodes& codes, const Regions& regions,
                        std::span<const CellFace> near)
     : near_(near), first_(regions.mixed().size() + 1) {
   const auto for_each = [&](const auto& visit) {  // visit(index of a near face, number of a mixed brick)
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, near.size(), 1 << 12), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        const auto operand = carriers.operand_of_face(near[i].face);
-        const auto points = carriers.points(operand);
-        const auto& t = carriers.faces(operand)[near[i].face - carriers.first_face(operand)];
-        const BrickBox box = codes.box(carriers.first_vertex(operand), t);
+        const auto operand = input.operand_of_face(near[i].face);
+        const auto points = input.points(operand);
+        const auto& t = input.faces(operand)[near[i].face - input.first_face(operand)];
+        const BrickBox box = codes.box(input.first_vertex(operand), t);
         raster.for_each_brick(points[t[0]], points[t[1]], points[t[2]], box, [&](std::uint32_t brick) {
           const std::uint32_t place = regions.place(brick);
           if ((place & Regions::mixed_flag) != 0) visit(static_cast<std::uint32_t>(i), place - Regions::mixed_flag);

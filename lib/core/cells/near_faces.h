@@ -45,14 +45,14 @@ struct NearFaces {
 };
 
 /// One streaming pass over all faces.
-[[nodiscard]] NearFaces find_near_faces(const Carriers& carriers, const Grid& grid, const BrickGrid& bricks,
+[[nodiscard]] NearFaces find_near_faces(const InputComplex& input, const Grid& grid, const BrickGrid& bricks,
                                         const Raster& raster, const BrickCodes& codes, const Occupancy& occupancy,
                                         const Regions& regions, const Lines& lines, const Monitor& monitor);
 
 /// The near faces of each mixed brick.
 class BrickFaces {
  public:
-  BrickFaces(const Carriers& carriers, const Raster& raster, const BrickCodes& codes, const Regions& regions,
+  BrickFaces(const InputComplex& input, const Raster& raster, const BrickCodes& codes, const Regions& regions,
              std::span<const CellFace> near);
 
   /// Of mixed brick number n: by increasing face.

@@ -11,12 +11,12 @@
 
 namespace strata {
 
-BrickCodes::BrickCodes(const Carriers& carriers, const Grid& grid, const BrickGrid& bricks, const Monitor& monitor)
-    : codes_(std::make_unique_for_overwrite<BrickCode[]>(carriers.vertex_count())) {
-  prefer_huge_pages(codes_.get(), carriers.vertex_count() * sizeof(BrickCode));
-  for (std::uint32_t o = 0; o < carriers.operand_count(); ++o) {
-    const auto points = carriers.points(o);
-    BrickCode* codes = codes_.get() + carriers.first_vertex(o);
+BrickCodes::BrickCodes(const InputComplex& input, const Grid& grid, const BrickGrid& bricks, const Monitor& monitor)
+    : codes_(std::make_unique_for_overwrite<BrickCode[]>(input.vertex_count())) {
+  prefer_huge_pages(codes_.get(), input.vertex_count() * sizeof(BrickCode));
+  for (std::uint32_t o = 0; o < input.operand_count(); ++o) {
+    const auto points = input.points(o);
+    BrickCode* codes = codes_.get() + input.first_vertex(o);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1 << 14), [&](const auto& range) {
       monitor.check();
       for (std::size_t i = range.begin(); i != range.end(); ++i) codes[i] = bricks.code(grid.at(points[i]));
@@ -24,12 +24,12 @@ BrickCodes::BrickCodes(const Carriers& carriers, const Grid& grid, const BrickGr
   }
 }
 
-Occupancy::Occupancy(const Carriers& carriers, const BrickGrid& bricks, const Raster& raster, const BrickCodes& codes,
+Occupancy::Occupancy(const InputComplex& input, const BrickGrid& bricks, const Raster& raster, const BrickCodes& codes,
                      bool self, const Monitor& monitor) {
   resize_fresh(owners_, bricks.brick_count(), nobody);
-  const std::vector<FaceBlock> blocks = face_blocks(carriers);
+  const std::vector<FaceBlock> blocks = face_blocks(input);
   runs_.resize(blocks.size());
-  for_each_face_block(carriers, blocks, monitor, [&](const FaceBlockView& block) {
+  for_each_face_block(input, blocks, monitor, [&](const FaceBlockView& block) {
     const auto points = block.points;
     const Owner own = self || block.operand + 1 >= mixed ? mixed : static_cast<Owner>(block.operand + 1);
     std::vector<BrickBox>& runs = runs_[block.number];

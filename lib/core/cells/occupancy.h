@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/cells/raster.h"
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "strata/options.h"
 
 namespace strata {
@@ -13,11 +13,11 @@ namespace strata {
 class BrickCodes {
  public:
   /// One streaming pass over vertices.
-  BrickCodes(const Carriers& carriers, const Grid& grid, const BrickGrid& bricks, const Monitor& monitor);
+  BrickCodes(const InputComplex& input, const Grid& grid, const BrickGrid& bricks, const Monitor& monitor);
 
   [[nodiscard]] BrickCode of(std::uint32_t vertex) const { return codes_[vertex]; }
   /// Box of a face of an operand.
-  [[nodiscard]] BrickBox box(std::uint32_t first_vertex, const Carriers::Indices& face) const {
+  [[nodiscard]] BrickBox box(std::uint32_t first_vertex, const InputComplex::Indices& face) const {
     const BrickCode* codes = codes_.get() + first_vertex;
     const BrickCode a = codes[face[0]], b = codes[face[1]], c = codes[face[2]];
     return {lower_corner(lower_corner(a, b), c), upper_corner(upper_corner(a, b), c)};
@@ -36,8 +36,8 @@ class Occupancy {
   static constexpr Owner outside = 0xffff;  ///< the layer around the bricks
 
   /// One streaming pass over faces. `self`: every brick with a face counts as mixed.
-  Occupancy(const Carriers& carriers, const BrickGrid& bricks, const Raster& raster, const BrickCodes& codes, bool self,
-            const Monitor& monitor);
+  Occupancy(const InputComplex& input, const BrickGrid& bricks, const Raster& raster, const BrickCodes& codes,
+            bool self, const Monitor& monitor);
 
   /// Nobody, mixed, outside, or one operand's number + 1.
   [[nodiscard]] Owner owner(std::uint32_t brick) const { return owners_[brick]; }

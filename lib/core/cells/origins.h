@@ -16,7 +16,7 @@ struct Target {
 
 /// Winding numbers at the centres of bricks, each by a walk along its line from beyond everything. `line_faces` are the
 /// faces whose boxes the lines go through, sorted. One value per target, in their order.
-[[nodiscard]] std::vector<Windings> walk_to_origins(const Carriers& carriers, const Space& space,
+[[nodiscard]] std::vector<Windings> walk_to_origins(const InputComplex& input, const Space& space,
                                                     const BrickGrid& bricks, std::span<const LineFace> line_faces,
                                                     std::span<const Target> targets, const Monitor& monitor);
 

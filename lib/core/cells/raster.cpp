@@ -14,9 +14,10 @@ BrickBounds::BrickBounds(const BrickGrid& bricks) {
   }
 }
 
-PlaneFilter::PlaneFilter(const Carriers::Coordinates& a, const Carriers::Coordinates& b, const Carriers::Coordinates& c)
+PlaneFilter::PlaneFilter(const InputComplex::Coordinates& a, const InputComplex::Coordinates& b,
+                         const InputComplex::Coordinates& c)
     : a_(a) {
-  Carriers::Coordinates u, v;
+  InputComplex::Coordinates u, v;
   for (std::size_t i = 0; i < 3; ++i) {
     u[i] = b[i] - a[i];
     v[i] = c[i] - a[i];
@@ -28,7 +29,7 @@ PlaneFilter::PlaneFilter(const Carriers::Coordinates& a, const Carriers::Coordin
   }
 }
 
-Raster::Raster(const Carriers& carriers, const BrickGrid& bricks)
-    : bricks_(bricks), bounds_(bricks), is_exact_(!carriers.has_rationals()) {}
+Raster::Raster(const InputComplex& input, const BrickGrid& bricks)
+    : bricks_(bricks), bounds_(bricks), is_exact_(!input.has_rationals()) {}
 
 }  // namespace strata

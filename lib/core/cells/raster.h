@@ -22,12 +22,13 @@ class BrickBounds {
 /// Tells the bricks in which a face's plane may pass, by doubles with a bound on all errors. It never misses one.
 class PlaneFilter {
  public:
-  PlaneFilter(const Carriers::Coordinates& a, const Carriers::Coordinates& b, const Carriers::Coordinates& c);
+  PlaneFilter(const InputComplex::Coordinates& a, const InputComplex::Coordinates& b,
+              const InputComplex::Coordinates& c);
 
   static constexpr double slack = 0x1p-47;  ///< for errors, in units of the sizes of terms
 
   /// May the plane meet the box? A box inside one that is refused with eight times the slack is refused.
-  [[nodiscard]] bool meets(const Carriers::Coordinates& lower, const Carriers::Coordinates& upper,
+  [[nodiscard]] bool meets(const InputComplex::Coordinates& lower, const InputComplex::Coordinates& upper,
                            double error = slack) const {
     double value = 0, reach = 0, size = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -40,14 +41,14 @@ class PlaneFilter {
   }
 
  private:
-  Carriers::Coordinates a_, n_{}, scale_{};
+  InputComplex::Coordinates a_, n_{}, scale_{};
 };
 
 /// Names the bricks of faces: all of a face's box, or, where those are many, the ones that its plane may meet. So every
 /// brick that holds a point of a face is named.
 class Raster {
  public:
-  Raster(const Carriers& carriers, const BrickGrid& bricks);
+  Raster(const InputComplex& input, const BrickGrid& bricks);
 
   /// True when a face that spans `box` is not in all of its bricks.
   [[nodiscard]] bool thins(const BrickBox& box) const { return is_exact_ && box.size() > few_bricks; }
@@ -59,8 +60,8 @@ class Raster {
 
   /// Visits the bricks of a face that spans `box`.
   template <class Visit>
-  void for_each_brick(const Carriers::Coordinates& a, const Carriers::Coordinates& b, const Carriers::Coordinates& c,
-                      const BrickBox& box, const Visit& visit) const {
+  void for_each_brick(const InputComplex::Coordinates& a, const InputComplex::Coordinates& b,
+                      const InputComplex::Coordinates& c, const BrickBox& box, const Visit& visit) const {
     if (box.lower == box.upper) {
       visit(bricks_.index(box.lower));
     } else if (thins(box)) {
@@ -74,7 +75,7 @@ class Raster {
   static constexpr std::uint32_t few_bricks = 8;
 
   [[nodiscard]] bool meets(const PlaneFilter& plane, const BrickBox& box, double error) const {
-    Carriers::Coordinates lower, upper;
+    InputComplex::Coordinates lower, upper;
     for (int axis = 0; axis < 3; ++axis) {
       lower[static_cast<std::size_t>(axis)] = bounds_.lower(axis, BrickBox::along(box.lower, axis));
       upper[static_cast<std::size_t>(axis)] = bounds_.upper(axis, BrickBox::along(box.upper, axis));

@@ -94,8 +94,8 @@ void Refinement::measure(Branch& branch) const {
 }
 
 std::uint32_t Refinement::end_of_operand(std::uint32_t face) const {
-  const std::uint32_t o = carriers_.operand_of_face(face);
-  return carriers_.first_face(o) + carriers_.face_count(o);
+  const std::uint32_t o = input_.operand_of_face(face);
+  return input_.first_face(o) + input_.face_count(o);
 }
 
 bool Refinement::is_mixed(const FaceList& faces) const {
@@ -106,8 +106,8 @@ bool Refinement::is_mixed(const FaceList& faces) const {
 /// Best first: a plane that separates two operands; a plane that cuts off space where nothing can meet; the middles of
 /// the sides, longest first.
 Refinement::Cuts Refinement::cuts(const Branch& branch) const {
-  const bool two = !options_.self && carriers_.operand_of_face(branch.faces.begin()->face) + 1 ==
-                                         carriers_.operand_of_face((branch.faces.end() - 1)->face);
+  const bool two = !options_.self && input_.operand_of_face(branch.faces.begin()->face) + 1 ==
+                                         input_.operand_of_face((branch.faces.end() - 1)->face);
   GridBox box = branch.content.first;
   Cuts r;
   if (two) {
@@ -185,7 +185,7 @@ bool Refinement::is_worthwhile(std::size_t n, const FaceList& low, const FaceLis
 
 /// One pass over the faces of a cell: hands them down to the halves, measures what fills those, and walks from the
 /// cell's origin to a new one. Returns the winding numbers there.
-Windings Refinement::share(const Branch& branch, const Cut& cut, const Carriers::Coordinates& to, Branch& low,
+Windings Refinement::share(const Branch& branch, const Cut& cut, const InputComplex::Coordinates& to, Branch& low,
                            Branch& high) const {
   const std::size_t a = at(cut.axis);
   const GridBox low_box = closed(low.box), high_box = closed(high.box);
@@ -203,15 +203,14 @@ Windings Refinement::share(const Branch& branch, const Cut& cut, const Carriers:
       include(is_first ? high.content.first : high.content.rest, common(f.box, high_box));
     }
     if (f.box.overlaps(way))
-      windings.add(carriers_.operand_of_face(f.face),
-                   crossing_along_axis(carriers_, f.face, branch.origin, to, cut.axis));
+      windings.add(input_.operand_of_face(f.face), crossing_along_axis(input_, f.face, branch.origin, to, cut.axis));
   }
   return windings;
 }
 
 /// The origin moved along one axis well into a box, unless doubles are too coarse there.
-std::optional<Carriers::Coordinates> Refinement::place_origin(Carriers::Coordinates origin, const GridBox& box,
-                                                              int axis) const {
+std::optional<InputComplex::Coordinates> Refinement::place_origin(InputComplex::Coordinates origin, const GridBox& box,
+                                                                  int axis) const {
   const std::size_t a = at(axis);
   // Off the middle: inputs are often symmetric, and an origin in a face's plane costs an exact evaluation.
   const double g = box.lower[a] + (static_cast<double>(box.upper[a]) - box.lower[a]) * 0.4638;

@@ -7,7 +7,7 @@
 
 #include "core/cells/cell.h"
 #include "core/cells/grid.h"
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "strata/options.h"
 
 namespace strata {
@@ -27,7 +27,7 @@ struct Branch {
   };
 
   GridBox box;
-  Carriers::Coordinates origin{};
+  InputComplex::Coordinates origin{};
   std::shared_ptr<const Windings> windings;
   FaceList faces;  ///< all whose boxes reach into the cell, by increasing face
   Content content;
@@ -41,9 +41,9 @@ struct Branch {
 class Refinement {
  public:
   /// Leaves are appended to `cells`.
-  Refinement(const Carriers& carriers, const CellOptions& options, const Grid& grid,
+  Refinement(const InputComplex& input, const CellOptions& options, const Grid& grid,
              tbb::concurrent_vector<Cell>& cells)
-      : carriers_(carriers), options_(options), grid_(grid), cells_(cells) {}
+      : input_(input), options_(options), grid_(grid), cells_(cells) {}
 
   /// Refines a cell that has everything but its content. Thread-safe; forks where cells are large.
   void refine(Branch& root) const;
@@ -64,12 +64,12 @@ class Refinement {
   [[nodiscard]] Cuts cuts(const Branch& branch) const;
   [[nodiscard]] bool divide(Branch& branch, const Cut& cut) const;
   [[nodiscard]] bool is_worthwhile(std::size_t n, const FaceList& low, const FaceList& high) const;
-  [[nodiscard]] Windings share(const Branch& branch, const Cut& cut, const Carriers::Coordinates& to, Branch& low,
+  [[nodiscard]] Windings share(const Branch& branch, const Cut& cut, const InputComplex::Coordinates& to, Branch& low,
                                Branch& high) const;
-  [[nodiscard]] std::optional<Carriers::Coordinates> place_origin(Carriers::Coordinates origin, const GridBox& box,
-                                                                  int axis) const;
+  [[nodiscard]] std::optional<InputComplex::Coordinates> place_origin(InputComplex::Coordinates origin,
+                                                                      const GridBox& box, int axis) const;
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const CellOptions& options_;
   const Grid& grid_;
   tbb::concurrent_vector<Cell>& cells_;

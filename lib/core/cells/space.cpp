@@ -12,10 +12,10 @@ namespace strata {
 namespace {
 
 /// Bounds of the vertices that faces use.
-Box bounds_of_operand(const Carriers& carriers, std::uint32_t operand) {
-  if (const Box* known = carriers.bounds(operand)) return *known;
-  const auto points = carriers.points(operand);
-  const auto faces = carriers.faces(operand);
+Box bounds_of_operand(const InputComplex& input, std::uint32_t operand) {
+  if (const Box* known = input.bounds(operand)) return *known;
+  const auto points = input.points(operand);
+  const auto faces = input.faces(operand);
   return tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, faces.size(), 1 << 14), Box(),
       [&](const auto& range, Box b) {
@@ -49,10 +49,10 @@ Box shared_bounds(std::vector<Box> operands) {
 
 }  // namespace
 
-Space find_space(const Carriers& carriers, bool self) {
-  std::vector<Box> operands(carriers.operand_count());
-  tbb::parallel_for(std::uint32_t{0}, carriers.operand_count(),
-                    [&](std::uint32_t o) { operands[o] = bounds_of_operand(carriers, o); });
+Space find_space(const InputComplex& input, bool self) {
+  std::vector<Box> operands(input.operand_count());
+  tbb::parallel_for(std::uint32_t{0}, input.operand_count(),
+                    [&](std::uint32_t o) { operands[o] = bounds_of_operand(input, o); });
   Box all;
   for (const Box& b : operands) all.include(b);
   Space space;
@@ -66,7 +66,7 @@ Space find_space(const Carriers& carriers, bool self) {
   for (std::int32_t& x : space.interest.upper) ++x;
   // In the sense of walk.h a point on the upper x side of everything is outside. A rational point may lie above its
   // nearest double, but below the next one.
-  space.beyond = carriers.has_rationals() ? std::nextafter(all.upper[0], HUGE_VAL) : all.upper[0];
+  space.beyond = input.has_rationals() ? std::nextafter(all.upper[0], HUGE_VAL) : all.upper[0];
   return space;
 }
 

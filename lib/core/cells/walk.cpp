@@ -5,14 +5,14 @@
 namespace strata {
 namespace {
 
-Point vertex(const Carriers& carriers, std::uint32_t v) { return make_point(carriers, PointName::input(v)); }
+Point vertex(const InputComplex& input, std::uint32_t v) { return make_point(input, SymbolicPoint::input(v)); }
 
 /// Sign of orient3d(O', q, a, b), q last in an even permutation; its gradient in O is minus the normal of (q, a, b).
-Sign side_of_line(const Carriers& carriers, const Point& origin, const Point& q, const Point& a, const Point& b) {
-  const Sign s = orient3d(carriers, origin, a, b, q);
+Sign side_of_line(const InputComplex& input, const Point& origin, const Point& q, const Point& a, const Point& b) {
+  const Sign s = orient3d(input, origin, a, b, q);
   if (s != Sign::zero) return s;
   for (int axis = 0; axis < 3; ++axis) {
-    const Sign n = orient2d(carriers, {(axis + 1) % 3, (axis + 2) % 3}, q, a, b);
+    const Sign n = orient2d(input, {(axis + 1) % 3, (axis + 2) % 3}, q, a, b);
     if (n != Sign::zero) return -n;
   }
   return Sign::zero;
@@ -26,89 +26,88 @@ Sign perturbed(Sign value, const Gradient& gradient) {
 }
 
 /// Sign of ((a - q) x (b - q)) . d'.
-Sign side_of_line_along(const Carriers& carriers, const Carriers::Coordinates& d, const Point& q, const Point& a,
+Sign side_of_line_along(const InputComplex& input, const InputComplex::Coordinates& d, const Point& q, const Point& a,
                         const Point& b) {
-  return perturbed(normal_along(carriers, q, a, b, d), [&](int axis) {
-    return orient2d(carriers, {(axis + 1) % 3, (axis + 2) % 3}, q, a, b);
+  return perturbed(normal_along(input, q, a, b, d), [&](int axis) {
+    return orient2d(input, {(axis + 1) % 3, (axis + 2) % 3}, q, a, b);
   });
 }
 
 /// Turn of O', a, b seen along `axis`; a line parallel to the axis through O' never meets the line ab.
-Sign turn_about_axis(const Carriers& carriers, int axis, const Point& origin, const Point& a, const Point& b) {
+Sign turn_about_axis(const InputComplex& input, int axis, const Point& origin, const Point& a, const Point& b) {
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-  const Sign s = orient2d(carriers, {i, j}, origin, a, b);
+  const Sign s = orient2d(input, {i, j}, origin, a, b);
   if (s != Sign::zero) return s;
-  const Sign along_i = -compare(carriers, j, b, a), along_j = compare(carriers, i, b, a);
+  const Sign along_i = -compare(input, j, b, a), along_j = compare(input, i, b, a);
   const Sign first = i < j ? along_i : along_j, second = i < j ? along_j : along_i;
   return first != Sign::zero ? first : second;
 }
 
 /// Does the line from O' to q pass through the inside of a triangle? Requires that q is not in its plane; where it is,
 /// the answer may be no.
-bool passes(const Carriers& carriers, const Carriers::Indices& f, const Carriers::Coordinates& origin, const Point& q) {
-  if (carriers.has_doubles(f)) {  // a look in doubles
-    const auto &a = carriers.vertex(f[0]), &b = carriers.vertex(f[1]), &c = carriers.vertex(f[2]);
+bool passes(const InputComplex& input, const InputComplex::Indices& f, const InputComplex::Coordinates& origin,
+            const Point& q) {
+  if (input.has_doubles(f)) {  // a look in doubles
+    const auto &a = input.vertex(f[0]), &b = input.vertex(f[1]), &c = input.vertex(f[2]);
     const int ab = FilteredPlane(origin, a, b).side_within(q.at), bc = FilteredPlane(origin, b, c).side_within(q.at);
     if (ab * bc < 0) return false;
     const int ca = FilteredPlane(origin, c, a).side_within(q.at);
     if (ab * ca < 0 || bc * ca < 0) return false;
     if (ab * bc * ca != 0) return true;
   }
-  const Point o = Point::free(origin), a = vertex(carriers, f[0]), b = vertex(carriers, f[1]),
-              c = vertex(carriers, f[2]);
-  const Sign ab = side_of_line(carriers, o, q, a, b);
-  return ab == side_of_line(carriers, o, q, b, c) && ab == side_of_line(carriers, o, q, c, a);
+  const Point o = Point::free(origin), a = vertex(input, f[0]), b = vertex(input, f[1]), c = vertex(input, f[2]);
+  const Sign ab = side_of_line(input, o, q, a, b);
+  return ab == side_of_line(input, o, q, b, c) && ab == side_of_line(input, o, q, c, a);
 }
 
 }  // namespace
 
-Sign side_of_origin(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& origin) {
-  const Sign s = side_of_face(carriers, face, Point::free(origin));
+Sign side_of_origin(const InputComplex& input, std::uint32_t face, const InputComplex::Coordinates& origin) {
+  const Sign s = side_of_face(input, face, Point::free(origin));
   if (s != Sign::zero) return s;
   for (int axis = 0; axis < 3; ++axis) {
-    const Sign n = normal_component(carriers, face, axis);
+    const Sign n = normal_component(input, face, axis);
     if (n != Sign::zero) return n;
   }
   return Sign::zero;
 }
 
-int crossing(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& origin, const Point& q) {
-  const auto quick = filtered_side_of_face(carriers, face, q);
-  if (quick == Sign::zero || (quick && *quick == side_of_origin(carriers, face, origin))) return 0;
+int crossing(const InputComplex& input, std::uint32_t face, const InputComplex::Coordinates& origin, const Point& q) {
+  const auto quick = filtered_side_of_face(input, face, q);
+  if (quick == Sign::zero || (quick && *quick == side_of_origin(input, face, origin))) return 0;
   // Faces in q's own plane come here; of most of them the walk's line keeps clear.
-  if (!passes(carriers, carriers.face(face), origin, q)) return 0;
-  const Sign target = quick ? *quick : side_of_face(carriers, face, q), start = side_of_origin(carriers, face, origin);
+  if (!passes(input, input.face(face), origin, q)) return 0;
+  const Sign target = quick ? *quick : side_of_face(input, face, q), start = side_of_origin(input, face, origin);
   return target == Sign::zero || start == target ? 0 : to_int(start);
 }
 
-int crossing_along_axis(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& from,
-                        const Carriers::Coordinates& to, int axis) {
-  const auto f = carriers.face(face);
-  const Point o = Point::free(from), a = vertex(carriers, f[0]), b = vertex(carriers, f[1]), c = vertex(carriers, f[2]);
-  const Sign ab = turn_about_axis(carriers, axis, o, a, b);
-  if (ab != turn_about_axis(carriers, axis, o, b, c) || ab != turn_about_axis(carriers, axis, o, c, a)) return 0;
-  const Sign start = side_of_origin(carriers, face, from);
-  return start == side_of_origin(carriers, face, to) ? 0 : to_int(start);
+int crossing_along_axis(const InputComplex& input, std::uint32_t face, const InputComplex::Coordinates& from,
+                        const InputComplex::Coordinates& to, int axis) {
+  const auto f = input.face(face);
+  const Point o = Point::free(from), a = vertex(input, f[0]), b = vertex(input, f[1]), c = vertex(input, f[2]);
+  const Sign ab = turn_about_axis(input, axis, o, a, b);
+  if (ab != turn_about_axis(input, axis, o, b, c) || ab != turn_about_axis(input, axis, o, c, a)) return 0;
+  const Sign start = side_of_origin(input, face, from);
+  return start == side_of_origin(input, face, to) ? 0 : to_int(start);
 }
 
-Sign side_of_infinity(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& direction) {
-  const auto f = carriers.face(face);
-  const Sign along =
-      normal_along(carriers, vertex(carriers, f[0]), vertex(carriers, f[1]), vertex(carriers, f[2]), direction);
-  return -perturbed(along, [&](int axis) { return normal_component(carriers, face, axis); });
+Sign side_of_infinity(const InputComplex& input, std::uint32_t face, const InputComplex::Coordinates& direction) {
+  const auto f = input.face(face);
+  const Sign along = normal_along(input, vertex(input, f[0]), vertex(input, f[1]), vertex(input, f[2]), direction);
+  return -perturbed(along, [&](int axis) { return normal_component(input, face, axis); });
 }
 
-int crossing_from_infinity(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& direction,
+int crossing_from_infinity(const InputComplex& input, std::uint32_t face, const InputComplex::Coordinates& direction,
                            const Point& q) {
-  const Sign start = side_of_infinity(carriers, face, direction);
-  const auto quick = filtered_side_of_face(carriers, face, q);
+  const Sign start = side_of_infinity(input, face, direction);
+  const auto quick = filtered_side_of_face(input, face, q);
   if (quick == Sign::zero || quick == start) return 0;
-  const auto f = carriers.face(face);
-  const Point a = vertex(carriers, f[0]), b = vertex(carriers, f[1]), c = vertex(carriers, f[2]);
-  const Sign ab = side_of_line_along(carriers, direction, q, a, b);
-  if (ab != side_of_line_along(carriers, direction, q, b, c) || ab != side_of_line_along(carriers, direction, q, c, a))
+  const auto f = input.face(face);
+  const Point a = vertex(input, f[0]), b = vertex(input, f[1]), c = vertex(input, f[2]);
+  const Sign ab = side_of_line_along(input, direction, q, a, b);
+  if (ab != side_of_line_along(input, direction, q, b, c) || ab != side_of_line_along(input, direction, q, c, a))
     return 0;
-  const Sign target = quick ? *quick : side_of_face(carriers, face, q);
+  const Sign target = quick ? *quick : side_of_face(input, face, q);
   return target == Sign::zero || start == target ? 0 : to_int(start);
 }
 

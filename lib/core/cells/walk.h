@@ -14,27 +14,29 @@ namespace strata {
 /// perturbed, never a surface. Proofs: theory.md.
 
 /// Side of O' relative to a face: positive on the outer side, never zero for a face of positive area.
-[[nodiscard]] Sign side_of_origin(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& origin);
+[[nodiscard]] Sign side_of_origin(const InputComplex& input, std::uint32_t face,
+                                  const InputComplex::Coordinates& origin);
 
 /// Change of the winding number of `face`'s operand on the way from O' to q: +1 where the walk enters through the
 /// face, -1 where it leaves, 0 where it does not cross. A face whose plane contains q counts as not crossed: the caller
 /// decides what touching means.
-[[nodiscard]] int crossing(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& origin,
+[[nodiscard]] int crossing(const InputComplex& input, std::uint32_t face, const InputComplex::Coordinates& origin,
                            const Point& q);
 
 /// The same on the way from one origin to another that differs from it in one coordinate only.
-[[nodiscard]] int crossing_along_axis(const Carriers& carriers, std::uint32_t face, const Carriers::Coordinates& from,
-                                      const Carriers::Coordinates& to, int axis);
+[[nodiscard]] int crossing_along_axis(const InputComplex& input, std::uint32_t face,
+                                      const InputComplex::Coordinates& from, const InputComplex::Coordinates& to,
+                                      int axis);
 
 /// An origin infinitely far away, from which walks go along a direction d, stands for d' = d + (e, e^2, e^3): the same
 /// laws, with d' for the way from O' to q.
 ///
 /// Side of that origin relative to a face: positive on the outer side, never zero for a face of positive area.
-[[nodiscard]] Sign side_of_infinity(const Carriers& carriers, std::uint32_t face,
-                                    const Carriers::Coordinates& direction);
+[[nodiscard]] Sign side_of_infinity(const InputComplex& input, std::uint32_t face,
+                                    const InputComplex::Coordinates& direction);
 
 /// Change of the winding number of `face`'s operand on the way to q from infinity, as `crossing`.
-[[nodiscard]] int crossing_from_infinity(const Carriers& carriers, std::uint32_t face,
-                                         const Carriers::Coordinates& direction, const Point& q);
+[[nodiscard]] int crossing_from_infinity(const InputComplex& input, std::uint32_t face,
+                                         const InputComplex::Coordinates& direction, const Point& q);
 
 }  // namespace strata

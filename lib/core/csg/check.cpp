@@ -10,7 +10,7 @@
 #include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
 #include "core/overlap/pairs.h"
-#include "core/winding/local_layers.h"
+#include "core/winding/local_windings.h"
 
 namespace strata {
 namespace {
@@ -31,13 +31,13 @@ class Inspection {
  public:
   Inspection(ExactMeshView mesh, const std::vector<std::uint32_t>& source, const Monitor& monitor)
       : triangles_(on_first_vertices(mesh)), source_(source), monitor_(monitor) {
-    carriers_.add(mesh.mesh.vertices, triangles_, mesh.exact);
+    input_.add(mesh.mesh.vertices, triangles_, mesh.exact);
   }
 
   [[nodiscard]] std::vector<Defect> find() {
-    const CellTree cells(carriers_, {.self = true, .monitor = monitor_});
-    PointTable points(carriers_);
-    std::vector<Defect> defects = intersections(find_meetings(carriers_, cells, true, points, monitor_), points);
+    const CellTree cells(input_, {.self = true, .monitor = monitor_});
+    PointTable points(input_);
+    std::vector<Defect> defects = intersections(find_intersections(input_, cells, true, points, monitor_), points);
     if (defects.empty()) defects = wrong_shells(cells);
     return defects;
   }
@@ -45,11 +45,11 @@ class Inspection {
  private:
   [[nodiscard]] std::uint32_t source(std::uint32_t f) const { return source_.empty() ? f : source_[f]; }
 
-  [[nodiscard]] std::vector<Defect> intersections(const Meetings& meetings, const PointTable& points) const {
+  [[nodiscard]] std::vector<Defect> intersections(const Intersections& intersections, const PointTable& points) const {
     DefectList list(DefectKind::self_intersection, Severity::error,
                     "declare the input as overlapping, which resolves intersections exactly");
     std::uint32_t f = 0, g = 0;
-    for (const Constraint& c : meetings.constraints) {
+    for (const Constraint& c : intersections.constraints) {
       if (c.other < c.face || (list.count() > 0 && c.face == f && c.other == g)) continue;
       f = c.face;
       g = c.other;
@@ -67,17 +67,17 @@ class Inspection {
 
   /// Without self-intersections a face is right when just above it the winding number is 0.
   [[nodiscard]] std::vector<Defect> wrong_shells(const CellTree& cells) const {
-    const LocalLayers layers(carriers_, cells);
+    const LocalWindings layers(input_, cells);
     std::vector<std::int32_t> above(triangles_.size());
-    tbb::parallel_for(std::uint32_t{0}, carriers_.face_count(), [&](std::uint32_t f) {
+    tbb::parallel_for(std::uint32_t{0}, input_.face_count(), [&](std::uint32_t f) {
       monitor_.check();
-      above[f] = layers.above(f, make_point(carriers_, PointName::weighted(f, 1)), {&f, 1})[0];
+      above[f] = layers.above(f, make_point(input_, SymbolicPoint::weighted(f, 1)), {&f, 1})[0];
     });
     DefectList list(DefectKind::inside_out, Severity::error,
                     "reverse the faces of the shell, or declare the input as repair");
     for (std::uint32_t f = 0; f < above.size(); ++f) {
       if (above[f] == 0) continue;
-      list.add(carriers_.vertex(carriers_.face(f)[0]), {source(f)}, [&] {
+      list.add(input_.vertex(input_.face(f)[0]), {source(f)}, [&] {
         return "the outer side of face " + std::to_string(source(f)) + " has winding number " +
                std::to_string(above[f]) + " and the inner side " + std::to_string(above[f] + 1) +
                "; a solid has 0 and 1";
@@ -88,7 +88,7 @@ class Inspection {
     return defects;
   }
 
-  Carriers carriers_;
+  InputComplex input_;
   std::vector<Triangle> triangles_;
   const std::vector<std::uint32_t>& source_;
   const Monitor& monitor_;
@@ -128,12 +128,12 @@ bool is_embedded(ExactMeshView mesh, const Options& options) {
           d.kind == DefectKind::non_finite_coordinate || d.kind == DefectKind::index_out_of_range)
         return false;
     const Monitor monitor(options.cancel);
-    Carriers carriers;
+    InputComplex input;
     const std::vector<Triangle> triangles = on_first_vertices(mesh);
-    carriers.add(mesh.mesh.vertices, triangles, mesh.exact);
-    const CellTree cells(carriers, {.self = true, .monitor = monitor});
-    PointTable points(carriers);
-    return find_meetings(carriers, cells, true, points, monitor).pairs_meeting == 0;
+    input.add(mesh.mesh.vertices, triangles, mesh.exact);
+    const CellTree cells(input, {.self = true, .monitor = monitor});
+    PointTable points(input);
+    return find_intersections(input, cells, true, points, monitor).pairs_meeting == 0;
   });
 }
 

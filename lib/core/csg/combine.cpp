@@ -29,11 +29,11 @@ class Operands {
       const Prepared& p = prepared_.back();
       notes.insert(notes.end(), p.notes.begin(), p.notes.end());
       const MeshView mesh = p.mesh ? MeshView(*p.mesh) : given[i].mesh;
-      carriers_.add(mesh.vertices, mesh.triangles, given[i].exact, p.bounds);
+      input_.add(mesh.vertices, mesh.triangles, given[i].exact, p.bounds);
     }
   }
 
-  [[nodiscard]] const Carriers& carriers() const { return carriers_; }
+  [[nodiscard]] const InputComplex& input() const { return input_; }
   /// From faces as they were prepared to those of the caller.
   void restore(std::vector<Source>& sources) const {
     const auto is_renumbered = [](const Prepared& p) { return !p.source_face.empty(); };
@@ -61,7 +61,7 @@ class Operands {
   }
 
   std::vector<Prepared> prepared_;
-  Carriers carriers_;
+  InputComplex input_;
 };
 
 /// The boundary of operands that are what was declared is closed. If it is not, one of them was not: finds out which.
@@ -79,12 +79,12 @@ BooleanResult combine_here(const Rule& rule, std::span<const Operand> given, con
   const Operands operands(given, options.input, result.notes);
   watch.lap("prepare");
   monitor.report(0.05);
-  Carriers carriers = operands.carriers();
-  PointTable points(carriers);
+  InputComplex input = operands.input();
+  PointTable points(input);
   const bool self = options.input != InputClass::solid;
-  Boundary boundary = evaluate(carriers, rule, self, points, monitor, result.profile);
+  Boundary boundary = evaluate(input, rule, self, points, monitor, result.profile);
   Stopwatch output(result.profile);
-  result.mesh.vertices = round_to_doubles(carriers, points, boundary, monitor);
+  result.mesh.vertices = round_to_doubles(input, points, boundary, monitor);
   result.mesh.triangles = std::move(boundary.triangles);
   result.sources = std::move(boundary.sources);
   operands.restore(result.sources);
@@ -92,7 +92,7 @@ BooleanResult combine_here(const Rule& rule, std::span<const Operand> given, con
   ensure_closed(result.mesh, given, options);
   output.lap("ensure");
   if (options.exact_vertices) {
-    result.exact = exact_places(carriers, points, boundary, result.mesh.vertices, monitor);
+    result.exact = exact_positions(input, points, boundary, result.mesh.vertices, monitor);
     output.lap("exact");
   }
   monitor.report(1);

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <utility>
 
-#include "core/csg/common_walls.h"
-#include "core/csg/crowds.h"
+#include "core/csg/coincident_facets.h"
+#include "core/csg/overlapping_operands.h"
 
 namespace strata {
 
@@ -17,8 +17,8 @@ EarlyUnions::EarlyUnions(const Rule& rule, std::span<const Operand> given, const
   if (given.size() < few || options.input != InputClass::solid) return;
   for (const auto& united : rule.unions()) {
     const std::vector<OperandBox> boxes = boxes_of(given, united);
-    auto groups = groups_with_common_walls(given, boxes);
-    if (groups.empty()) groups = groups_in_crowds(boxes);
+    auto groups = groups_with_coincident_facets(given, boxes);
+    if (groups.empty()) groups = groups_of_overlapping_operands(boxes);
     std::move(groups.begin(), groups.end(), std::back_inserter(groups_));
   }
   if (!groups_.empty()) unite(options, evaluate);
@@ -60,7 +60,7 @@ BooleanResult EarlyUnions::united(const std::vector<std::uint32_t>& group, const
                                   const Evaluate& evaluate) const {
   std::vector<Operand> members;
   for (const std::uint32_t o : group) members.push_back(given_[o]);
-  return evaluate(Rule(Operation::unite, static_cast<std::uint32_t>(group.size())), members, options);
+  return evaluate(Rule(Operation::union_, static_cast<std::uint32_t>(group.size())), members, options);
 }
 
 }  // namespace strata

@@ -10,41 +10,41 @@
 #include "core/select/merge.h"
 #include "core/select/split_faces.h"
 #include "core/select/whole_faces.h"
-#include "core/winding/local_layers.h"
+#include "core/winding/local_windings.h"
 
 namespace strata {
 
-Evaluated arrange_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
+Evaluated arrange_pieces(InputComplex& input, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
                          Profile& profile) {
   Stopwatch watch(profile);
-  const CellTree cells(carriers, {.self = self, .monitor = monitor});
+  const CellTree cells(input, {.self = self, .monitor = monitor});
   watch.lap("cells");
   monitor.report(0.3);
   monitor.check();
-  carriers.identify(find_coincidences(carriers, cells, monitor));
-  const Meetings meetings = find_meetings(carriers, cells, self, points, monitor);
+  input.identify(find_coincidences(input, cells, monitor));
+  const Intersections intersections = find_intersections(input, cells, self, points, monitor);
   watch.lap("overlap");
   monitor.report(0.55);
   Evaluated result;
-  const LocalLayers layers(carriers, cells);
-  result.split = split_faces(carriers, layers, rule, meetings, self, points, result.pools, monitor);
+  const LocalWindings layers(input, cells);
+  result.split = split_faces(input, layers, rule, intersections, self, points, result.pools, monitor);
   watch.lap("arrange");
   monitor.report(0.8);
-  result.whole = judge_whole_faces(carriers, layers, &cells, rule, result.split, self, monitor);
+  result.whole = judge_whole_faces(input, layers, &cells, rule, result.split, self, monitor);
   watch.lap("layers");
   monitor.report(0.85);
   profile.counts = {{"cells", cells.cells().size()},
-                    {"pairs_tested", meetings.pairs_tested},
-                    {"pairs_meeting", meetings.pairs_meeting}};
+                    {"pairs_tested", intersections.pairs_tested},
+                    {"pairs_meeting", intersections.pairs_meeting}};
   return result;
 }
 
-Evaluated evaluate_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
+Evaluated evaluate_pieces(InputComplex& input, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
                           Profile& profile) {
   const TierCounts decided_before = tier_counts_now();
-  Evaluated result = arrange_pieces(carriers, rule, self, points, monitor, profile);
+  Evaluated result = arrange_pieces(input, rule, self, points, monitor, profile);
   Stopwatch watch(profile);
-  merge_pieces(carriers, points, result.split, result.pools, monitor);
+  merge_pieces(input, points, result.split, result.pools, monitor);
   watch.lap("merge");
   std::size_t pieces = 0;
   for (const SplitFace& face : result.split) pieces += face.triangles.size();
@@ -57,11 +57,11 @@ Evaluated evaluate_pieces(Carriers& carriers, const Rule& rule, bool self, Point
   return result;
 }
 
-Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
+Boundary evaluate(InputComplex& input, const Rule& rule, bool self, PointTable& points, const Monitor& monitor,
                   Profile& profile) {
-  const Evaluated pieces = evaluate_pieces(carriers, rule, self, points, monitor, profile);
+  const Evaluated pieces = evaluate_pieces(input, rule, self, points, monitor, profile);
   Stopwatch watch(profile);
-  Boundary boundary = gather_boundary(carriers, pieces.whole, pieces.split, points);
+  Boundary boundary = gather_boundary(input, pieces.whole, pieces.split, points);
   watch.lap("gather");
   monitor.report(0.9);
   return boundary;

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/select/boundary.h"
 #include "core/select/rule.h"
 #include "core/select/split_faces.h"
@@ -18,15 +18,15 @@ struct Evaluated {
 /// The pipeline on operands that are ready: cells -> overlap -> arrange -> layers -> select.
 /// `self`: faces of one operand may meet each other, and winding numbers are whatever they are.
 /// Vertices of different operands at one place are identified; constructed points become points of the table.
-[[nodiscard]] Evaluated evaluate_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points,
+[[nodiscard]] Evaluated evaluate_pieces(InputComplex& input, const Rule& rule, bool self, PointTable& points,
                                         const Monitor& monitor, Profile& profile);
 
 /// The same before pieces that stay together are merged, for callers that drop some of them first.
-[[nodiscard]] Evaluated arrange_pieces(Carriers& carriers, const Rule& rule, bool self, PointTable& points,
+[[nodiscard]] Evaluated arrange_pieces(InputComplex& input, const Rule& rule, bool self, PointTable& points,
                                        const Monitor& monitor, Profile& profile);
 
 /// evaluate_pieces, gathered into one boundary.
-[[nodiscard]] Boundary evaluate(Carriers& carriers, const Rule& rule, bool self, PointTable& points,
+[[nodiscard]] Boundary evaluate(InputComplex& input, const Rule& rule, bool self, PointTable& points,
                                 const Monitor& monitor, Profile& profile);
 
 }  // namespace strata

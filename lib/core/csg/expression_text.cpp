@@ -12,7 +12,7 @@ using Node = Expression::Node;
 using Kind = Node::Kind;
 
 /// How strongly the outermost operator of a text binds.
-enum class Binding : std::uint8_t { unite, exclude, intersect, subtract, complement, atom };
+enum class Binding : std::uint8_t { union_, symmetric_difference, intersection, difference, complement, atom };
 
 struct Text {
   std::string text;
@@ -41,7 +41,7 @@ bool are_complements(std::vector<Text>::const_iterator first, std::vector<Text>:
 
 /// A difference and names: a - b + c, which may go on without parentheses.
 bool goes_on(const std::vector<Text>& terms) {
-  return terms.front().binding == Binding::subtract && !terms.front().is_complement &&
+  return terms.front().binding == Binding::difference && !terms.front().is_complement &&
          std::all_of(terms.begin() + 1, terms.end(), [](const Text& t) { return t.binding >= Binding::complement; });
 }
 
@@ -49,15 +49,17 @@ Text text_of(Kind kind, std::vector<Text> terms) {
   if (terms.empty()) return {kind == Kind::all ? "everything" : "nothing", Binding::atom, false};
   if (terms.size() == 1) return std::move(terms.front());
   if (kind == Kind::any && goes_on(terms))
-    return {joined(std::move(terms), " + ", Binding::subtract, Binding::complement), Binding::subtract, false};
+    return {joined(std::move(terms), " + ", Binding::difference, Binding::complement), Binding::difference, false};
   if (kind == Kind::any)
-    return {joined(std::move(terms), " | ", Binding::exclude, Binding::exclude), Binding::unite, false};
+    return {joined(std::move(terms), " | ", Binding::symmetric_difference, Binding::symmetric_difference),
+            Binding::union_, false};
   if (kind == Kind::odd)
-    return {joined(std::move(terms), " ^ ", Binding::intersect, Binding::intersect), Binding::exclude, false};
+    return {joined(std::move(terms), " ^ ", Binding::intersection, Binding::intersection),
+            Binding::symmetric_difference, false};
   if (terms.front().is_complement || !are_complements(terms.begin() + 1, terms.end()))
-    return {joined(std::move(terms), " & ", Binding::subtract, Binding::subtract), Binding::intersect, false};
+    return {joined(std::move(terms), " & ", Binding::difference, Binding::difference), Binding::intersection, false};
   for (auto t = terms.begin() + 1; t != terms.end(); ++t) t->is_complement = false;
-  return {joined(std::move(terms), " - ", Binding::subtract, Binding::complement), Binding::subtract, false};
+  return {joined(std::move(terms), " - ", Binding::difference, Binding::complement), Binding::difference, false};
 }
 
 }  // namespace
@@ -81,7 +83,7 @@ std::string Expression::text() const {
         return inner;
       },
       [](Kind kind, std::vector<Text> terms) { return text_of(kind, std::move(terms)); });
-  return enclosed(std::move(t), Binding::unite);
+  return enclosed(std::move(t), Binding::union_);
 }
 
 }  // namespace strata

@@ -10,7 +10,7 @@ BooleanResult resolved_operand(const Operand& operand, const Options& options, s
   alone.exact_vertices = true;
   alone.progress = {};
   try {
-    return combine(Operation::unite, std::span(&operand, 1), alone);
+    return combine(Operation::union_, std::span(&operand, 1), alone);
   } catch (const InputError& error) {
     throw InputError(error.defects(), index);
   }

@@ -42,7 +42,7 @@ Solid::Data accept(Mesh mesh, InputClass input) {
     case InputClass::repair: {
       const MeshView view = mesh;
       return data_of(
-          combine(Operation::unite, std::span<const MeshView>(&view, 1), {.input = input, .exact_vertices = true}));
+          combine(Operation::union_, std::span<const MeshView>(&view, 1), {.input = input, .exact_vertices = true}));
     }
   }
   return {};
@@ -61,7 +61,7 @@ Solid::Data accept(ExactMesh mesh, InputClass input) {
     case InputClass::repair: {
       const Operand operand{mesh.mesh, mesh.exact};
       return data_of(
-          combine(Operation::unite, std::span<const Operand>(&operand, 1), {.input = input, .exact_vertices = true}));
+          combine(Operation::union_, std::span<const Operand>(&operand, 1), {.input = input, .exact_vertices = true}));
     }
   }
   return {};
@@ -131,10 +131,12 @@ Solid combine_solids(const Formula& formula, std::span<const Operand> operands, 
   return result;
 }
 
-Solid unite(std::span<const Solid> operands) { return combine_solids(Operation::unite, operands); }
-Solid intersect(std::span<const Solid> operands) { return combine_solids(Operation::intersect, operands); }
-Solid subtract(std::span<const Solid> operands) { return combine_solids(Operation::subtract, operands); }
-Solid exclude(std::span<const Solid> operands) { return combine_solids(Operation::exclude, operands); }
+Solid union_(std::span<const Solid> operands) { return combine_solids(Operation::union_, operands); }
+Solid intersection(std::span<const Solid> operands) { return combine_solids(Operation::intersection, operands); }
+Solid difference(std::span<const Solid> operands) { return combine_solids(Operation::difference, operands); }
+Solid symmetric_difference(std::span<const Solid> operands) {
+  return combine_solids(Operation::symmetric_difference, operands);
+}
 
 namespace {
 
@@ -145,9 +147,9 @@ Solid combine_two(Operation operation, const Solid& a, const Solid& b) {
 
 }  // namespace
 
-Solid operator|(const Solid& a, const Solid& b) { return combine_two(Operation::unite, a, b); }
-Solid operator&(const Solid& a, const Solid& b) { return combine_two(Operation::intersect, a, b); }
-Solid operator-(const Solid& a, const Solid& b) { return combine_two(Operation::subtract, a, b); }
-Solid operator^(const Solid& a, const Solid& b) { return combine_two(Operation::exclude, a, b); }
+Solid operator|(const Solid& a, const Solid& b) { return combine_two(Operation::union_, a, b); }
+Solid operator&(const Solid& a, const Solid& b) { return combine_two(Operation::intersection, a, b); }
+Solid operator-(const Solid& a, const Solid& b) { return combine_two(Operation::difference, a, b); }
+Solid operator^(const Solid& a, const Solid& b) { return combine_two(Operation::symmetric_difference, a, b); }
 
 }  // namespace strata

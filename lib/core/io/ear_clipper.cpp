@@ -17,11 +17,11 @@ EarClipper::EarClipper(std::span<const PlanePoint> points)
     previous_[i] = i == 0 ? remaining_ - 1 : i - 1;
     next_[i] = i + 1 == remaining_ ? 0 : i + 1;
   }
-  for (std::uint32_t i = 0; i < remaining_; ++i) shape_[i] = turn_at(i);
+  for (std::uint32_t i = 0; i < remaining_; ++i) shape_[i] = orientation_at(i);
   build_grid();
 }
 
-Sign EarClipper::turn_at(std::uint32_t corner) const {
+Sign EarClipper::orientation_at(std::uint32_t corner) const {
   return orient2d(points_[previous_[corner]], points_[corner], points_[next_[corner]]);
 }
 
@@ -96,7 +96,7 @@ void EarClipper::cut(std::uint32_t corner, Triangle& triangle) {
   cut_[corner] = true;
   --remaining_;
   for (const std::uint32_t i : {u, w}) {
-    shape_[i] = turn_at(i);
+    shape_[i] = orientation_at(i);
     obstacle_[i] = none;
   }
 }

@@ -29,7 +29,7 @@ class EarClipper {
   [[nodiscard]] bool is_ear(std::uint32_t corner);
   [[nodiscard]] bool is_in_the_way(std::uint32_t candidate, std::uint32_t corner) const;
   [[nodiscard]] std::uint32_t find_obstacle(std::uint32_t corner) const;
-  [[nodiscard]] Sign turn_at(std::uint32_t corner) const;
+  [[nodiscard]] Sign orientation_at(std::uint32_t corner) const;
   void cut(std::uint32_t corner, Triangle& triangle);
   std::uint32_t flat_corner(std::uint32_t start) const;
 

@@ -25,21 +25,21 @@ class CornerPoints {
         exact_.push_back({static_cast<std::uint32_t>(rounded_.size()), found->position});
       rounded_.push_back(vertices.rounded[v]);
     }
-    carriers_.add(rounded_, {}, exact_);
-    for (std::uint32_t i = 0; i < rounded_.size(); ++i) points_.push_back(make_point(carriers_, PointName::input(i)));
+    input_.add(rounded_, {}, exact_);
+    for (std::uint32_t i = 0; i < rounded_.size(); ++i) points_.push_back(make_point(input_, SymbolicPoint::input(i)));
     find_plane();
   }
   CornerPoints(const CornerPoints&) = delete;
   CornerPoints& operator=(const CornerPoints&) = delete;
 
   void mirror() { std::swap(view_.u, view_.v); }
-  [[nodiscard]] Sign turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
-    return orient2d(carriers_, view_, points_[i], points_[j], points_[k]);
+  [[nodiscard]] Sign orientation(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+    return orient2d(input_, view_, points_[i], points_[j], points_[k]);
   }
   /// From left to right, then upwards.
   [[nodiscard]] Sign compare(std::uint32_t i, std::uint32_t j) const {
-    const Sign sign = strata::compare(carriers_, view_.u, points_[i], points_[j]);
-    return sign != Sign::zero ? sign : strata::compare(carriers_, view_.v, points_[i], points_[j]);
+    const Sign sign = strata::compare(input_, view_.u, points_[i], points_[j]);
+    return sign != Sign::zero ? sign : strata::compare(input_, view_.v, points_[i], points_[j]);
   }
   /// Of what the corners first..last - 1 go round, every part as often as they do.
   [[nodiscard]] Sign area_sign(std::uint32_t first, std::uint32_t last) const {
@@ -62,19 +62,19 @@ class CornerPoints {
   void find_plane() {
     const auto count = static_cast<std::uint32_t>(points_.size());
     std::uint32_t b = 1, c = 2;
-    while (b < count && equal(carriers_, points_[0], points_[b])) ++b;
+    while (b < count && equal(input_, points_[0], points_[b])) ++b;
     for (c = b + 1; c < count; ++c)
       if (find_view(b, c)) break;
     if (c >= count) throw NoRegion("has no area: its corners are on one line");
     for (std::uint32_t d = b + 1; d < count; ++d)
-      if (d != c && orient3d(carriers_, 0, b, c, d) != Sign::zero)
+      if (d != c && orient3d(input_, 0, b, c, d) != Sign::zero)
         throw NoRegion("has corners that are not in one plane, exactly");
   }
   /// Finds axes in which the corners 0, b and c are not on one line.
   bool find_view(std::uint32_t b, std::uint32_t c) {
     for (int axis = 2; axis >= 0; --axis) {
       view_ = {(axis + 1) % 3, (axis + 2) % 3};
-      if (turn(0, b, c) != Sign::zero) return true;
+      if (orientation(0, b, c) != Sign::zero) return true;
     }
     return false;
   }
@@ -93,13 +93,13 @@ class CornerPoints {
   }
   [[nodiscard]] Rational coordinate(std::uint32_t i, int axis) const {
     const auto k = static_cast<std::size_t>(axis);
-    const RationalPoint* exact = carriers_.exact(i);
+    const RationalPoint* exact = input_.exact(i);
     return exact != nullptr ? (*exact)[k] : to_rational(rounded_[i][k]);
   }
 
   std::vector<Vertex> rounded_;
   std::vector<ExactVertex> exact_;
-  Carriers carriers_;  ///< looks at them
+  InputComplex input_;  ///< looks at them
   std::vector<Point> points_;
   Projection view_;
 };
@@ -183,12 +183,12 @@ std::vector<Triangle> divide(const LoopFace& face, const ExactVertices& vertices
   CornerPoints points(face.corners, vertices);
   orient(face, points);
   const Places places = find_places(points, face.corners.size());
-  const auto turn = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+  const auto orientation = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
     if (p == q || q == r || r == p) return Sign::zero;
-    return points.turn(places.corner[p], places.corner[q], places.corner[r]);
+    return points.orientation(places.corner[p], places.corner[q], places.corner[r]);
   };
   const auto sides = without_keyholes(sides_of(face, places), places.corner.size());
-  std::vector<Triangle> triangles = PolygonSweep(sides, turn).divide();
+  std::vector<Triangle> triangles = PolygonSweep(sides, orientation).divide();
   for (Triangle& t : triangles)
     for (std::uint32_t& place : t) place = face.corners[places.corner[place]];
   return triangles;

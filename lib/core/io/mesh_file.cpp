@@ -35,14 +35,14 @@ std::string lower(std::string text) {
                     (io::can_read_other(".glb") ? ", and glb, gltf, 3mf, fbx, dae and others for reading" : ""));
 }
 
-using ExactPlaces = std::span<const ExactVertex>;
+using ExactPositions = std::span<const ExactVertex>;
 
-void check(MeshView mesh, ExactPlaces exact, Format format, const std::string& name) {
+void check(MeshView mesh, ExactPositions exact, Format format, const std::string& name) {
   io::check_writable(mesh, name);
   if (format == Format::xoff) io::check_writable(exact, mesh.vertices.size(), name);
 }
 
-std::vector<std::string> write(MeshView mesh, ExactPlaces exact, Format format, io::Sink& sink,
+std::vector<std::string> write(MeshView mesh, ExactPositions exact, Format format, io::Sink& sink,
                                const std::string& name) {
   switch (format) {
     case Format::stl:
@@ -117,7 +117,7 @@ MeshFile read_mesh(std::span<const std::byte> data, Format format, std::string n
 
 namespace {
 
-std::vector<std::string> write_to_file(const std::filesystem::path& path, MeshView mesh, ExactPlaces exact,
+std::vector<std::string> write_to_file(const std::filesystem::path& path, MeshView mesh, ExactPositions exact,
                                        std::optional<Format> format) {
   const Format chosen = format.value_or(format_of(path));
   if (chosen == Format::other) fail_unknown(path.string(), path.extension().string());
@@ -128,7 +128,7 @@ std::vector<std::string> write_to_file(const std::filesystem::path& path, MeshVi
   return notes;
 }
 
-std::vector<std::string> write_to_stream(std::ostream& stream, MeshView mesh, ExactPlaces exact, Format format,
+std::vector<std::string> write_to_stream(std::ostream& stream, MeshView mesh, ExactPositions exact, Format format,
                                          const std::string& name) {
   check(mesh, exact, format, name);
   io::StreamSink sink(stream, name);
@@ -137,7 +137,7 @@ std::vector<std::string> write_to_stream(std::ostream& stream, MeshView mesh, Ex
   return notes;
 }
 
-std::string write_to_string(MeshView mesh, ExactPlaces exact, Format format) {
+std::string write_to_string(MeshView mesh, ExactPositions exact, Format format) {
   check(mesh, exact, format, "memory");
   io::StringSink sink;
   (void)write(mesh, exact, format, sink, "memory");

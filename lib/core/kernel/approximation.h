@@ -2,33 +2,33 @@
 #include <cmath>
 #include <type_traits>
 
-#include "core/kernel/carriers.h"
 #include "core/kernel/filters.h"
+#include "core/kernel/input_complex.h"
 #include "core/kernel/point.h"
 
 namespace strata {
 
-/// Named points in a type with error bounds: Bounded for the first look, Twofold for a finer one.
+/// Named points in a type with error bounds: Bounded for the first look, DoubleDouble for a finer one.
 
 template <class Real>
-[[nodiscard]] RealPoint<Real> as(const RealPoint<Twofold>& p) {
-  if constexpr (std::is_same_v<Real, Twofold>) return p;
+[[nodiscard]] RealPoint<Real> as(const RealPoint<DoubleDouble>& p) {
+  if constexpr (std::is_same_v<Real, DoubleDouble>) return p;
   RealPoint<Real> r;
   for (std::size_t i = 0; i < 3; ++i) r[i] = p[i].bounded();
   return r;
 }
 
 template <class Real>
-[[nodiscard]] RealPoint<Real> approximate_vertex(const Carriers& carriers, std::uint32_t v) {
-  const VertexPlace place = carriers.place(v);
+[[nodiscard]] RealPoint<Real> approximate_vertex(const InputComplex& input, std::uint32_t v) {
+  const VertexPosition place = input.place(v);
   const auto& p = *place.nearest;
   if (place.has_doubles()) return {p[0], p[1], p[2]};
   if (place.meet != nullptr) return as<Real>(place.meet->at);
   RealPoint<Real> r;
   for (std::size_t i = 0; i < 3; ++i) {
     r[i] = Bounded{p[i], std::abs(p[i]) * Bounded::rounding + Bounded::underflow};
-    if constexpr (std::is_same_v<Real, Twofold>)
-      if (place.remainder != nullptr) r[i] = Twofold(p[i], (*place.remainder)[i], 0);
+    if constexpr (std::is_same_v<Real, DoubleDouble>)
+      if (place.remainder != nullptr) r[i] = DoubleDouble(p[i], (*place.remainder)[i], 0);
   }
   return r;
 }
@@ -48,22 +48,22 @@ struct ApproximatePlane {
 };
 
 template <class Real>
-[[nodiscard]] ApproximatePlane<Real> approximate_plane(const Carriers& carriers, std::uint32_t face) {
-  if (const SourcePlane* source = carriers.source_plane(face)) {
-    if constexpr (std::is_same_v<Real, Twofold>)
+[[nodiscard]] ApproximatePlane<Real> approximate_plane(const InputComplex& input, std::uint32_t face) {
+  if (const SourcePlane* source = input.source_plane(face)) {
+    if constexpr (std::is_same_v<Real, DoubleDouble>)
       return {source->at(), source->normal()};
     else
       return {source->bounded_at(), source->bounded_normal()};
   }
-  const auto f = carriers.face(face);
-  const auto a = approximate_vertex<Real>(carriers, f[0]);
-  return {a, cross<Real>(approximate_vertex<Real>(carriers, f[1]) - a, approximate_vertex<Real>(carriers, f[2]) - a)};
+  const auto f = input.face(face);
+  const auto a = approximate_vertex<Real>(input, f[0]);
+  return {a, cross<Real>(approximate_vertex<Real>(input, f[1]) - a, approximate_vertex<Real>(input, f[2]) - a)};
 }
 
 template <class Real>
-[[nodiscard]] RealPoint<Real> approximate_edge_face(const Carriers& carriers, const PointName& name) {
-  const auto p = approximate_vertex<Real>(carriers, name.id[0]), q = approximate_vertex<Real>(carriers, name.id[1]);
-  const auto plane = approximate_plane<Real>(carriers, name.id[2]);
+[[nodiscard]] RealPoint<Real> approximate_edge_face(const InputComplex& input, const SymbolicPoint& name) {
+  const auto p = approximate_vertex<Real>(input, name.id[0]), q = approximate_vertex<Real>(input, name.id[1]);
+  const auto plane = approximate_plane<Real>(input, name.id[2]);
   const Real sp = dot<Real>(plane.normal, p - plane.at), sq = dot<Real>(plane.normal, q - plane.at);
   // From the nearer end: the error is carried over the shorter way.
   return std::abs(sp.value) <= std::abs(sq.value) ? along<Real>(p, q, sp / (sp - sq))
@@ -71,9 +71,9 @@ template <class Real>
 }
 
 template <class Real>
-[[nodiscard]] RealPoint<Real> approximate_edge_edge(const Carriers& carriers, const PointName& name) {
-  const auto p = approximate_vertex<Real>(carriers, name.id[0]), q = approximate_vertex<Real>(carriers, name.id[1]);
-  const auto r = approximate_vertex<Real>(carriers, name.id[2]), s = approximate_vertex<Real>(carriers, name.id[3]);
+[[nodiscard]] RealPoint<Real> approximate_edge_edge(const InputComplex& input, const SymbolicPoint& name) {
+  const auto p = approximate_vertex<Real>(input, name.id[0]), q = approximate_vertex<Real>(input, name.id[1]);
+  const auto r = approximate_vertex<Real>(input, name.id[2]), s = approximate_vertex<Real>(input, name.id[3]);
   const auto n = cross<Real>(q - p, s - r), m = cross<Real>(r - p, s - r);
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 3; ++i)
@@ -82,9 +82,9 @@ template <class Real>
 }
 
 template <class Real>
-[[nodiscard]] RealPoint<Real> approximate_three_faces(const Carriers& carriers, const PointName& name) {
+[[nodiscard]] RealPoint<Real> approximate_three_faces(const InputComplex& input, const SymbolicPoint& name) {
   std::array<ApproximatePlane<Real>, 3> plane;
-  for (std::size_t i = 0; i < 3; ++i) plane[i] = approximate_plane<Real>(carriers, name.id[i]);
+  for (std::size_t i = 0; i < 3; ++i) plane[i] = approximate_plane<Real>(input, name.id[i]);
   const auto& base = plane[0].at;
   const auto c0 = cross<Real>(plane[1].normal, plane[2].normal), c1 = cross<Real>(plane[2].normal, plane[0].normal),
              c2 = cross<Real>(plane[0].normal, plane[1].normal);
@@ -96,10 +96,10 @@ template <class Real>
 }
 
 template <class Real>
-[[nodiscard]] RealPoint<Real> approximate_weighted(const Carriers& carriers, const PointName& name) {
-  const auto f = carriers.face(name.id[0]);
-  const auto p = approximate_vertex<Real>(carriers, f[0]), q = approximate_vertex<Real>(carriers, f[1]),
-             r = approximate_vertex<Real>(carriers, f[2]);
+[[nodiscard]] RealPoint<Real> approximate_weighted(const InputComplex& input, const SymbolicPoint& name) {
+  const auto f = input.face(name.id[0]);
+  const auto p = approximate_vertex<Real>(input, f[0]), q = approximate_vertex<Real>(input, f[1]),
+             r = approximate_vertex<Real>(input, f[2]);
   const double t = name.id[1];
   RealPoint<Real> x;
   for (std::size_t i = 0; i < 3; ++i)
@@ -108,19 +108,19 @@ template <class Real>
 }
 
 template <class Real>
-[[nodiscard]] RealPoint<Real> approximate(const Carriers& carriers, const PointName& name) {
+[[nodiscard]] RealPoint<Real> approximate(const InputComplex& input, const SymbolicPoint& name) {
   switch (name.kind) {
-    case PointName::Kind::input:
-      return approximate_vertex<Real>(carriers, name.id[0]);
-    case PointName::Kind::edge_edge:
-      return approximate_edge_edge<Real>(carriers, name);
-    case PointName::Kind::edge_face:
-      return approximate_edge_face<Real>(carriers, name);
-    case PointName::Kind::three_faces:
-      return approximate_three_faces<Real>(carriers, name);
-    case PointName::Kind::weighted:
-      return approximate_weighted<Real>(carriers, name);
-    case PointName::Kind::free:
+    case SymbolicPoint::Kind::input:
+      return approximate_vertex<Real>(input, name.id[0]);
+    case SymbolicPoint::Kind::edge_edge:
+      return approximate_edge_edge<Real>(input, name);
+    case SymbolicPoint::Kind::edge_face:
+      return approximate_edge_face<Real>(input, name);
+    case SymbolicPoint::Kind::three_faces:
+      return approximate_three_faces<Real>(input, name);
+    case SymbolicPoint::Kind::weighted:
+      return approximate_weighted<Real>(input, name);
+    case SymbolicPoint::Kind::free:
       break;
   }
   return {};

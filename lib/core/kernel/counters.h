@@ -7,7 +7,7 @@
 namespace strata {
 
 /// The tier that made a decision.
-enum class Tier { filter, names, steps, twofold, bits_128, bits_256, bits_512, bits_1024, bits_4096, unbounded };
+enum class Tier { filter, names, steps, double_double, bits_128, bits_256, bits_512, bits_1024, bits_4096, unbounded };
 inline constexpr int tier_count = 10;
 
 #ifdef STRATA_COUNTERS

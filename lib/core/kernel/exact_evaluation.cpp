@@ -4,24 +4,24 @@
 
 namespace strata {
 
-PointWidth width_of(const PointName& name, int b) {
+PointWidth width_of(const SymbolicPoint& name, int b) {
   const PointWidth input{b, 0};
   const PlaneWidth face = width_of_plane(input, input, input);
   switch (name.kind) {
-    case PointName::Kind::input:
-    case PointName::Kind::free:
+    case SymbolicPoint::Kind::input:
+    case SymbolicPoint::Kind::free:
       return input;
-    case PointName::Kind::edge_edge: {
+    case SymbolicPoint::Kind::edge_edge: {
       const int value = width_of_value({b + 1, 2 * b + 2}, input);
       return {value + b + 1, value + 1};
     }
-    case PointName::Kind::edge_face: {
+    case SymbolicPoint::Kind::edge_face: {
       const int value = width_of_value(face, input);
       return {value + b + 1, value + 1};
     }
-    case PointName::Kind::three_faces:
+    case SymbolicPoint::Kind::three_faces:
       return {2 * face.abc + 1 + face.d + 2, 2 * face.abc + 1 + face.abc + 2};
-    case PointName::Kind::weighted: {
+    case SymbolicPoint::Kind::weighted: {
       const int t = static_cast<int>(std::bit_width(name.id[1]));
       return {b + 2 * t + 2, 2 * t + 2};
     }
@@ -38,41 +38,41 @@ PlaneWidth width_of_plane(PointWidth p, PointWidth q, PointWidth r) {
 
 int width_of_value(PlaneWidth plane, PointWidth p) { return std::max(plane.abc + p.xyz, plane.d + p.w) + 2; }
 
-int width_of_turn(PointWidth p, PointWidth q, PointWidth r) {
+int width_of_orientation(PointWidth p, PointWidth q, PointWidth r) {
   const int qr = q.xyz + r.xyz + 1 + p.w, rp = r.xyz + p.xyz + 1 + q.w, pq = p.xyz + q.xyz + 1 + r.w;
   return std::max({qr, rp, pq, 2 * std::max({p.xyz, q.xyz, r.xyz}) + 3}) + 2;
 }
 
-Ground::Ground(const Carriers& carriers, std::span<const Point* const> points) {
+Ground::Ground(const InputComplex& input, std::span<const Point* const> points) {
   for (const Point* p : points) {
     const auto& id = p->name.id;
     switch (p->name.kind) {
-      case PointName::Kind::input:
-        add_vertex(carriers, id[0]);
+      case SymbolicPoint::Kind::input:
+        add_vertex(input, id[0]);
         break;
-      case PointName::Kind::edge_edge:
-        for (const std::uint32_t v : id) add_vertex(carriers, v);
+      case SymbolicPoint::Kind::edge_edge:
+        for (const std::uint32_t v : id) add_vertex(input, v);
         break;
-      case PointName::Kind::edge_face:
-        add_vertex(carriers, id[0]);
-        add_vertex(carriers, id[1]);
-        add_face(carriers, id[2]);
+      case SymbolicPoint::Kind::edge_face:
+        add_vertex(input, id[0]);
+        add_vertex(input, id[1]);
+        add_face(input, id[2]);
         break;
-      case PointName::Kind::three_faces:
-        for (int i = 0; i < 3; ++i) add_face(carriers, id[static_cast<std::size_t>(i)]);
+      case SymbolicPoint::Kind::three_faces:
+        for (int i = 0; i < 3; ++i) add_face(input, id[static_cast<std::size_t>(i)]);
         break;
-      case PointName::Kind::weighted:
-        add_face(carriers, id[0]);
+      case SymbolicPoint::Kind::weighted:
+        add_face(input, id[0]);
         break;
-      case PointName::Kind::free:
+      case SymbolicPoint::Kind::free:
         for (const Bounded& x : p->at) lattice_.add(x.value);
         break;
     }
   }
 }
 
-void Ground::add_vertex(const Carriers& carriers, std::uint32_t v) {
-  const VertexPlace place = carriers.place(v);
+void Ground::add_vertex(const InputComplex& input, std::uint32_t v) {
+  const VertexPosition place = input.place(v);
   if (!place.has_doubles() && place.remainder == nullptr) {
     rational_ = true;
     return;
@@ -82,9 +82,9 @@ void Ground::add_vertex(const Carriers& carriers, std::uint32_t v) {
     for (const double x : *place.remainder) lattice_.add(x);
 }
 
-void Ground::add_face(const Carriers& carriers, std::uint32_t f) {
-  if (carriers.source_plane(f) != nullptr) rational_ = true;
-  for (const std::uint32_t v : carriers.face(f)) add_vertex(carriers, v);
+void Ground::add_face(const InputComplex& input, std::uint32_t f) {
+  if (input.source_plane(f) != nullptr) rational_ = true;
+  for (const std::uint32_t v : input.face(f)) add_vertex(input, v);
 }
 
 }  // namespace strata

@@ -3,8 +3,8 @@
 #include <span>
 
 #include "core/exact/lattice.h"
-#include "core/kernel/carriers.h"
 #include "core/kernel/homogeneous.h"
+#include "core/kernel/input_complex.h"
 #include "core/kernel/point.h"
 
 namespace strata {
@@ -22,23 +22,23 @@ struct PlaneWidth {
 };
 
 /// Widths on a lattice of `b` bits.
-[[nodiscard]] PointWidth width_of(const PointName& name, int b);
+[[nodiscard]] PointWidth width_of(const SymbolicPoint& name, int b);
 [[nodiscard]] PlaneWidth width_of_plane(PointWidth p, PointWidth q, PointWidth r);
 [[nodiscard]] int width_of_value(PlaneWidth plane, PointWidth p);
-[[nodiscard]] int width_of_turn(PointWidth p, PointWidth q, PointWidth r);
+[[nodiscard]] int width_of_orientation(PointWidth p, PointWidth q, PointWidth r);
 
 /// The lattice of all input coordinates behind some points, and whether any of them is a rational that is not the sum
 /// of two doubles. Such a sum is less than the power of two above the first, as that is the double nearest to it.
 class Ground {
  public:
-  Ground(const Carriers& carriers, std::span<const Point* const> points);
+  Ground(const InputComplex& input, std::span<const Point* const> points);
 
   [[nodiscard]] const Lattice& lattice() const { return lattice_; }
   [[nodiscard]] bool rational() const { return rational_; }
 
  private:
-  void add_vertex(const Carriers& carriers, std::uint32_t v);
-  void add_face(const Carriers& carriers, std::uint32_t f);
+  void add_vertex(const InputComplex& input, std::uint32_t v);
+  void add_face(const InputComplex& input, std::uint32_t f);
 
   Lattice lattice_;
   bool rational_ = false;
@@ -51,10 +51,10 @@ class ExactEvaluation {
   static constexpr bool any_size = std::is_same_v<Int, Integer> || std::is_same_v<Int, LongInt>;
 
  public:
-  ExactEvaluation(const Carriers& carriers, const Lattice& lattice) : carriers_(carriers), lattice_(lattice) {}
+  ExactEvaluation(const InputComplex& input, const Lattice& lattice) : input_(input), lattice_(lattice) {}
 
   [[nodiscard]] HPoint<Int> vertex(std::uint32_t v) const {
-    const VertexPlace place = carriers_.place(v);
+    const VertexPosition place = input_.place(v);
     if (place.remainder != nullptr) return on_lattice(*place.nearest, *place.remainder);
     if constexpr (any_size) {
       if (place.meet != nullptr) return meet_of_planes(*place.meet);
@@ -65,38 +65,38 @@ class ExactEvaluation {
 
   [[nodiscard]] HPlane<Int> face(std::uint32_t f) const {
     if constexpr (any_size) {
-      if (const SourcePlane* plane = carriers_.source_plane(f)) return on_lattice(of_this_type(plane->exact()));
+      if (const SourcePlane* plane = input_.source_plane(f)) return on_lattice(of_this_type(plane->exact()));
     }
-    const auto [a, b, c] = carriers_.face(f);
+    const auto [a, b, c] = input_.face(f);
     return plane_through(vertex(a), vertex(b), vertex(c));
   }
 
   [[nodiscard]] HPoint<Int> point(const Point& p) const {
     const auto& id = p.name.id;
     switch (p.name.kind) {
-      case PointName::Kind::input:
+      case SymbolicPoint::Kind::input:
         return vertex(id[0]);
-      case PointName::Kind::edge_edge:
+      case SymbolicPoint::Kind::edge_edge:
         return edge_edge(vertex(id[0]), vertex(id[1]), vertex(id[2]), vertex(id[3]));
-      case PointName::Kind::edge_face:
+      case SymbolicPoint::Kind::edge_face:
         return meet(vertex(id[0]), vertex(id[1]), face(id[2]));
-      case PointName::Kind::three_faces:
+      case SymbolicPoint::Kind::three_faces:
         return meet(face(id[0]), face(id[1]), face(id[2]));
-      case PointName::Kind::weighted:
+      case SymbolicPoint::Kind::weighted:
         return weighted(id[0], id[1]);
-      case PointName::Kind::free:
-        return on_lattice(Carriers::Coordinates{p.at[0].value, p.at[1].value, p.at[2].value});
+      case SymbolicPoint::Kind::free:
+        return on_lattice(InputComplex::Coordinates{p.at[0].value, p.at[1].value, p.at[2].value});
     }
     return {};
   }
 
  private:
-  [[nodiscard]] HPoint<Int> on_lattice(const Carriers::Coordinates& p) const {
+  [[nodiscard]] HPoint<Int> on_lattice(const InputComplex::Coordinates& p) const {
     return {lattice_.integer<Int>(p[0]), lattice_.integer<Int>(p[1]), lattice_.integer<Int>(p[2]), Int(1), true};
   }
 
   /// p + q, of which every coordinate has the size of p's.
-  [[nodiscard]] HPoint<Int> on_lattice(const Carriers::Coordinates& p, const Carriers::Coordinates& q) const {
+  [[nodiscard]] HPoint<Int> on_lattice(const InputComplex::Coordinates& p, const InputComplex::Coordinates& q) const {
     const auto sum = [&](std::size_t i) { return Int(lattice_.integer<Int>(p[i]) + lattice_.integer<Int>(q[i])); };
     return {sum(0), sum(1), sum(2), Int(1), true};
   }
@@ -142,7 +142,7 @@ class ExactEvaluation {
   }
 
   [[nodiscard]] HPoint<Int> weighted(std::uint32_t f, std::uint32_t t) const {
-    const auto [a, b, c] = carriers_.face(f);
+    const auto [a, b, c] = input_.face(f);
     const HPoint<Int> p = vertex(a), q = vertex(b), r = vertex(c);
     const Int tq = Int(static_cast<std::int64_t>(t)), tr = Int(static_cast<std::int64_t>(t) * t);
     const auto sum = [&](int i) {
@@ -152,7 +152,7 @@ class ExactEvaluation {
     return {sum(0), sum(1), sum(2), weighed(weighed(weighed(w, p), q), r), false};
   }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const Lattice& lattice_;
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <cmath>
 
-#include "core/kernel/carriers.h"
 #include "core/kernel/filters.h"
+#include "core/kernel/input_complex.h"
 
 namespace strata {
 
@@ -14,17 +14,18 @@ namespace strata {
 class FilteredPlane {
  public:
   FilteredPlane() = default;
-  FilteredPlane(const Carriers::Coordinates& a, const Carriers::Coordinates& b, const Carriers::Coordinates& c)
+  FilteredPlane(const InputComplex::Coordinates& a, const InputComplex::Coordinates& b,
+                const InputComplex::Coordinates& c)
       : FilteredPlane(a, {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, {c[0] - a[0], c[1] - a[1], c[2] - a[2]}, Spanned()) {}
 
   /// The plane through a and b that is parallel to a direction: the side of p is the sign of ((b - a) x d) . (p - a).
-  static FilteredPlane along(const Carriers::Coordinates& a, const Carriers::Coordinates& b,
-                             const Carriers::Coordinates& direction) {
+  static FilteredPlane along(const InputComplex::Coordinates& a, const InputComplex::Coordinates& b,
+                             const InputComplex::Coordinates& direction) {
     return {a, {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, direction, Spanned()};
   }
 
   /// 1 above (on the outer side), -1 below, 0 when doubles do not tell.
-  [[nodiscard]] int side(const Carriers::Coordinates& p) const { return side(p, 0); }
+  [[nodiscard]] int side(const InputComplex::Coordinates& p) const { return side(p, 0); }
 
   /// The same for a point within bounds: the plane's form changes by its normal, which `magnitude_` bounds from above
   /// up to rounding and underflow, times how far off the point may be.
@@ -44,14 +45,15 @@ class FilteredPlane {
 
  private:
   struct Spanned {};
-  FilteredPlane(const Carriers::Coordinates& a, const Carriers::Coordinates& u, const Carriers::Coordinates& v, Spanned)
+  FilteredPlane(const InputComplex::Coordinates& a, const InputComplex::Coordinates& u,
+                const InputComplex::Coordinates& v, Spanned)
       : a_(a) {
     const double yz = u[1] * v[2], zy = u[2] * v[1], zx = u[2] * v[0], xz = u[0] * v[2], xy = u[0] * v[1],
                  yx = u[1] * v[0];
     normal_ = {yz - zy, zx - xz, xy - yx};
     magnitude_ = {std::abs(yz) + std::abs(zy), std::abs(zx) + std::abs(xz), std::abs(xy) + std::abs(yx)};
   }
-  [[nodiscard]] int side(const Carriers::Coordinates& p, double off) const {
+  [[nodiscard]] int side(const InputComplex::Coordinates& p, double off) const {
     const double wx = p[0] - a_[0], wy = p[1] - a_[1], wz = p[2] - a_[2];
     const double value = normal_[0] * wx + normal_[1] * wy + normal_[2] * wz;
     const double size = magnitude_[0] * std::abs(wx) + magnitude_[1] * std::abs(wy) + magnitude_[2] * std::abs(wz);
@@ -60,7 +62,7 @@ class FilteredPlane {
     return static_cast<int>(value > bound) - static_cast<int>(-value > bound);
   }
 
-  Carriers::Coordinates a_{}, normal_{}, magnitude_{};
+  InputComplex::Coordinates a_{}, normal_{}, magnitude_{};
 };
 
 }  // namespace strata

@@ -7,7 +7,7 @@ namespace strata {
 
 /// Predicates in running errors, on coordinate differences: the first tier. theory.md, "Filters".
 
-/// Three coordinates of a type with error bounds: Bounded or Twofold.
+/// Three coordinates of a type with error bounds: Bounded or DoubleDouble.
 template <class Real>
 using RealPoint = std::array<Real, 3>;
 using BoundedPoint = RealPoint<Bounded>;
@@ -36,7 +36,8 @@ template <class Real>
 
 /// Twice the area of p, q, r seen along two axes.
 template <class Real>
-[[nodiscard]] Real turn_of(const RealPoint<Real>& p, const RealPoint<Real>& q, const RealPoint<Real>& r, int u, int v) {
+[[nodiscard]] Real orientation_of(const RealPoint<Real>& p, const RealPoint<Real>& q, const RealPoint<Real>& r, int u,
+                                  int v) {
   const auto i = static_cast<std::size_t>(u), j = static_cast<std::size_t>(v);
   return (q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i]);
 }

@@ -92,7 +92,7 @@ template <class Int>
 
 /// Twice the signed area of p, q, r seen along two axes, times a positive factor.
 template <class Int>
-[[nodiscard]] Int turn(const HPoint<Int>& p, const HPoint<Int>& q, const HPoint<Int>& r, int u, int v) {
+[[nodiscard]] Int orientation(const HPoint<Int>& p, const HPoint<Int>& q, const HPoint<Int>& r, int u, int v) {
   if (p.unit && q.unit && r.unit) return (q[u] - p[u]) * (r[v] - p[v]) - (q[v] - p[v]) * (r[u] - p[u]);
   const Int qr = q[u] * r[v] - q[v] * r[u], rp = r[u] * p[v] - r[v] * p[u], pq = p[u] * q[v] - p[v] * q[u];
   return weighed(qr, p) + weighed(rp, q) + weighed(pq, r);

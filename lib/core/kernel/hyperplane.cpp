@@ -34,7 +34,7 @@ Leading leading(const Integer& x) {
 }
 
 /// x * 2^exponent. What is lost to rounding and to underflow is in the bound.
-Twofold scaled(const Integer& x, int exponent) {
+DoubleDouble scaled(const Integer& x, int exponent) {
   constexpr int smallest = -900;
   const Leading top = leading(x);
   const double sign = x < 0 ? -1 : 1;
@@ -45,8 +45,8 @@ Twofold scaled(const Integer& x, int exponent) {
   if (top.lost != 0) error += 1;
   const double value = high + low;
   const int shift = top.lost + exponent;
-  Twofold r(std::ldexp(sign * value, shift), std::ldexp(sign * (low - (value - high)), shift),
-            std::ldexp(error, shift));
+  DoubleDouble r(std::ldexp(sign * value, shift), std::ldexp(sign * (low - (value - high)), shift),
+                 std::ldexp(error, shift));
   if (!std::isfinite(r.value)) r.error = HUGE_VAL;
   if (x != 0 && top.size + exponent < smallest) r.error += Bounded::underflow;
   return r;

@@ -2,8 +2,8 @@
 #include <array>
 #include <cstddef>
 
+#include "core/exact/double_double.h"
 #include "core/exact/long_int.h"
-#include "core/exact/twofold.h"
 #include "strata/rational.h"
 
 namespace strata {
@@ -27,7 +27,7 @@ class Hyperplane {
 
   [[nodiscard]] const Coefficients& exact() const { return exact_; }
   /// Within bounds, divided by a power of two: the longest component of n is between 1/2 and 1.
-  [[nodiscard]] const std::array<Twofold, D + 1>& fine() const { return fine_; }
+  [[nodiscard]] const std::array<DoubleDouble, D + 1>& fine() const { return fine_; }
   [[nodiscard]] const std::array<Bounded, D + 1>& bounded() const { return bounded_; }
   /// The axis along which n is longest, as far as doubles tell; n is not zero there.
   [[nodiscard]] std::size_t longest_axis() const;
@@ -39,15 +39,15 @@ class Hyperplane {
   void approximate();
 
   Coefficients exact_;
-  std::array<Twofold, D + 1> fine_;
+  std::array<DoubleDouble, D + 1> fine_;
   std::array<Bounded, D + 1> bounded_;
 };
 
-/// A hyperplane as it was given: `is_turned` when what was given looks to the minus side.
+/// A hyperplane as it was given: `is_reversed` when what was given looks to the minus side.
 template <int D>
 struct OrientedHyperplane {
   Hyperplane<D> hyperplane;
-  bool is_turned = false;
+  bool is_reversed = false;
 };
 
 /// The hyperplane with these coefficients, and which way they look. Requires n != 0.

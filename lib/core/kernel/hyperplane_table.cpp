@@ -88,7 +88,7 @@ std::optional<std::array<Bounded, D>> quotients(const std::array<Number, D + 1>&
   double size = 0;
   for (std::size_t i = 0; i < D; ++i) {
     const Number q = x[i] / x[D];
-    if constexpr (std::is_same_v<Number, Twofold>) {
+    if constexpr (std::is_same_v<Number, DoubleDouble>) {
       r[i] = q.bounded();
     } else {
       r[i] = q;
@@ -145,11 +145,11 @@ Sign side_in_doubles(const std::array<double, D + 1>& form, const std::array<Num
   return value > bound ? Sign::positive : -value > bound ? Sign::negative : Sign::zero;
 }
 
-Bounded nearest(const Rational& x) { return nearest_twofold(x).bounded(); }
+Bounded nearest(const Rational& x) { return nearest_double_double(x).bounded(); }
 
 Rational quotient(const Integer& x, const Integer& w) { return w < 0 ? Rational(-x, -w) : Rational(x, w); }
 
-std::optional<Sign> sign_of_bounded(const Twofold& x) { return x.bounded().sign(); }
+std::optional<Sign> sign_of_bounded(const DoubleDouble& x) { return x.bounded().sign(); }
 
 }  // namespace
 
@@ -191,7 +191,7 @@ auto HyperplaneTable<D>::noted_on_all(const std::array<std::uint32_t, D>& names)
 }
 
 template <int D>
-bool HyperplaneTable<D>::lies_in(std::uint32_t h, const Corner<D>& corner) const {
+bool HyperplaneTable<D>::lies_in(std::uint32_t h, const HyperplaneMeet<D>& corner) const {
   if (corner.is_given()) {
     Point p;
     for (std::size_t i = 0; i < D; ++i) p[i] = corner.at[i].value;
@@ -232,7 +232,7 @@ std::array<Number, D + 1> HyperplaneTable<D>::row(std::uint32_t h, bool is_far) 
   for (std::size_t i = 0; i <= D; ++i) {
     if constexpr (is_exact<Number>) {
       r[i] = Number(plane.exact()[i]);
-    } else if constexpr (std::is_same_v<Number, Twofold>) {
+    } else if constexpr (std::is_same_v<Number, DoubleDouble>) {
       r[i] = plane.fine()[i];
     } else {
       r[i] = Sized(forms_[h][i]);
@@ -251,11 +251,11 @@ std::array<Number, D + 1> HyperplaneTable<D>::part(const std::array<std::uint32_
 }
 
 template <int D>
-Corner<D> HyperplaneTable<D>::meet(const std::array<std::uint32_t, D>& names) const {
+HyperplaneMeet<D> HyperplaneTable<D>::meet(const std::array<std::uint32_t, D>& names) const {
   if (const auto p = noted_on_all(names)) return given(names, *p);
-  Corner<D> corner{names, std::any_of(names.begin(), names.end(), is_frame), {}};
+  HyperplaneMeet<D> corner{names, std::any_of(names.begin(), names.end(), is_frame), {}};
   auto at = quotients<Bounded, D>(bounded(part<Sized>(names, corner.is_far)));
-  if (!at) at = quotients<Twofold, D>(part<Twofold>(names, corner.is_far));
+  if (!at) at = quotients<DoubleDouble, D>(part<DoubleDouble>(names, corner.is_far));
   if (at) {
     corner.at = *at;
     return corner;
@@ -266,14 +266,14 @@ Corner<D> HyperplaneTable<D>::meet(const std::array<std::uint32_t, D>& names) co
 }
 
 template <int D>
-Corner<D> HyperplaneTable<D>::given(const std::array<std::uint32_t, D>& names, const Point& place) {
-  Corner<D> corner{names, false, {}};
+HyperplaneMeet<D> HyperplaneTable<D>::given(const std::array<std::uint32_t, D>& names, const Point& place) {
+  HyperplaneMeet<D> corner{names, false, {}};
   for (std::size_t i = 0; i < D; ++i) corner.at[i] = place[i];
   return corner;
 }
 
 template <int D>
-Sign HyperplaneTable<D>::side(std::uint32_t h, const Corner<D>& corner) const {
+Sign HyperplaneTable<D>::side(std::uint32_t h, const HyperplaneMeet<D>& corner) const {
   if (std::find(corner.names.begin(), corner.names.end(), h) != corner.names.end()) return Sign::zero;
   if (!corner.is_far)
     if (const Sign sign = side_in_doubles<D>(forms_[h], corner.at); sign != Sign::zero) return sign;
@@ -293,7 +293,7 @@ auto HyperplaneTable<D>::form_within(std::uint32_t h, const std::array<Bounded, 
 }
 
 template <int D>
-Sign HyperplaneTable<D>::side_beyond_doubles(std::uint32_t h, const Corner<D>& corner) const {
+Sign HyperplaneTable<D>::side_beyond_doubles(std::uint32_t h, const HyperplaneMeet<D>& corner) const {
   const Hyperplane<D>& plane = *hyperplanes_[h];
   if (corner.is_far) {
     if (const auto sign = linear<D>(plane.bounded().data(), corner.at.data()).sign(); sign && *sign != Sign::zero)
@@ -302,7 +302,7 @@ Sign HyperplaneTable<D>::side_beyond_doubles(std::uint32_t h, const Corner<D>& c
   }
   if (lies_in(h, corner)) return Sign::zero;
   if (!corner.is_given()) {
-    const std::array<Twofold, D + 1> fine = part<Twofold>(corner.names, false);
+    const std::array<DoubleDouble, D + 1> fine = part<DoubleDouble>(corner.names, false);
     const auto value = sign_of_bounded(linear<D>(plane.fine().data(), fine.data()) + plane.fine()[D] * fine[D]);
     const auto weight = sign_of_bounded(fine[D]);
     if (value && weight && *weight != Sign::zero) return *value * *weight;
@@ -313,7 +313,7 @@ Sign HyperplaneTable<D>::side_beyond_doubles(std::uint32_t h, const Corner<D>& c
 template <int D>
 Sign HyperplaneTable<D>::side(std::uint32_t h, const Point& p) const {
   if (const Sign sign = side_in_doubles<D>(forms_[h], p); sign != Sign::zero) return sign;
-  std::array<Twofold, D> x;
+  std::array<DoubleDouble, D> x;
   std::copy(p.begin(), p.end(), x.begin());
   const auto& fine = hyperplanes_[h]->fine();
   if (const auto sign = sign_of_bounded(linear<D>(fine.data(), x.data()) + fine[D])) return *sign;
@@ -335,7 +335,7 @@ Sign HyperplaneTable<D>::exact_side(std::uint32_t h, const Point& p) const {
 }
 
 template <int D>
-Sign HyperplaneTable<D>::exact_side(std::uint32_t h, const Corner<D>& corner) const {
+Sign HyperplaneTable<D>::exact_side(std::uint32_t h, const HyperplaneMeet<D>& corner) const {
   if (corner.is_given()) {
     Point p;
     for (std::size_t i = 0; i < D; ++i) p[i] = corner.at[i].value;
@@ -347,7 +347,7 @@ Sign HyperplaneTable<D>::exact_side(std::uint32_t h, const Corner<D>& corner) co
 
 template <int D>
 template <class Int>
-std::optional<Sign> HyperplaneTable<D>::exact_side_of_meet(std::uint32_t h, const Corner<D>& corner) const {
+std::optional<Sign> HyperplaneTable<D>::exact_side_of_meet(std::uint32_t h, const HyperplaneMeet<D>& corner) const {
   const std::array<Int, D + 1> plane = row<Int>(h, false);
   const auto sign_at = [&](bool is_far) -> std::optional<Sign> {
     const std::array<Int, D + 1> x = part<Int>(corner.names, is_far);
@@ -363,7 +363,7 @@ std::optional<Sign> HyperplaneTable<D>::exact_side_of_meet(std::uint32_t h, cons
 }
 
 template <int D>
-RationalVector<D> HyperplaneTable<D>::position(const Corner<D>& corner) const {
+RationalVector<D> HyperplaneTable<D>::position(const HyperplaneMeet<D>& corner) const {
   if (!corner.is_given()) return position(corner.names);
   RationalVector<D> r;
   for (std::size_t i = 0; i < D; ++i) r[i] = to_rational(corner.at[i].value);
@@ -379,16 +379,16 @@ RationalVector<D> HyperplaneTable<D>::position(const std::array<std::uint32_t, D
 }
 
 template <int D>
-RoundedPlace<D> HyperplaneTable<D>::rounded(const Corner<D>& corner) const {
-  RoundedPlace<D> place;
+RoundedPoint<D> HyperplaneTable<D>::rounded(const HyperplaneMeet<D>& corner) const {
+  RoundedPoint<D> place;
   if (corner.is_given()) {
     for (std::size_t i = 0; i < D; ++i) place.nearest[i] = corner.at[i].value + 0.0;  // -0 is 0
     return place;
   }
-  const std::array<Twofold, D + 1> fine = part<Twofold>(corner.names, false);
+  const std::array<DoubleDouble, D + 1> fine = part<DoubleDouble>(corner.names, false);
   std::optional<std::array<LongInt, D + 1>> exact;
   for (std::size_t i = 0; i < D; ++i) {
-    const Twofold q = fine[i] / fine[D];
+    const DoubleDouble q = fine[i] / fine[D];
     const bool is_nearest = std::isfinite(q.value) && q.rounds_to_value();
     place.nearest[i] = is_nearest ? q.value + 0.0 : 0.0;
     if (is_nearest && std::abs(q.low) > q.error) {

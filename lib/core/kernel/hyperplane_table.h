@@ -19,7 +19,7 @@ namespace strata {
 /// the parts of hyperplanes that are not bounded have corners, too, and need no cases of their own. Source of the idea:
 /// the infimaximal frames of Seel and Mehlhorn.
 template <int D>
-struct Corner {
+struct HyperplaneMeet {
   std::array<std::uint32_t, D> names{};
   bool is_far = false;          ///< a hyperplane of the frame is among the names
   std::array<Bounded, D> at{};  ///< the place; when far, the direction in which it lies: its part that grows with W
@@ -35,7 +35,7 @@ struct Corner {
 
 /// A place as nearest doubles, and whether rounding them took away (positive) or added (negative) something.
 template <int D>
-struct RoundedPlace {
+struct RoundedPoint {
   std::array<double, D> nearest{};  ///< never -0
   std::array<Sign, D> rest{};
 
@@ -78,12 +78,12 @@ class HyperplaneTable {
   [[nodiscard]] static constexpr bool is_frame(std::uint32_t h) { return h >= first_of_frame; }
 
   /// Requires that the hyperplanes meet in one point.
-  [[nodiscard]] Corner<D> meet(const std::array<std::uint32_t, D>& names) const;
+  [[nodiscard]] HyperplaneMeet<D> meet(const std::array<std::uint32_t, D>& names) const;
   /// The same, for a point that is known: its doubles are exact.
-  [[nodiscard]] static Corner<D> given(const std::array<std::uint32_t, D>& names, const Point& place);
+  [[nodiscard]] static HyperplaneMeet<D> given(const std::array<std::uint32_t, D>& names, const Point& place);
 
   /// Which side of a hyperplane, none of the frame, a corner is on.
-  [[nodiscard]] Sign side(std::uint32_t h, const Corner<D>& corner) const;
+  [[nodiscard]] Sign side(std::uint32_t h, const HyperplaneMeet<D>& corner) const;
   /// The same for points that are not of the table.
   [[nodiscard]] Sign side(std::uint32_t h, const Point& p) const;
   [[nodiscard]] Sign side(std::uint32_t h, const RationalVector<D>& p) const;
@@ -97,11 +97,11 @@ class HyperplaneTable {
   [[nodiscard]] FormWithin form_within(std::uint32_t h, const std::array<Bounded, D>& largest) const;
 
   /// The place of a corner that is not far.
-  [[nodiscard]] RationalVector<D> position(const Corner<D>& corner) const;
+  [[nodiscard]] RationalVector<D> position(const HyperplaneMeet<D>& corner) const;
   /// Where hyperplanes meet that meet in one point.
   [[nodiscard]] RationalVector<D> position(const std::array<std::uint32_t, D>& names) const;
   /// The place of a corner that is not far, rounded; several times as fast as its position.
-  [[nodiscard]] RoundedPlace<D> rounded(const Corner<D>& corner) const;
+  [[nodiscard]] RoundedPoint<D> rounded(const HyperplaneMeet<D>& corner) const;
 
   /// Bytes held, roughly.
   [[nodiscard]] std::size_t bytes() const;
@@ -118,19 +118,19 @@ class HyperplaneTable {
   /// A point that is noted on all of these; nothing for names of the frame.
   [[nodiscard]] std::optional<Point> noted_on_all(const std::array<std::uint32_t, D>& names) const;
   /// True when noted points tell that a corner lies in a hyperplane.
-  [[nodiscard]] bool lies_in(std::uint32_t h, const Corner<D>& corner) const;
+  [[nodiscard]] bool lies_in(std::uint32_t h, const HyperplaneMeet<D>& corner) const;
 
   template <class Number>
   [[nodiscard]] std::array<Number, D + 1> row(std::uint32_t h, bool is_far) const;
   /// Homogeneous coordinates, w last, of the near or the far part of a meet: the place is (near + W far) / w.
   template <class Number>
   [[nodiscard]] std::array<Number, D + 1> part(const std::array<std::uint32_t, D>& names, bool is_far) const;
-  [[nodiscard]] Sign side_beyond_doubles(std::uint32_t h, const Corner<D>& corner) const;
-  [[nodiscard]] Sign exact_side(std::uint32_t h, const Corner<D>& corner) const;
+  [[nodiscard]] Sign side_beyond_doubles(std::uint32_t h, const HyperplaneMeet<D>& corner) const;
+  [[nodiscard]] Sign exact_side(std::uint32_t h, const HyperplaneMeet<D>& corner) const;
   [[nodiscard]] Sign exact_side(std::uint32_t h, const Point& p) const;
   /// Nothing where integers of this type do not fit.
   template <class Int>
-  [[nodiscard]] std::optional<Sign> exact_side_of_meet(std::uint32_t h, const Corner<D>& corner) const;
+  [[nodiscard]] std::optional<Sign> exact_side_of_meet(std::uint32_t h, const HyperplaneMeet<D>& corner) const;
 
   std::vector<Shared> hyperplanes_;
   std::vector<std::array<double, D + 1>> forms_;                 ///< their coefficients as doubles, together in memory

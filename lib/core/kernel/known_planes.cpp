@@ -4,28 +4,28 @@
 
 namespace strata {
 
-KnownPlanes::KnownPlanes(const Carriers& carriers, const Point& p) : carriers_(carriers) {
+KnownPlanes::KnownPlanes(const InputComplex& input, const Point& p) : input_(input) {
   const auto& id = p.name.id;
   switch (p.name.kind) {
-    case PointName::Kind::input:
-      if (const MeetOfPlanes* meet = carriers.meet(id[0]))
+    case SymbolicPoint::Kind::input:
+      if (const MeetOfPlanes* meet = input.meet(id[0]))
         for (const SourcePlane* plane : meet->planes) add(plane);
       break;
-    case PointName::Kind::edge_edge:
+    case SymbolicPoint::Kind::edge_edge:
       add_edge(id[0], id[1]);
       add_edge(id[2], id[3]);
       break;
-    case PointName::Kind::edge_face:
+    case SymbolicPoint::Kind::edge_face:
       add_edge(id[0], id[1]);
       add_face(id[2]);
       break;
-    case PointName::Kind::three_faces:
+    case SymbolicPoint::Kind::three_faces:
       for (std::size_t i = 0; i < 3; ++i) add_face(id[i]);
       break;
-    case PointName::Kind::weighted:
+    case SymbolicPoint::Kind::weighted:
       add_face(id[0]);
       break;
-    case PointName::Kind::free:
+    case SymbolicPoint::Kind::free:
       break;
   }
 }
@@ -41,7 +41,7 @@ void KnownPlanes::add(const SourcePlane* plane) {
 
 /// Planes in which both ends are.
 void KnownPlanes::add_edge(std::uint32_t a, std::uint32_t b) {
-  const MeetOfPlanes *at_a = carriers_.meet(a), *at_b = carriers_.meet(b);
+  const MeetOfPlanes *at_a = input_.meet(a), *at_b = input_.meet(b);
   if (at_a == nullptr || at_b == nullptr) return;
   for (const SourcePlane* p : at_a->planes)
     if (std::find(at_b->planes.begin(), at_b->planes.end(), p) != at_b->planes.end()) add(p);

@@ -7,20 +7,21 @@
 
 namespace strata {
 
-/// Source planes that a point is known to lie in, as far as its name and its carriers tell: facts, but not all of them.
+/// Source planes that a point is known to lie in, as far as its name and its input complex tell: facts, but not all of
+/// them.
 class KnownPlanes {
  public:
-  KnownPlanes(const Carriers& carriers, const Point& p);
+  KnownPlanes(const InputComplex& input, const Point& p);
 
   [[nodiscard]] std::span<const SourcePlane* const> list() const { return {planes_.data(), count_}; }
   [[nodiscard]] bool has(const SourcePlane* plane) const;
 
  private:
   void add(const SourcePlane* plane);
-  void add_face(std::uint32_t f) { add(carriers_.source_plane(f)); }
+  void add_face(std::uint32_t f) { add(input_.source_plane(f)); }
   void add_edge(std::uint32_t a, std::uint32_t b);
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   std::array<const SourcePlane*, 6> planes_{};
   std::size_t count_ = 0;
 };

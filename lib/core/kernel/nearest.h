@@ -1,11 +1,11 @@
 #pragma once
-#include "core/exact/twofold.h"
+#include "core/exact/double_double.h"
 #include "strata/rational.h"
 
 namespace strata {
 
 /// The nearest double, and the nearest one to what is left.
-[[nodiscard]] inline Twofold nearest_twofold(const Rational& x) {
+[[nodiscard]] inline DoubleDouble nearest_double_double(const Rational& x) {
   const double value = to_nearest_double(x);
   if (!std::isfinite(value)) return {value, 0, HUGE_VAL};
   const double low = to_nearest_double(x - to_rational(value));

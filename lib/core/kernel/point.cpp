@@ -4,7 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "core/exact/twofold.h"
+#include "core/exact/double_double.h"
 #include "core/kernel/approximation.h"
 #include "core/kernel/exact_evaluation.h"
 #include "core/kernel/nearest.h"
@@ -12,7 +12,7 @@
 namespace strata {
 namespace {
 
-bool has(const Carriers::Indices& v, std::uint32_t x) { return v[0] == x || v[1] == x || v[2] == x; }
+bool has(const InputComplex::Indices& v, std::uint32_t x) { return v[0] == x || v[1] == x || v[2] == x; }
 
 /// Wide bounds make every later decision dear: bounds beyond 2^-49 of the largest coordinate are made narrower. So are
 /// overflows, whose infinite bounds no later decision could use.
@@ -23,45 +23,45 @@ bool is_tight(const BoundedPoint& p) {
   return true;
 }
 
-/// Coordinates of a point that its carriers agree in: what all vertices of an edge or face have in common is what all
-/// points there have, exactly. Of vertices that are doubles, or sums of two.
+/// Coordinates of a point that its input complex agree in: what all vertices of an edge or face have in common is what
+/// all points there have, exactly. Of vertices that are doubles, or sums of two.
 class CommonCoordinates {
  public:
-  CommonCoordinates(const Carriers& carriers, const PointName& name) : carriers_(carriers) {
+  CommonCoordinates(const InputComplex& input, const SymbolicPoint& name) : input_(input) {
     const auto& id = name.id;
     switch (name.kind) {
-      case PointName::Kind::edge_edge:
+      case SymbolicPoint::Kind::edge_edge:
         add({id[0], id[1]});
         add({id[2], id[3]});
         return;
-      case PointName::Kind::edge_face:
+      case SymbolicPoint::Kind::edge_face:
         add({id[0], id[1]});
         add_face(id[2]);
         return;
-      case PointName::Kind::three_faces:
+      case SymbolicPoint::Kind::three_faces:
         for (std::size_t i = 0; i < 3; ++i) add_face(id[i]);
         return;
-      case PointName::Kind::weighted:
+      case SymbolicPoint::Kind::weighted:
         add_face(id[0]);
         return;
-      case PointName::Kind::input:
-      case PointName::Kind::free:
+      case SymbolicPoint::Kind::input:
+      case SymbolicPoint::Kind::free:
         return;
     }
   }
 
   [[nodiscard]] bool are_all() const { return known_[0] && known_[1] && known_[2]; }
-  void put_into(RealPoint<Twofold>& p) const {
+  void put_into(RealPoint<DoubleDouble>& p) const {
     for (std::size_t i = 0; i < 3; ++i)
       if (known_[i]) p[i] = value_[i];
   }
 
  private:
   void add(std::initializer_list<std::uint32_t> vertices) {
-    const VertexPlace first = carriers_.place(*vertices.begin());
+    const VertexPosition first = input_.place(*vertices.begin());
     std::array<bool, 3> common{true, true, true};
     for (const std::uint32_t v : vertices) {
-      const VertexPlace place = carriers_.place(v);
+      const VertexPosition place = input_.place(v);
       if (!place.has_doubles() && place.remainder == nullptr) return;
       for (std::size_t i = 0; i < 3; ++i)
         common[i] = common[i] && (*place.nearest)[i] == (*first.nearest)[i] && rest(place, i) == rest(first, i);
@@ -69,115 +69,116 @@ class CommonCoordinates {
     for (std::size_t i = 0; i < 3; ++i)
       if (common[i]) {
         known_[i] = true;
-        value_[i] = Twofold((*first.nearest)[i], rest(first, i), 0);
+        value_[i] = DoubleDouble((*first.nearest)[i], rest(first, i), 0);
       }
   }
-  static double rest(const VertexPlace& place, std::size_t axis) {
+  static double rest(const VertexPosition& place, std::size_t axis) {
     return place.remainder != nullptr ? (*place.remainder)[axis] : 0;
   }
   void add_face(std::uint32_t f) {
-    const auto v = carriers_.face(f);
+    const auto v = input_.face(f);
     add({v[0], v[1], v[2]});
   }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   std::array<bool, 3> known_{};
-  RealPoint<Twofold> value_{};
+  RealPoint<DoubleDouble> value_{};
 };
 
 /// A point in units of a lattice: by long integers if these hold it.
-HPoint<Integer> exact_in_units(const Carriers& carriers, const Lattice& lattice, const Point& point) {
-  const HPoint<LongInt> p = ExactEvaluation<LongInt>(carriers, lattice).point(point);
+HPoint<Integer> exact_in_units(const InputComplex& input, const Lattice& lattice, const Point& point) {
+  const HPoint<LongInt> p = ExactEvaluation<LongInt>(input, lattice).point(point);
   if (p.x.is_lost() || p.y.is_lost() || p.z.is_lost() || p.w.is_lost())
-    return ExactEvaluation<Integer>(carriers, lattice).point(point);
+    return ExactEvaluation<Integer>(input, lattice).point(point);
   return {Integer(p.x), Integer(p.y), Integer(p.z), Integer(p.w), p.unit};
 }
 
 }  // namespace
 
-bool named_on_face(const PointName& name, std::uint32_t f, const Carriers::Indices& v) {
+bool named_on_face(const SymbolicPoint& name, std::uint32_t f, const InputComplex::Indices& v) {
   const auto& id = name.id;
   switch (name.kind) {
-    case PointName::Kind::input:
+    case SymbolicPoint::Kind::input:
       return has(v, id[0]);
-    case PointName::Kind::edge_edge:
+    case SymbolicPoint::Kind::edge_edge:
       return (has(v, id[0]) && has(v, id[1])) || (has(v, id[2]) && has(v, id[3]));
-    case PointName::Kind::edge_face:
+    case SymbolicPoint::Kind::edge_face:
       return id[2] == f || (has(v, id[0]) && has(v, id[1]));
-    case PointName::Kind::three_faces:
+    case SymbolicPoint::Kind::three_faces:
       return id[0] == f || id[1] == f || id[2] == f;
-    case PointName::Kind::weighted:
+    case SymbolicPoint::Kind::weighted:
       return id[0] == f;
-    case PointName::Kind::free:
+    case SymbolicPoint::Kind::free:
       return false;
   }
   return false;
 }
 
-bool named_on_edge(const PointName& name, std::uint32_t a, std::uint32_t b) {
+bool named_on_edge(const SymbolicPoint& name, std::uint32_t a, std::uint32_t b) {
   const auto& id = name.id;
   const auto is = [&](std::uint32_t c, std::uint32_t d) { return (a == c && b == d) || (a == d && b == c); };
   switch (name.kind) {
-    case PointName::Kind::input:
+    case SymbolicPoint::Kind::input:
       return id[0] == a || id[0] == b;
-    case PointName::Kind::edge_edge:
+    case SymbolicPoint::Kind::edge_edge:
       return is(id[0], id[1]) || is(id[2], id[3]);
-    case PointName::Kind::edge_face:
+    case SymbolicPoint::Kind::edge_face:
       return is(id[0], id[1]);
-    case PointName::Kind::three_faces:
-    case PointName::Kind::weighted:
-    case PointName::Kind::free:
+    case SymbolicPoint::Kind::three_faces:
+    case SymbolicPoint::Kind::weighted:
+    case SymbolicPoint::Kind::free:
       return false;
   }
   return false;
 }
 
-bool named_on_line(const Carriers& carriers, const PointName& name, const PointName& p, const PointName& q) {
+bool named_on_line(const InputComplex& input, const SymbolicPoint& name, const SymbolicPoint& p,
+                   const SymbolicPoint& q) {
   const auto& id = name.id;
   const auto on_edge = [&](std::size_t a, std::size_t b) {
     return named_on_edge(p, id[a], id[b]) && named_on_edge(q, id[a], id[b]);
   };
   switch (name.kind) {
-    case PointName::Kind::edge_edge:
+    case SymbolicPoint::Kind::edge_edge:
       return on_edge(0, 1) || on_edge(2, 3);
-    case PointName::Kind::edge_face:
+    case SymbolicPoint::Kind::edge_face:
       return on_edge(0, 1);
-    case PointName::Kind::three_faces: {
+    case SymbolicPoint::Kind::three_faces: {
       const auto in_plane = [&](std::uint32_t f) {
-        const auto v = carriers.face(f);
+        const auto v = input.face(f);
         return named_on_face(p, f, v) && named_on_face(q, f, v);
       };
       return int{in_plane(id[0])} + int{in_plane(id[1])} + int{in_plane(id[2])} >= 2;
     }
-    case PointName::Kind::input:
-    case PointName::Kind::weighted:
-    case PointName::Kind::free:
+    case SymbolicPoint::Kind::input:
+    case SymbolicPoint::Kind::weighted:
+    case SymbolicPoint::Kind::free:
       return false;
   }
   return false;
 }
 
-Point make_point(const Carriers& carriers, const PointName& name) {
-  if (name.kind == PointName::Kind::input)
-    return {name, approximate_vertex<Bounded>(carriers, name.id[0]), approximate_vertex<Twofold>(carriers, name.id[0])};
+Point make_point(const InputComplex& input, const SymbolicPoint& name) {
+  if (name.kind == SymbolicPoint::Kind::input)
+    return {name, approximate_vertex<Bounded>(input, name.id[0]), approximate_vertex<DoubleDouble>(input, name.id[0])};
   Point p{name, {}, {}};
-  const CommonCoordinates common(carriers, name);
-  if (!common.are_all()) p.fine = approximate<Twofold>(carriers, name);
+  const CommonCoordinates common(input, name);
+  if (!common.are_all()) p.fine = approximate<DoubleDouble>(input, name);
   common.put_into(p.fine);
   for (std::size_t i = 0; i < 3; ++i) p.at[i] = p.fine[i].bounded();
   if (is_tight(p.at)) return p;
-  const RationalPoint exact = exact_position(carriers, p);
+  const RationalPoint exact = exact_position(input, p);
   for (std::size_t i = 0; i < 3; ++i) {
-    p.fine[i] = nearest_twofold(exact[i]);
+    p.fine[i] = nearest_double_double(exact[i]);
     p.at[i] = p.fine[i].bounded();
   }
   return p;
 }
 
-RationalPoint exact_position(const Carriers& carriers, const Point& point) {
+RationalPoint exact_position(const InputComplex& input, const Point& point) {
   const Point* const one[] = {&point};
-  const Ground ground(carriers, one);
-  const HPoint<Integer> h = exact_in_units(carriers, ground.lattice(), point);
+  const Ground ground(input, one);
+  const HPoint<Integer> h = exact_in_units(input, ground.lattice(), point);
   const int unit = ground.lattice().unit();
   RationalPoint r;
   for (int i = 0; i < 3; ++i) {
@@ -189,13 +190,13 @@ RationalPoint exact_position(const Carriers& carriers, const Point& point) {
   return r;
 }
 
-Carriers::Coordinates nearest_doubles(const Carriers& carriers, const Point& point) {
-  if (point.name.kind == PointName::Kind::input) return carriers.vertex(point.name.id[0]);
-  if (point.name.kind == PointName::Kind::free) return {point.at[0].value, point.at[1].value, point.at[2].value};
+InputComplex::Coordinates nearest_doubles(const InputComplex& input, const Point& point) {
+  if (point.name.kind == SymbolicPoint::Kind::input) return input.vertex(point.name.id[0]);
+  if (point.name.kind == SymbolicPoint::Kind::free) return {point.at[0].value, point.at[1].value, point.at[2].value};
   const auto& fine = point.fine;
   if (fine[0].rounds_to_value() && fine[1].rounds_to_value() && fine[2].rounds_to_value())
     return {fine[0].value, fine[1].value, fine[2].value};
-  const RationalPoint exact = exact_position(carriers, point);
+  const RationalPoint exact = exact_position(input, point);
   return {to_nearest_double(exact[0]), to_nearest_double(exact[1]), to_nearest_double(exact[2])};
 }
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 
 #include "core/exact/bounded.h"
-#include "core/exact/twofold.h"
-#include "core/kernel/carriers.h"
+#include "core/exact/double_double.h"
 #include "core/kernel/filters.h"
+#include "core/kernel/input_complex.h"
 
 namespace strata {
 
@@ -22,63 +22,66 @@ namespace strata {
 /// | three_faces | f < g < h          | where the planes of three faces meet; normals independent        |
 /// | weighted    | f, t               | (p + t q + t^2 r) / (1 + t + t^2) for the corners p, q, r of f   |
 /// | free        | -                  | any doubles, held by the Point itself                            |
-struct PointName {
+struct SymbolicPoint {
   enum class Kind : std::uint8_t { input, edge_edge, edge_face, three_faces, weighted, free };
 
   Kind kind = Kind::free;
   std::array<std::uint32_t, 4> id{};
 
-  static PointName input(std::uint32_t v) { return {Kind::input, {v, 0, 0, 0}}; }
-  static PointName edge_face(std::uint32_t a, std::uint32_t b, std::uint32_t f) {
+  static SymbolicPoint input(std::uint32_t v) { return {Kind::input, {v, 0, 0, 0}}; }
+  static SymbolicPoint edge_face(std::uint32_t a, std::uint32_t b, std::uint32_t f) {
     return {Kind::edge_face, {std::min(a, b), std::max(a, b), f, 0}};
   }
-  static PointName edge_edge(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  static SymbolicPoint edge_edge(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
     std::array<std::uint32_t, 2> e{std::min(a, b), std::max(a, b)}, g{std::min(c, d), std::max(c, d)};
     if (g < e) std::swap(e, g);
     return {Kind::edge_edge, {e[0], e[1], g[0], g[1]}};
   }
-  static PointName three_faces(std::uint32_t f, std::uint32_t g, std::uint32_t h) {
+  static SymbolicPoint three_faces(std::uint32_t f, std::uint32_t g, std::uint32_t h) {
     std::array<std::uint32_t, 3> s{f, g, h};
     std::sort(s.begin(), s.end());
     return {Kind::three_faces, {s[0], s[1], s[2], 0}};
   }
   /// Requires t <= weight_limit.
-  static PointName weighted(std::uint32_t f, std::uint32_t t) { return {Kind::weighted, {f, t, 0, 0}}; }
+  static SymbolicPoint weighted(std::uint32_t f, std::uint32_t t) { return {Kind::weighted, {f, t, 0, 0}}; }
   static constexpr std::uint32_t weight_limit = 1u << 24;
 
-  friend auto operator<=>(const PointName&, const PointName&) = default;
+  friend auto operator<=>(const SymbolicPoint&, const SymbolicPoint&) = default;
 };
 
 /// A point with a name and bounded approximations of its coordinates. The name decides, the bounds make it quick.
 struct Point {
-  PointName name;
-  BoundedPoint at;          ///< for a first look
-  RealPoint<Twofold> fine;  ///< for a second one
+  SymbolicPoint name;
+  BoundedPoint at;               ///< for a first look
+  RealPoint<DoubleDouble> fine;  ///< for a second one
 
   /// A point at given doubles.
-  static Point free(const Carriers::Coordinates& p) { return {PointName{}, {p[0], p[1], p[2]}, {p[0], p[1], p[2]}}; }
+  static Point free(const InputComplex::Coordinates& p) {
+    return {SymbolicPoint{}, {p[0], p[1], p[2]}, {p[0], p[1], p[2]}};
+  }
 };
 
 /// True when the name itself says that the point lies in the plane of face f, whose vertices are v.
-[[nodiscard]] bool named_on_face(const PointName& name, std::uint32_t f, const Carriers::Indices& v);
+[[nodiscard]] bool named_on_face(const SymbolicPoint& name, std::uint32_t f, const InputComplex::Indices& v);
 
 /// True when the name itself says that the point lies on the line through the vertices a and b.
-[[nodiscard]] bool named_on_edge(const PointName& name, std::uint32_t a, std::uint32_t b);
+[[nodiscard]] bool named_on_edge(const SymbolicPoint& name, std::uint32_t a, std::uint32_t b);
 
 /// True when the names themselves say that the point lies on the line through two other points: all are on one edge, or
 /// in the same two of the planes that make it. O(1).
-[[nodiscard]] bool named_on_line(const Carriers& carriers, const PointName& name, const PointName& p,
-                                 const PointName& q);
+[[nodiscard]] bool named_on_line(const InputComplex& input, const SymbolicPoint& name, const SymbolicPoint& p,
+                                 const SymbolicPoint& q);
 
-/// Approximates the named point. Its coordinates are within the bounds, which are about an ulp wide. Where carriers
-/// meet at an angle so small that doubles in pairs do not reach this, they are found from the exact place. Requires a
-/// kind other than free whose carriers do meet in one point. O(1), with rationals in the ill-posed case.
-[[nodiscard]] Point make_point(const Carriers& carriers, const PointName& name);
+/// Approximates the named point. Its coordinates are within the bounds, which are about an ulp wide. Where input
+/// complex meet at an angle so small that doubles in pairs do not reach this, they are found from the exact place.
+/// Requires a kind other than free whose input complex do meet in one point. O(1), with rationals in the ill-posed
+/// case.
+[[nodiscard]] Point make_point(const InputComplex& input, const SymbolicPoint& name);
 
 /// The exact place of a point. O(1) rational operations.
-[[nodiscard]] RationalPoint exact_position(const Carriers& carriers, const Point& point);
+[[nodiscard]] RationalPoint exact_position(const InputComplex& input, const Point& point);
 
 /// The double nearest to each exact coordinate, ties to even.
-[[nodiscard]] Carriers::Coordinates nearest_doubles(const Carriers& carriers, const Point& point);
+[[nodiscard]] InputComplex::Coordinates nearest_doubles(const InputComplex& input, const Point& point);
 
 }  // namespace strata

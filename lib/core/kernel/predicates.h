@@ -4,11 +4,11 @@
 #include <optional>
 #include <span>
 
+#include "core/exact/double_double.h"
 #include "core/exact/sign.h"
-#include "core/exact/twofold.h"
-#include "core/kernel/carriers.h"
-#include "core/kernel/filtered_turn.h"
+#include "core/kernel/filtered_orientation.h"
 #include "core/kernel/filters.h"
+#include "core/kernel/input_complex.h"
 #include "core/kernel/point.h"
 
 namespace strata {
@@ -28,28 +28,28 @@ struct Projection {
 /// positive: s sees p, q, r counter-clockwise, that is, s is on the outer side; zero: coplanar.
 /// Laws: swapping two arguments negates the sign.
 /// Source: Shewchuk 1997 (his sign is the opposite).
-[[nodiscard]] Sign orient3d(const Carriers& carriers, const Point& p, const Point& q, const Point& r, const Point& s);
+[[nodiscard]] Sign orient3d(const InputComplex& input, const Point& p, const Point& q, const Point& r, const Point& s);
 
 /// The same for four input vertices: the engine's most frequent question.
-[[nodiscard]] Sign orient3d(const Carriers& carriers, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+[[nodiscard]] Sign orient3d(const InputComplex& input, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                             std::uint32_t d);
 
 /// The same for doubles that are nobody's vertices.
-[[nodiscard]] Sign orient3d(const Carriers::Coordinates& a, const Carriers::Coordinates& b,
-                            const Carriers::Coordinates& c, const Carriers::Coordinates& d);
+[[nodiscard]] Sign orient3d(const InputComplex::Coordinates& a, const InputComplex::Coordinates& b,
+                            const InputComplex::Coordinates& c, const InputComplex::Coordinates& d);
 
 /// Sign of ((q - p) x (r - p)) . direction: orient3d(p, q, r, s) for an s infinitely far away in that direction.
-[[nodiscard]] Sign normal_along(const Carriers& carriers, const Point& p, const Point& q, const Point& r,
-                                const Carriers::Coordinates& direction);
+[[nodiscard]] Sign normal_along(const InputComplex& input, const Point& p, const Point& q, const Point& r,
+                                const InputComplex::Coordinates& direction);
 
 /// Side of p relative to the plane of a face: positive on its outer side.
-[[nodiscard]] Sign side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p);
+[[nodiscard]] Sign side_of_face(const InputComplex& input, std::uint32_t face, const Point& p);
 
 /// Its first tier and names alone: nullopt when these do not decide.
-[[nodiscard]] std::optional<Sign> filtered_side_of_face(const Carriers& carriers, std::uint32_t face, const Point& p);
+[[nodiscard]] std::optional<Sign> filtered_side_of_face(const InputComplex& input, std::uint32_t face, const Point& p);
 
 /// Turn of p, q, r in the projection: positive when counter-clockwise; zero: collinear there.
-[[nodiscard]] Sign orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q,
+[[nodiscard]] Sign orient2d(const InputComplex& input, Projection projection, const Point& p, const Point& q,
                             const Point& r);
 
 /// The same for doubles that are nobody's vertices.
@@ -64,23 +64,23 @@ struct Projection {
                                                    const Point& r);
 
 /// The last tier of orient2d alone: integers.
-[[nodiscard]] Sign exact_orient2d(const Carriers& carriers, Projection projection, const Point& p, const Point& q,
+[[nodiscard]] Sign exact_orient2d(const InputComplex& input, Projection projection, const Point& p, const Point& q,
                                   const Point& r);
 
 /// Sign of p[axis] - q[axis].
-[[nodiscard]] Sign compare(const Carriers& carriers, int axis, const Point& p, const Point& q);
+[[nodiscard]] Sign compare(const InputComplex& input, int axis, const Point& p, const Point& q);
 
 /// Same place.
-[[nodiscard]] bool equal(const Carriers& carriers, const Point& p, const Point& q);
+[[nodiscard]] bool equal(const InputComplex& input, const Point& p, const Point& q);
 
 /// Sign of one component of the outward normal (b-a)x(c-a) of a face.
-[[nodiscard]] Sign normal_component(const Carriers& carriers, std::uint32_t face, int axis);
+[[nodiscard]] Sign normal_component(const InputComplex& input, std::uint32_t face, int axis);
 
 /// Sign of the dot product of two faces' outward normals. Requires coplanar faces of positive area.
-[[nodiscard]] Sign same_orientation(const Carriers& carriers, std::uint32_t f, std::uint32_t g);
+[[nodiscard]] Sign same_orientation(const InputComplex& input, std::uint32_t f, std::uint32_t g);
 
 /// A projection for the plane of a face. Requires a face of positive area.
-[[nodiscard]] Projection projection_of(const Carriers& carriers, std::uint32_t face);
+[[nodiscard]] Projection projection_of(const InputComplex& input, std::uint32_t face);
 
 /// Sign of the area that a closed polygon of doubles in the plane encloses, every part as often as the polygon goes
 /// round it: positive when counter-clockwise. Laws: turning the polygon around negates the sign, another start keeps
@@ -88,6 +88,6 @@ struct Projection {
 [[nodiscard]] Sign area_sign(std::span<const PlanePoint> polygon);
 
 /// True when the three vertices of a face are collinear.
-[[nodiscard]] bool is_degenerate(const Carriers& carriers, std::uint32_t face);
+[[nodiscard]] bool is_degenerate(const InputComplex& input, std::uint32_t face);
 
 }  // namespace strata

@@ -28,7 +28,7 @@ void divide_by_powers_of_two(HPlane<Integer>& p) {
 }
 
 /// x / 2^scale, where |x| < 2^scale.
-Twofold scaled(const Integer& x, std::size_t scale) {
+DoubleDouble scaled(const Integer& x, std::size_t scale) {
   constexpr std::size_t kept = 120;
   const std::size_t lost = scale > kept ? scale - kept : 0;
   const Integer top = x >> lost;  // rounded down
@@ -48,19 +48,20 @@ Real determinant(const RealPoint<Real>& p, const RealPoint<Real>& q, const RealP
 
 Integer minor(const Integer& a, const Integer& b, const Integer& c, const Integer& d) { return a * d - b * c; }
 
-RealPoint<Twofold> approximate_meet(const SourcePlane& p, const SourcePlane& q, const SourcePlane& r) {
-  const auto c0 = cross<Twofold>(q.normal(), r.normal()), c1 = cross<Twofold>(r.normal(), p.normal()),
-             c2 = cross<Twofold>(p.normal(), q.normal());
-  const Twofold w = dot<Twofold>(p.normal(), c0);
-  const Twofold d1 = dot<Twofold>(q.normal(), q.at() - p.at()), d2 = dot<Twofold>(r.normal(), r.at() - p.at());
-  RealPoint<Twofold> x;
+RealPoint<DoubleDouble> approximate_meet(const SourcePlane& p, const SourcePlane& q, const SourcePlane& r) {
+  const auto c0 = cross<DoubleDouble>(q.normal(), r.normal()), c1 = cross<DoubleDouble>(r.normal(), p.normal()),
+             c2 = cross<DoubleDouble>(p.normal(), q.normal());
+  const DoubleDouble w = dot<DoubleDouble>(p.normal(), c0);
+  const DoubleDouble d1 = dot<DoubleDouble>(q.normal(), q.at() - p.at()),
+                     d2 = dot<DoubleDouble>(r.normal(), r.at() - p.at());
+  RealPoint<DoubleDouble> x;
   for (std::size_t i = 0; i < 3; ++i) x[i] = p.at()[i] + (d1 * c1[i] + d2 * c2[i]) / w;
   return x;
 }
 
 }  // namespace
 
-SourcePlane::SourcePlane(const HPlane<Integer>& plane, int unit, const RealPoint<Twofold>& at)
+SourcePlane::SourcePlane(const HPlane<Integer>& plane, int unit, const RealPoint<DoubleDouble>& at)
     : exact_(plane), at_(at) {
   const auto shift = static_cast<unsigned>(std::abs(unit));
   if (unit > 0) exact_.d <<= shift;
@@ -109,17 +110,17 @@ HPoint<Integer> MeetOfPlanes::exact() const { return meet(planes[0]->exact(), pl
 
 MeetOfPlanes meet_of(const SourcePlane& p, const SourcePlane& q, const SourcePlane& r) {
   MeetOfPlanes meet{{&p, &q, &r}, approximate_meet(p, q, r)};
-  const auto is_known = [](const Twofold& x) {
+  const auto is_known = [](const DoubleDouble& x) {
     return std::isfinite(x.value) && x.error <= std::abs(x.value) * 0x1p-80 && x.rounds_to_value();
   };
   if (std::all_of(meet.at.begin(), meet.at.end(), is_known)) return meet;
   const HPoint<Integer> exact = meet.exact();
-  for (std::size_t i = 0; i < 3; ++i) meet.at[i] = nearest_twofold(Rational(exact[static_cast<int>(i)], exact.w));
+  for (std::size_t i = 0; i < 3; ++i) meet.at[i] = nearest_double_double(Rational(exact[static_cast<int>(i)], exact.w));
   return meet;
 }
 
 std::optional<std::array<double, 3>> exact_doubles(const MeetOfPlanes& meet) {
-  for (const Twofold& x : meet.at)
+  for (const DoubleDouble& x : meet.at)
     if (std::abs(x.low) > x.error) return std::nullopt;
   const HPoint<Integer> exact = meet.exact();
   std::array<double, 3> r{};

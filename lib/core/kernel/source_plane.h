@@ -2,8 +2,8 @@
 #include <array>
 #include <optional>
 
+#include "core/exact/double_double.h"
 #include "core/exact/sign.h"
-#include "core/exact/twofold.h"
 #include "core/kernel/filters.h"
 #include "core/kernel/homogeneous.h"
 #include "strata/rational.h"
@@ -15,7 +15,7 @@ namespace strata {
 class SourcePlane {
  public:
   /// Through three points in units of 2^unit; `at` is the first of them. Requires that they are not collinear.
-  SourcePlane(const HPlane<Integer>& plane, int unit, const RealPoint<Twofold>& at);
+  SourcePlane(const HPlane<Integer>& plane, int unit, const RealPoint<DoubleDouble>& at);
 
   /// The same plane, looking the other way.
   [[nodiscard]] SourcePlane turned() const;
@@ -23,15 +23,15 @@ class SourcePlane {
   /// a x + b y + c z + d, positive on the outer side, in integers that are not all even.
   [[nodiscard]] const HPlane<Integer>& exact() const { return exact_; }
   /// A point of the plane, within bounds.
-  [[nodiscard]] const RealPoint<Twofold>& at() const { return at_; }
+  [[nodiscard]] const RealPoint<DoubleDouble>& at() const { return at_; }
   /// The outward normal, within bounds; its longest component is between 1/2 and 1.
-  [[nodiscard]] const RealPoint<Twofold>& normal() const { return normal_; }
+  [[nodiscard]] const RealPoint<DoubleDouble>& normal() const { return normal_; }
   [[nodiscard]] const BoundedPoint& bounded_at() const { return bounded_at_; }
   [[nodiscard]] const BoundedPoint& bounded_normal() const { return bounded_normal_; }
 
  private:
   HPlane<Integer> exact_;
-  RealPoint<Twofold> at_, normal_;
+  RealPoint<DoubleDouble> at_, normal_;
   BoundedPoint bounded_at_, bounded_normal_;
 };
 
@@ -46,7 +46,7 @@ class SourcePlane {
 /// whatever the planes were made for.
 struct MeetOfPlanes {
   std::array<const SourcePlane*, 3> planes{};
-  RealPoint<Twofold> at;  ///< values are the nearest doubles
+  RealPoint<DoubleDouble> at;  ///< values are the nearest doubles
 
   [[nodiscard]] HPoint<Integer> exact() const;
 };

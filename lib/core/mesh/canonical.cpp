@@ -28,7 +28,7 @@ Region single_region(const Chain& chain, Facing facing) {
 
 bool is_one_triangle(const PointTable& points, Projection axes, const Chain& chain) {
   return chain.size() == 3 && chain[0].low == chain[1].low &&
-         turn(points, axes, chain[0].low, chain[0].high, chain[1].high) != 0;
+         orientation(points, axes, chain[0].low, chain[0].high, chain[1].high) != 0;
 }
 
 /// What the facets of one plane cover, in the end. Facets of one facing do not overlap in the boundary of a solid;

@@ -8,7 +8,7 @@ namespace strata {
 namespace {
 
 /// Turn at b as seen from outside the plane.
-int turn(const CanonicalPlane& plane, const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
+int orientation(const CanonicalPlane& plane, const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
   int dropped = 0;
   while (dropped < 3 && plane.coefficients[dropped] == 0) ++dropped;
   const int i = (dropped + 1) % 3, j = (dropped + 2) % 3;
@@ -22,7 +22,7 @@ bool is_outer(const CanonicalForm& form, const CanonicalPlane& plane, const std:
     if (loop[i] != loop.front()) continue;
     const RationalPoint& before = form.vertices[loop[i == 0 ? loop.size() - 1 : i - 1]];
     const RationalPoint& after = form.vertices[loop[i + 1 == loop.size() ? 0 : i + 1]];
-    if (turn(plane, before, form.vertices[loop[i]], after) < 0) return false;
+    if (orientation(plane, before, form.vertices[loop[i]], after) < 0) return false;
   }
   return true;
 }

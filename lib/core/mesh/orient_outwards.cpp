@@ -20,21 +20,21 @@ struct Shell {
 /// Exact questions about four or three vertices.
 class Exactly {
  public:
-  explicit Exactly(std::span<const Vertex> vertices) : vertices_(vertices) { carriers_.add(vertices, {}); }
+  explicit Exactly(std::span<const Vertex> vertices) : vertices_(vertices) { input_.add(vertices, {}); }
 
   /// Turn of a, b, p seen from positive x: the plane of y and z.
   [[nodiscard]] int turn_yz(std::uint32_t a, std::uint32_t b, std::uint32_t p) const {
     const auto point = [&](std::uint32_t v) { return Point::free(vertices_[v]); };
-    return to_int(orient2d(carriers_, strata::Projection{1, 2}, point(a), point(b), point(p)));
+    return to_int(orient2d(input_, strata::Projection{1, 2}, point(a), point(b), point(p)));
   }
 
   [[nodiscard]] int side(const Triangle& t, std::uint32_t p) const {
-    return to_int(orient3d(carriers_, t[0], t[1], t[2], p));
+    return to_int(orient3d(input_, t[0], t[1], t[2], p));
   }
 
  private:
   std::span<const Vertex> vertices_;
-  Carriers carriers_;
+  InputComplex input_;
 };
 
 /// Winding number of a triangle's projection along x about a vertex. A point on a side counts as right of it when the

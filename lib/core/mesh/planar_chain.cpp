@@ -149,7 +149,7 @@ Chain cut_at_contacts(const PointTable& points, Projection axes, const Chain& ch
   std::vector<Cut> cuts;
   const auto cut_where_inside = [&](std::size_t i, std::uint32_t p) {
     const NetEdge& e = chain[i];
-    if (e.low < p && p < e.high && turn(points, axes, e.low, e.high, p) == 0) cuts.push_back({i, p});
+    if (e.low < p && p < e.high && orientation(points, axes, e.low, e.high, p) == 0) cuts.push_back({i, p});
   };
   for_each_near_pair(points, chain, [&](std::size_t i, std::size_t j) {
     cut_where_inside(i, chain[j].low);
@@ -166,7 +166,7 @@ Chain cut_at_crossings(PointTable& points, Projection axes, const Chain& chain) 
     const NetEdge& e = chain[i];
     const NetEdge& f = chain[j];
     const auto separates = [&](const NetEdge& g, const NetEdge& h) {
-      return turn(points, axes, g.low, g.high, h.low) * turn(points, axes, g.low, g.high, h.high) < 0;
+      return orientation(points, axes, g.low, g.high, h.low) * orientation(points, axes, g.low, g.high, h.high) < 0;
     };
     if (!separates(e, f) || !separates(f, e)) return;
     const std::uint32_t p = points.add(crossing(points, axes, e, f));

@@ -19,9 +19,9 @@ struct Above {
     const NetEdge& e = chain[i];
     const NetEdge& f = chain[j];
     if (i == j) return false;
-    if (e.low == f.low) return turn(points, axes, e.low, e.high, f.high) > 0;
-    if (points.compare(e.low, f.low) < 0) return turn(points, axes, e.low, e.high, f.low) > 0;
-    return turn(points, axes, f.low, f.high, e.low) < 0;
+    if (e.low == f.low) return orientation(points, axes, e.low, e.high, f.high) > 0;
+    if (points.compare(e.low, f.low) < 0) return orientation(points, axes, e.low, e.high, f.low) > 0;
+    return orientation(points, axes, f.low, f.high, e.low) < 0;
   }
 };
 

@@ -31,8 +31,8 @@ class Tracer {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   /// The turn as seen from outside.
-  [[nodiscard]] int turn_at(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    const int sign = turn(points_, axes_, a, b, c);
+  [[nodiscard]] int orientation_at(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const int sign = orientation(points_, axes_, a, b, c);
     return facing_ == Facing::front ? sign : -sign;
   }
 
@@ -56,9 +56,9 @@ class Tracer {
   }
 
   [[nodiscard]] bool is_sharper(const Side& arriving, std::uint32_t a, std::uint32_t b) const {
-    const int turn_a = turn_at(arriving.from, arriving.to, a);
-    const int turn_b = turn_at(arriving.from, arriving.to, b);
-    return turn_a != turn_b ? turn_a > turn_b : turn_at(arriving.to, b, a) > 0;
+    const int turn_a = orientation_at(arriving.from, arriving.to, a);
+    const int turn_b = orientation_at(arriving.from, arriving.to, b);
+    return turn_a != turn_b ? turn_a > turn_b : orientation_at(arriving.to, b, a) > 0;
   }
 
   [[nodiscard]] Loop walk(std::size_t start) {
@@ -84,7 +84,7 @@ class Tracer {
       const std::uint32_t before = loop[i == 0 ? loop.size() - 1 : i - 1];
       const std::uint32_t after = loop[i + 1 == loop.size() ? 0 : i + 1];
       const auto [begin, end] = leaving(loop[i]);
-      if (end - begin > 1 || turn_at(before, loop[i], after) != 0) corners.push_back(loop[i]);
+      if (end - begin > 1 || orientation_at(before, loop[i], after) != 0) corners.push_back(loop[i]);
     }
     return corners;
   }

@@ -101,7 +101,7 @@ int PointTable::compare(std::uint32_t a, std::uint32_t b) const {
   return compare_points(points_[a], points_[b]);
 }
 
-int turn(const PointTable& points, Projection axes, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+int orientation(const PointTable& points, Projection axes, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   const HomogeneousPoint& p = points[a];
   const HomogeneousPoint& q = points[b];
   const HomogeneousPoint& r = points[c];

@@ -54,6 +54,7 @@ struct Projection {
 };
 
 /// Turn a, b, c as projected: 1 counter-clockwise, -1 clockwise, 0 collinear.
-[[nodiscard]] int turn(const PointTable& points, Projection axes, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+[[nodiscard]] int orientation(const PointTable& points, Projection axes, std::uint32_t a, std::uint32_t b,
+                              std::uint32_t c);
 
 }  // namespace strata::facets

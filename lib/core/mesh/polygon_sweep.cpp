@@ -14,13 +14,13 @@ constexpr const char* parts_nothing =
 }  // namespace
 
 bool PolygonSweep::Below::operator()(const Edge& a, const Edge& b) const {
-  if (a.left == b.left) return (*turn)(a.left, a.right, b.right) == Sign::positive;
-  return a.left < b.left ? (*turn)(a.left, a.right, b.left) == Sign::positive
-                         : (*turn)(b.left, b.right, a.left) == Sign::negative;
+  if (a.left == b.left) return (*orientation)(a.left, a.right, b.right) == Sign::positive;
+  return a.left < b.left ? (*orientation)(a.left, a.right, b.left) == Sign::positive
+                         : (*orientation)(b.left, b.right, a.left) == Sign::negative;
 }
 
-PolygonSweep::PolygonSweep(std::span<const PolygonSide> sides, Turn turn)
-    : turn_(std::move(turn)), status_(Below{&turn_}) {
+PolygonSweep::PolygonSweep(std::span<const PolygonSide> sides, Turn orientation)
+    : orientation_(std::move(orientation)), status_(Below{&orientation_}) {
   for (const PolygonSide& s : sides) edges_.push_back({std::min(s.from, s.to), std::max(s.from, s.to), s.from < s.to});
   std::stable_sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) { return a.left < b.left; });
 }
@@ -65,7 +65,7 @@ void PolygonSweep::pass(std::uint32_t place, std::span<Edge> starting) {
 /// `upper` is the chain below the second one.
 void PolygonSweep::open_between(At below, At above, std::uint32_t place, std::span<Edge> starting, bool inside,
                                 const Chain& upper) {
-  std::sort(starting.begin(), starting.end(), Below{&turn_});
+  std::sort(starting.begin(), starting.end(), Below{&orientation_});
   auto highest = below;
   for (const Edge& e : starting) {
     if (e.bounds_above == inside) throw NoRegion(parts_nothing);
@@ -104,7 +104,7 @@ std::uint32_t PolygonSweep::add_node(std::uint32_t place) {
 
 /// Does the place, to the right of two neighbours in a chain, see all of the stretch between them?
 bool PolygonSweep::sees(std::uint32_t lower, std::uint32_t place, std::uint32_t upper) const {
-  return turn_(nodes_[lower].place, place, nodes_[upper].place) == Sign::positive;
+  return orientation_(nodes_[lower].place, place, nodes_[upper].place) == Sign::positive;
 }
 
 void PolygonSweep::append(Chain& chain, std::uint32_t place) {
@@ -151,8 +151,8 @@ void PolygonSweep::ensure_apart(At below, At above) const {
   if (below == status_.end() || above == status_.end()) return;
   const Edge &a = below->first, &b = above->first;
   if (a.right == b.right) return;
-  const bool apart = a.right < b.right ? turn_(b.left, b.right, a.right) == Sign::negative
-                                       : turn_(a.left, a.right, b.right) == Sign::positive;
+  const bool apart = a.right < b.right ? orientation_(b.left, b.right, a.right) == Sign::negative
+                                       : orientation_(a.left, a.right, b.right) == Sign::positive;
   if (!apart) throw NoRegion(crosses);
 }
 

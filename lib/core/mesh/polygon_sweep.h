@@ -38,7 +38,7 @@ class PolygonSweep {
   using Turn = std::function<Sign(std::uint32_t, std::uint32_t, std::uint32_t)>;
 
   /// Requires as many sides from every place as to it.
-  PolygonSweep(std::span<const PolygonSide> sides, Turn turn);
+  PolygonSweep(std::span<const PolygonSide> sides, Turn orientation);
   PolygonSweep(const PolygonSweep&) = delete;
   PolygonSweep& operator=(const PolygonSweep&) = delete;
 
@@ -60,11 +60,15 @@ class PolygonSweep {
   /// From below, among edges that meet one sweep line, and places on it.
   struct Below {
     using is_transparent = void;
-    const Turn* turn;
+    const Turn* orientation;
 
     bool operator()(const Edge& a, const Edge& b) const;
-    bool operator()(const Edge& e, Place p) const { return (*turn)(e.left, e.right, p.number) == Sign::positive; }
-    bool operator()(Place p, const Edge& e) const { return (*turn)(e.left, e.right, p.number) == Sign::negative; }
+    bool operator()(const Edge& e, Place p) const {
+      return (*orientation)(e.left, e.right, p.number) == Sign::positive;
+    }
+    bool operator()(Place p, const Edge& e) const {
+      return (*orientation)(e.left, e.right, p.number) == Sign::negative;
+    }
   };
   struct Node {
     std::uint32_t place = 0;
@@ -88,7 +92,7 @@ class PolygonSweep {
   void join(Chain& lower, const Chain& upper);
   void ensure_apart(At below, At above) const;
 
-  Turn turn_;
+  Turn orientation_;
   std::vector<Edge> edges_;  ///< by their left places
   Status status_;
   std::vector<Node> nodes_;

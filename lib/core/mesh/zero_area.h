@@ -39,13 +39,11 @@ inline FilteredNormal filtered_normal(const Vertex& a, const Vertex& b, const Ve
 class ZeroAreaTest {
  public:
   explicit ZeroAreaTest(ExactMeshView mesh) : mesh_(mesh.mesh), rational_(!mesh.exact.empty()) {
-    carriers_.add(mesh_.vertices, mesh_.triangles, mesh.exact);
+    input_.add(mesh_.vertices, mesh_.triangles, mesh.exact);
   }
   explicit ZeroAreaTest(MeshView mesh) : ZeroAreaTest(ExactMeshView(mesh, {})) {}
 
-  [[nodiscard]] bool exactly(std::size_t face) const {
-    return is_degenerate(carriers_, static_cast<std::uint32_t>(face));
-  }
+  [[nodiscard]] bool exactly(std::size_t face) const { return is_degenerate(input_, static_cast<std::uint32_t>(face)); }
   [[nodiscard]] bool operator()(std::size_t face) const {
     if (rational_) return exactly(face);
     const auto& [a, b, c] = mesh_.triangles[face];
@@ -55,7 +53,7 @@ class ZeroAreaTest {
  private:
   MeshView mesh_;
   bool rational_;
-  Carriers carriers_;
+  InputComplex input_;
 };
 
 /// Triangles with the face of the input that each comes from.

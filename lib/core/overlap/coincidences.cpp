@@ -17,12 +17,12 @@ namespace {
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// The vertices that may have the place of another one, in order.
-std::vector<std::uint32_t> vertices_near_others(const Carriers& carriers, const CellTree& cells) {
+std::vector<std::uint32_t> vertices_near_others(const InputComplex& input, const CellTree& cells) {
   constexpr std::uint32_t run = 1 << 14;
-  const std::uint32_t count = carriers.vertex_count(), runs = (count + run - 1) / run;
+  const std::uint32_t count = input.vertex_count(), runs = (count + run - 1) / run;
   const auto for_each = [&](std::size_t n, const auto& visit) {
     for (std::uint32_t v = static_cast<std::uint32_t>(n) * run; v < count && v / run == n; ++v)
-      if (cells.is_near_others(v) && carriers.has_doubles(v)) visit(v);
+      if (cells.is_near_others(v) && input.has_doubles(v)) visit(v);
   };
   std::vector<std::size_t> first(runs + 1, 0);
   tbb::parallel_for(std::size_t{0}, std::size_t{runs}, [&](std::size_t n) {
@@ -48,13 +48,13 @@ class Places {
   }
 
   /// The vertex that stands for the place of this one; itself if there was none. Threads may insert at the same time.
-  std::uint32_t insert(const Carriers& carriers, std::uint32_t vertex) {
-    const Carriers::Coordinates& p = carriers.vertex(vertex);
+  std::uint32_t insert(const InputComplex& input, std::uint32_t vertex) {
+    const InputComplex::Coordinates& p = input.vertex(vertex);
     for (std::size_t s = hash_of(p);; ++s) {
       const std::atomic_ref<std::uint32_t> slot(slots_[s & mask_]);
       std::uint32_t there = slot.load(std::memory_order_relaxed);
       if (there == nobody && slot.compare_exchange_strong(there, vertex, std::memory_order_relaxed)) return vertex;
-      if (carriers.vertex(there) == p) return there;
+      if (input.vertex(there) == p) return there;
     }
   }
 
@@ -66,15 +66,15 @@ class Places {
 
 }  // namespace
 
-Pairs find_coincidences(const Carriers& carriers, const CellTree& cells, const Monitor& monitor) {
-  const std::vector<std::uint32_t> vertices = vertices_near_others(carriers, cells);
+Pairs find_coincidences(const InputComplex& input, const CellTree& cells, const Monitor& monitor) {
+  const std::vector<std::uint32_t> vertices = vertices_near_others(input, cells);
   Places places(vertices.size());
   tbb::enumerable_thread_specific<Pairs> found;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices.size(), 1 << 12), [&](const auto& range) {
     monitor.check();
     Pairs& pairs = found.local();
     for (std::size_t i = range.begin(); i != range.end(); ++i)
-      if (const std::uint32_t there = places.insert(carriers, vertices[i]); there != vertices[i])
+      if (const std::uint32_t there = places.insert(input, vertices[i]); there != vertices[i])
         pairs.emplace_back(there, vertices[i]);
   });
   Pairs all;

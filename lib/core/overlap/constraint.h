@@ -46,12 +46,13 @@ struct EqualVertices {
 };
 
 /// Everything found between pairs of faces.
-struct Meetings {
+struct Intersections {
   /// Number of a point; a constructed one is listed, unless it is one of the last that were.
-  [[nodiscard]] PointId number(const Carriers& carriers, const PointName& name);
+  [[nodiscard]] PointId number(const InputComplex& input, const SymbolicPoint& name);
 
   std::vector<Constraint> constraints;
-  std::vector<PointName> constructed;  ///< until they are in a PointTable, constructed points are numbered by this list
+  std::vector<SymbolicPoint>
+      constructed;  ///< until they are in a PointTable, constructed points are numbered by this list
   std::vector<EqualVertices> equal;
   std::uint64_t pairs_tested = 0;   ///< pairs whose boxes overlap
   std::uint64_t pairs_meeting = 0;  ///< pairs that share a point

@@ -49,15 +49,15 @@ class FaceRuns {
 
 }  // namespace
 
-std::vector<ConstraintPlace> order_by_face(const std::vector<Meetings>& per_cell, std::uint32_t face_count) {
+std::vector<ConstraintPosition> order_by_face(const std::vector<Intersections>& per_cell, std::uint32_t face_count) {
   std::size_t count = 0;
-  for (const Meetings& m : per_cell) count += m.constraints.size();
+  for (const Intersections& m : per_cell) count += m.constraints.size();
   FaceRuns runs(count, face_count);
   tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t c) {
     for (const Constraint& x : per_cell[c].constraints) runs.add(x.face);
   });
   runs.sum_up();
-  std::vector<ConstraintPlace> places;
+  std::vector<ConstraintPosition> places;
   resize_fresh(places, count);
   tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t c) {
     const auto& constraints = per_cell[c].constraints;

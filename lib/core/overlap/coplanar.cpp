@@ -15,8 +15,8 @@ using Ends = boost::container::static_vector<SharedPoint, 8>;
 /// A triangle seen in a projection.
 class SeenTriangle {
  public:
-  SeenTriangle(const Carriers& carriers, const FilteredFace& face, Projection projection)
-      : carriers_(carriers), face_(face), projection_(projection) {
+  SeenTriangle(const InputComplex& input, const FilteredFace& face, Projection projection)
+      : input_(input), face_(face), projection_(projection) {
     for (std::size_t i = 0; i < 3; ++i) seen_[i] = seen(face.corners[i], projection);
   }
 
@@ -24,29 +24,29 @@ class SeenTriangle {
   [[nodiscard]] Sign side(std::size_t e, const SeenTriangle& other, std::size_t p) const {
     const std::size_t n = (e + 1) % 3;
     if (face_.is_exact && other.face_.is_exact) return orient2d(seen_[e], seen_[n], other.seen_[p]);
-    return orient2d(carriers_, projection_, point(e), point(n), other.point(p));
+    return orient2d(input_, projection_, point(e), point(n), other.point(p));
   }
-  [[nodiscard]] Point point(std::size_t i) const { return make_point(carriers_, PointName::input(face_.vertices[i])); }
+  [[nodiscard]] Point point(std::size_t i) const { return make_point(input_, SymbolicPoint::input(face_.vertices[i])); }
 
   /// Counter-clockwise positive.
   [[nodiscard]] Sign orientation() const { return side(0, *this, 2); }
 
   /// A projection that shows the face counter-clockwise.
-  static Projection projection_for(const Carriers& carriers, const FilteredFace& face) {
+  static Projection projection_for(const InputComplex& input, const FilteredFace& face) {
     if (face.is_exact) {
       const int axis = static_cast<int>(face.plane.widest_axis()), u = (axis + 1) % 3, v = (axis + 2) % 3;
-      const Sign s = SeenTriangle(carriers, face, {u, v}).orientation();
+      const Sign s = SeenTriangle(input, face, {u, v}).orientation();
       if (s != Sign::zero) return s == Sign::positive ? Projection{u, v} : Projection{v, u};
     }
-    return projection_of(carriers, face.face);
+    return projection_of(input, face.face);
   }
 
  private:
-  static PlanePoint seen(const Carriers::Coordinates& p, Projection projection) {
+  static PlanePoint seen(const InputComplex::Coordinates& p, Projection projection) {
     return {p[static_cast<std::size_t>(projection.u)], p[static_cast<std::size_t>(projection.v)]};
   }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const FilteredFace& face_;
   Projection projection_;
   std::array<PlanePoint, 3> seen_;
@@ -55,18 +55,18 @@ class SeenTriangle {
 /// Both triangles seen in the projection that shows f counter-clockwise.
 class CoplanarMeeting {
  public:
-  CoplanarMeeting(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g)
-      : carriers_(carriers),
+  CoplanarMeeting(const InputComplex& input, const FilteredFace& f, const FilteredFace& g)
+      : input_(input),
         f_(f.face),
         g_(g.face),
         vf_(f.vertices),
         vg_(g.vertices),
-        projection_(SeenTriangle::projection_for(carriers, f)),
-        seen_f_(carriers, f, projection_),
-        seen_g_(carriers, g, projection_),
+        projection_(SeenTriangle::projection_for(input, f)),
+        seen_f_(input, f, projection_),
+        seen_g_(input, g, projection_),
         orientation_(seen_g_.orientation()) {}
 
-  bool find(Meetings& meetings) {
+  bool find(Intersections& intersections) {
     for (std::size_t e = 0; e < 3; ++e) {
       for (std::size_t p = 0; p < 3; ++p) g_vertex_side_[p][e] = seen_f_.side(e, seen_g_, p);
       if (is_beyond(e)) return false;
@@ -86,10 +86,10 @@ class CoplanarMeeting {
       for (const SharedPoint& p : f_edges[static_cast<std::size_t>(k)]) any = any || !is_shared(p);
     }
     if (!any) return false;  // nothing but shared vertices
-    meet_same_face(f_, vf_, g_, vg_, meetings);
+    meet_same_face(f_, vf_, g_, vg_, intersections);
     for (int k = 0; k < 3; ++k) {
-      append_to_f(meetings, k, g_edges[static_cast<std::size_t>(k)]);
-      append_to_g(meetings, k, f_edges[static_cast<std::size_t>(k)]);
+      append_to_f(intersections, k, g_edges[static_cast<std::size_t>(k)]);
+      append_to_g(intersections, k, f_edges[static_cast<std::size_t>(k)]);
     }
     return true;
   }
@@ -163,35 +163,37 @@ class CoplanarMeeting {
   void order(Ends& ends, const SeenTriangle& triangle, std::size_t e, int first_place, int last_place) const {
     if (first_place > last_place) std::swap(ends[0], ends[1]);
     if (first_place != last_place) return;
-    const Point p = make_point(carriers_, name_of(ends[0], f_, vf_, g_, vg_));
-    const Point q = make_point(carriers_, name_of(ends[1], f_, vf_, g_, vg_));
+    const Point p = make_point(input_, name_of(ends[0], f_, vf_, g_, vg_));
+    const Point q = make_point(input_, name_of(ends[1], f_, vf_, g_, vg_));
     for (const int axis : {projection_.u, projection_.v}) {
-      const Sign along = compare(carriers_, axis, triangle.point((e + 1) % 3), triangle.point(e));
+      const Sign along = compare(input_, axis, triangle.point((e + 1) % 3), triangle.point(e));
       if (along == Sign::zero) continue;
-      if (compare(carriers_, axis, q, p) != along) std::swap(ends[0], ends[1]);
+      if (compare(input_, axis, q, p) != along) std::swap(ends[0], ends[1]);
       return;
     }
   }
-  void note_equal(Meetings& meetings, const Ends& ends) const {
+  void note_equal(Intersections& intersections, const Ends& ends) const {
     for (const SharedPoint& p : ends)
       if (p.on_f.kind == Feature::Kind::vertex && p.on_g.kind == Feature::Kind::vertex && !is_shared(p))
-        meetings.equal.push_back({vf_[p.on_f.index], vg_[p.on_g.index]});
+        intersections.equal.push_back({vf_[p.on_f.index], vg_[p.on_g.index]});
   }
 
-  void append_to_f(Meetings& meetings, int k, Ends ends) const {
+  void append_to_f(Intersections& intersections, int k, Ends ends) const {
     if (ends.empty()) return;
     const auto a = static_cast<std::size_t>(k), b = (a + 1) % 3;
     if (ends.size() == 2) order(ends, seen_g_, a, place_on_g(ends[0], k), place_on_g(ends[1], k));
-    note_equal(meetings, ends);
+    note_equal(intersections, ends);
     const bool left = orientation_ == Sign::positive;
     const ConstraintKind kind = ends.size() == 1 ? ConstraintKind::point
                                 : left           ? ConstraintKind::cover_left
                                                  : ConstraintKind::cover_right;
-    const auto number = [&](const SharedPoint& p) { return meetings.number(carriers_, name_of(p, f_, vf_, g_, vg_)); };
-    meetings.constraints.push_back(
+    const auto number = [&](const SharedPoint& p) {
+      return intersections.number(input_, name_of(p, f_, vf_, g_, vg_));
+    };
+    intersections.constraints.push_back(
         {f_, g_, kind, ConstraintLine::along_edge(vg_[a], vg_[b]), number(ends.front()), number(ends.back())});
   }
-  void append_to_g(Meetings& meetings, int i, Ends ends) const {
+  void append_to_g(Intersections& intersections, int i, Ends ends) const {
     if (ends.empty()) return;
     const auto a = static_cast<std::size_t>(i), b = (a + 1) % 3;
     if (ends.size() == 2) order(ends, seen_f_, a, place_on_f(ends[0], i), place_on_f(ends[1], i));
@@ -200,15 +202,15 @@ class CoplanarMeeting {
                                 : left           ? ConstraintKind::cover_left
                                                  : ConstraintKind::cover_right;
     const auto number = [&](const SharedPoint& p) {
-      return meetings.number(carriers_, name_of({p.on_g, p.on_f}, g_, vg_, f_, vf_));
+      return intersections.number(input_, name_of({p.on_g, p.on_f}, g_, vg_, f_, vf_));
     };
-    meetings.constraints.push_back(
+    intersections.constraints.push_back(
         {g_, f_, kind, ConstraintLine::along_edge(vf_[a], vf_[b]), number(ends.front()), number(ends.back())});
   }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   std::uint32_t f_, g_;
-  Carriers::Indices vf_, vg_;
+  InputComplex::Indices vf_, vg_;
   Projection projection_;
   SeenTriangle seen_f_, seen_g_;
   Sign orientation_;
@@ -218,15 +220,16 @@ class CoplanarMeeting {
 
 }  // namespace
 
-bool meet_coplanar_faces(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g, Meetings& meetings) {
-  return CoplanarMeeting(carriers, f, g).find(meetings);
+bool meet_coplanar_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
+                         Intersections& intersections) {
+  return CoplanarMeeting(input, f, g).find(intersections);
 }
 
-bool meet_same_face(std::uint32_t f, const Carriers::Indices& vf, std::uint32_t g, const Carriers::Indices& vg,
-                    Meetings& meetings) {
+bool meet_same_face(std::uint32_t f, const InputComplex::Indices& vf, std::uint32_t g, const InputComplex::Indices& vg,
+                    Intersections& intersections) {
   const auto nowhere = ConstraintLine{};
-  meetings.constraints.push_back({f, g, ConstraintKind::coplanar, nowhere, vf[0], vf[0]});
-  meetings.constraints.push_back({g, f, ConstraintKind::coplanar, nowhere, vg[0], vg[0]});
+  intersections.constraints.push_back({f, g, ConstraintKind::coplanar, nowhere, vf[0], vf[0]});
+  intersections.constraints.push_back({g, f, ConstraintKind::coplanar, nowhere, vg[0], vg[0]});
   return true;
 }
 

@@ -1,17 +1,18 @@
 #pragma once
 #include <cstdint>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/overlap/constraint.h"
 #include "core/overlap/filtered_face.h"
 
 namespace strata {
 
 /// meet_faces for two faces in one plane: every edge of either, clipped to the other, becomes a constraint there.
-bool meet_coplanar_faces(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g, Meetings& meetings);
+bool meet_coplanar_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
+                         Intersections& intersections);
 
 /// meet_faces for two faces with the same three vertices: either covers the other.
-bool meet_same_face(std::uint32_t f, const Carriers::Indices& vf, std::uint32_t g, const Carriers::Indices& vg,
-                    Meetings& meetings);
+bool meet_same_face(std::uint32_t f, const InputComplex::Indices& vf, std::uint32_t g, const InputComplex::Indices& vg,
+                    Intersections& intersections);
 
 }  // namespace strata

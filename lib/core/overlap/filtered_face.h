@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "core/kernel/approximation.h"
-#include "core/kernel/carriers.h"
 #include "core/kernel/filtered_plane.h"
+#include "core/kernel/input_complex.h"
 #include "core/overlap/triangle.h"
 
 namespace strata {
@@ -12,15 +12,15 @@ namespace strata {
 /// A face with all that a first look at it in doubles needs.
 struct FilteredFace {
   std::uint32_t face = 0;
-  Carriers::Indices vertices{};
-  std::array<Carriers::Coordinates, 3> corners{};
+  InputComplex::Indices vertices{};
+  std::array<InputComplex::Coordinates, 3> corners{};
   FilteredPlane plane;                       ///< if exact
   ApproximatePlane<Bounded> rational_plane;  ///< otherwise
   bool is_exact = true;                      ///< vertices are where the corners say; else these are the nearest doubles
 
   FilteredFace() = default;
-  FilteredFace(const Carriers& carriers, std::uint32_t face);
-  FilteredFace(const Carriers& carriers, std::uint32_t operand, std::uint32_t face);
+  FilteredFace(const InputComplex& input, std::uint32_t face);
+  FilteredFace(const InputComplex& input, std::uint32_t operand, std::uint32_t face);
 
   /// Sides of this face's plane on which another's vertices are: above positive; zero when doubles do not tell.
   [[nodiscard]] Signs sides_of(const FilteredFace& other) const;
@@ -37,6 +37,6 @@ struct FilteredFace {
 
 /// orient3d of an edge i of f and an edge k of g, each given by its first vertex. The same with edges swapped, since
 /// that is an even permutation.
-[[nodiscard]] Sign orient_edges(const Carriers& carriers, const FilteredFace& f, int i, const FilteredFace& g, int k);
+[[nodiscard]] Sign orient_edges(const InputComplex& input, const FilteredFace& f, int i, const FilteredFace& g, int k);
 
 }  // namespace strata

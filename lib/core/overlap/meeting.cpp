@@ -12,16 +12,16 @@ namespace {
 bool all(const Signs& s, Sign x) { return s[0] == x && s[1] == x && s[2] == x; }
 
 /// Side of a face's plane on which a vertex is.
-Sign side(const Carriers& carriers, std::uint32_t face, const Carriers::Indices& v, std::uint32_t of) {
-  if (carriers.source_plane(face) != nullptr)
-    return side_of_face(carriers, face, make_point(carriers, PointName::input(of)));
-  return orient3d(carriers, v[0], v[1], v[2], of);
+Sign side(const InputComplex& input, std::uint32_t face, const InputComplex::Indices& v, std::uint32_t of) {
+  if (input.source_plane(face) != nullptr)
+    return side_of_face(input, face, make_point(input, SymbolicPoint::input(of)));
+  return orient3d(input, v[0], v[1], v[2], of);
 }
 
 /// Sides of which doubles are not certain are asked for exactly.
-Signs completed(const Carriers& carriers, Signs sides, const FilteredFace& plane, const FilteredFace& other) {
+Signs completed(const InputComplex& input, Signs sides, const FilteredFace& plane, const FilteredFace& other) {
   for (std::size_t i = 0; i < 3; ++i)
-    if (sides[i] == Sign::zero) sides[i] = side(carriers, plane.face, plane.vertices, other.vertices[i]);
+    if (sides[i] == Sign::zero) sides[i] = side(input, plane.face, plane.vertices, other.vertices[i]);
   return sides;
 }
 
@@ -64,9 +64,9 @@ bool reaches(const Signs& s, Sign side) { return s[0] == side || s[1] == side ||
 /// Two triangles in different planes that cross each other's plane.
 class TransversalMeeting {
  public:
-  TransversalMeeting(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g, const Signs& of_f,
+  TransversalMeeting(const InputComplex& input, const FilteredFace& f, const FilteredFace& g, const Signs& of_f,
                      const Signs& of_g)
-      : carriers_(carriers),
+      : input_(input),
         face_f_(f),
         face_g_(g),
         f_(f.face),
@@ -76,7 +76,7 @@ class TransversalMeeting {
         of_f_(of_f),
         of_g_(of_g) {}
 
-  bool find(Meetings& meetings) {
+  bool find(Intersections& intersections) {
     // Both sections lie on one line; directed along n_f x n_g, g's is as it comes and f's the other way round.
     const Section on_g = section(of_g_), on_f = section(of_f_);
     const auto tail = later(on_f.head, on_g.tail);
@@ -84,7 +84,7 @@ class TransversalMeeting {
     const auto head = later(on_f.tail, on_g.head);
     if (!head) return false;
     if (is_shared(*tail) && is_shared(*head)) return false;
-    append(meetings, *tail, *head);
+    append(intersections, *tail, *head);
     return true;
   }
 
@@ -111,7 +111,7 @@ class TransversalMeeting {
   }
   Sign between(int i, int k) {
     auto& known = between_[static_cast<std::size_t>(3 * i + k)];
-    if (!known) known = orient_edges(carriers_, face_f_, i, face_g_, k);
+    if (!known) known = orient_edges(input_, face_f_, i, face_g_, k);
     return *known;
   }
 
@@ -120,34 +120,36 @@ class TransversalMeeting {
            vf_[p.on_f.index] == vg_[p.on_g.index];
   }
 
-  void append(Meetings& meetings, const SharedPoint& tail, const SharedPoint& head) const {
-    note_equal(meetings, tail);
-    note_equal(meetings, head);
-    const auto on_f = [&](const SharedPoint& p) { return meetings.number(carriers_, name_of(p, f_, vf_, g_, vg_)); };
+  void append(Intersections& intersections, const SharedPoint& tail, const SharedPoint& head) const {
+    note_equal(intersections, tail);
+    note_equal(intersections, head);
+    const auto on_f = [&](const SharedPoint& p) { return intersections.number(input_, name_of(p, f_, vf_, g_, vg_)); };
     const auto on_g = [&](const SharedPoint& p) {
-      return meetings.number(carriers_, name_of({p.on_g, p.on_f}, g_, vg_, f_, vf_));
+      return intersections.number(input_, name_of({p.on_g, p.on_f}, g_, vg_, f_, vf_));
     };
     const PointId tail_f = on_f(tail), head_f = on_f(head), tail_g = on_g(tail), head_g = on_g(head);
     if (tail == head) {
-      meetings.constraints.push_back({f_, g_, ConstraintKind::point, ConstraintLine::trace_of(g_), tail_f, tail_f});
-      meetings.constraints.push_back({g_, f_, ConstraintKind::point, ConstraintLine::trace_of(f_), tail_g, tail_g});
+      intersections.constraints.push_back(
+          {f_, g_, ConstraintKind::point, ConstraintLine::trace_of(g_), tail_f, tail_f});
+      intersections.constraints.push_back(
+          {g_, f_, ConstraintKind::point, ConstraintLine::trace_of(f_), tail_g, tail_g});
       return;
     }
     const auto kind = [](const Signs& s) {
       return reaches(s, Sign::positive) ? ConstraintKind::crossing : ConstraintKind::touch;
     };
-    meetings.constraints.push_back({f_, g_, kind(of_g_), line(g_), tail_f, head_f});
-    meetings.constraints.push_back({g_, f_, kind(of_f_), line(f_), head_g, tail_g});
+    intersections.constraints.push_back({f_, g_, kind(of_g_), line(g_), tail_f, head_f});
+    intersections.constraints.push_back({g_, f_, kind(of_f_), line(f_), head_g, tail_g});
   }
 
-  void note_equal(Meetings& meetings, const SharedPoint& p) const {
+  void note_equal(Intersections& intersections, const SharedPoint& p) const {
     if (p.on_f.kind != Feature::Kind::vertex || p.on_g.kind != Feature::Kind::vertex || is_shared(p)) return;
-    meetings.equal.push_back({vf_[p.on_f.index], vg_[p.on_g.index]});
+    intersections.equal.push_back({vf_[p.on_f.index], vg_[p.on_g.index]});
   }
 
   /// The line of the section as the other face sees it: an edge of either triangle if one lies there.
   [[nodiscard]] ConstraintLine line(std::uint32_t other) const {
-    const auto along = [](const Carriers::Indices& v, int i) {
+    const auto along = [](const InputComplex::Indices& v, int i) {
       return ConstraintLine::along_edge(v[static_cast<std::size_t>(i)], v[static_cast<std::size_t>(next(i))]);
     };
     const int ef = edge_in_plane(of_f_), eg = edge_in_plane(of_g_);
@@ -157,43 +159,43 @@ class TransversalMeeting {
     return ConstraintLine::trace_of(other);
   }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const FilteredFace &face_f_, &face_g_;
   std::uint32_t f_, g_;
-  const Carriers::Indices &vf_, &vg_;
+  const InputComplex::Indices &vf_, &vg_;
   const Signs &of_f_, &of_g_;
   std::array<std::optional<Sign>, 9> between_{};
 };
 
-int common_vertices(const Carriers::Indices& f, const Carriers::Indices& g) {
+int common_vertices(const InputComplex::Indices& f, const InputComplex::Indices& g) {
   int n = 0;
   for (const std::uint32_t a : f)
     for (const std::uint32_t b : g) n += static_cast<int>(a == b);
   return n;
 }
 
-bool is_coplanar(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g) {
+bool is_coplanar(const InputComplex& input, const FilteredFace& f, const FilteredFace& g) {
   for (const std::uint32_t v : g.vertices)
-    if (!f.has(v) && side(carriers, f.face, f.vertices, v) != Sign::zero) return false;
+    if (!f.has(v) && side(input, f.face, f.vertices, v) != Sign::zero) return false;
   return true;
 }
 
 }  // namespace
 
-bool meet_faces(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g, Meetings& meetings) {
+bool meet_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g, Intersections& intersections) {
   Signs of_g = f.sides_of(g);
   if (f.is_beside(g, of_g)) return false;
   Signs of_f = g.sides_of(f);
   if (g.is_beside(f, of_f) || f.is_off(g) || g.is_off(f)) return false;
   const int common = common_vertices(f.vertices, g.vertices);
-  if (common == 3) return meet_same_face(f.face, f.vertices, g.face, g.vertices, meetings);
-  if (common == 2 && !is_coplanar(carriers, f, g)) return false;
-  of_g = completed(carriers, of_g, f, g);
+  if (common == 3) return meet_same_face(f.face, f.vertices, g.face, g.vertices, intersections);
+  if (common == 2 && !is_coplanar(input, f, g)) return false;
+  of_g = completed(input, of_g, f, g);
   if (all(of_g, Sign::positive) || all(of_g, Sign::negative)) return false;
-  if (all(of_g, Sign::zero)) return meet_coplanar_faces(carriers, f, g, meetings);
-  of_f = completed(carriers, of_f, g, f);
+  if (all(of_g, Sign::zero)) return meet_coplanar_faces(input, f, g, intersections);
+  of_f = completed(input, of_f, g, f);
   if (all(of_f, Sign::positive) || all(of_f, Sign::negative)) return false;
-  return TransversalMeeting(carriers, f, g, of_f, of_g).find(meetings);
+  return TransversalMeeting(input, f, g, of_f, of_g).find(intersections);
 }
 
 }  // namespace strata

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/overlap/constraint.h"
 #include "core/overlap/filtered_face.h"
 
@@ -13,6 +13,6 @@ namespace strata {
 /// mesh share by index are no meeting. Requires faces of positive area. At most 6 + 9 orient3d signs for faces in
 /// general position. Table of cases: theory.md. Returns true when the faces share a point (other than shared vertices
 /// and edges).
-bool meet_faces(const Carriers& carriers, const FilteredFace& f, const FilteredFace& g, Meetings& meetings);
+bool meet_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g, Intersections& intersections);
 
 }  // namespace strata

@@ -22,10 +22,9 @@ namespace {
 /// there are compared; the comparison runs over plain arrays, several faces at a time where the processor can.
 class CellPairs {
  public:
-  CellPairs(const Carriers& carriers, const CellTree& cells, bool self)
-      : carriers_(carriers), cells_(cells), self_(self) {}
+  CellPairs(const InputComplex& input, const CellTree& cells, bool self) : input_(input), cells_(cells), self_(self) {}
 
-  void find(const Cell& cell, Meetings& meetings) {
+  void find(const Cell& cell, Intersections& intersections) {
     load(cell);
     for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
       const auto later = order_.begin() + static_cast<std::ptrdiff_t>(i) + 1;
@@ -37,7 +36,7 @@ class CellPairs {
       for (std::size_t j = i + 1; j < end; ++j) {
         if (is_pair_[j] == 0) continue;
         const CellFace &a = cell.faces[order_[i].index], &b = cell.faces[order_[j].index];
-        if (cells_.owns(cell, a, b)) test(i, j, meetings);
+        if (cells_.owns(cell, a, b)) test(i, j, intersections);
       }
     }
   }
@@ -67,7 +66,7 @@ class CellPairs {
       upper_[0][k] = f.box.upper[sweep];
       upper_[1][k] = f.box.upper[u];
       upper_[2][k] = f.box.upper[v];
-      operand_[k] = static_cast<std::int32_t>(carriers_.operand_of_face(f.face));
+      operand_[k] = static_cast<std::int32_t>(input_.operand_of_face(f.face));
     }
     faces_ = &cell.faces;
   }
@@ -93,20 +92,20 @@ class CellPairs {
                    static_cast<std::int32_t>(operand[j] != own);
   }
 
-  void test(std::size_t i, std::size_t j, Meetings& meetings) {
-    ++meetings.pairs_tested;
+  void test(std::size_t i, std::size_t j, Intersections& intersections) {
+    ++intersections.pairs_tested;
     const FilteredFace &a = filtered(i), &b = filtered(j);
     const bool ordered = a.face < b.face;
-    if (meet_faces(carriers_, ordered ? a : b, ordered ? b : a, meetings)) ++meetings.pairs_meeting;
+    if (meet_faces(input_, ordered ? a : b, ordered ? b : a, intersections)) ++intersections.pairs_meeting;
   }
 
   const FilteredFace& filtered(std::size_t k) {
     auto& f = filtered_[k];
-    if (!f) f.emplace(carriers_, static_cast<std::uint32_t>(operand_[k]), (*faces_)[order_[k].index].face);
+    if (!f) f.emplace(input_, static_cast<std::uint32_t>(operand_[k]), (*faces_)[order_[k].index].face);
     return *f;
   }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const CellTree& cells_;
   bool self_;
   const FaceList* faces_ = nullptr;
@@ -129,11 +128,11 @@ std::vector<const Cell*> mixed_cells(const CellTree& cells) {
 
 /// What all cells found, constraints sorted by face and other face. All constraints of a pair come from one cell, in
 /// one run.
-Meetings gathered(const std::vector<Meetings>& per_cell, const Carriers& carriers, PointTable& points,
-                  const Monitor& monitor) {
-  Meetings all;
+Intersections gathered(const std::vector<Intersections>& per_cell, const InputComplex& input, PointTable& points,
+                       const Monitor& monitor) {
+  Intersections all;
   std::vector<std::size_t> first_name{0};  // per cell
-  for (const Meetings& m : per_cell) {
+  for (const Intersections& m : per_cell) {
     first_name.push_back(first_name.back() + m.constructed.size());
     all.equal.insert(all.equal.end(), m.equal.begin(), m.equal.end());
     all.pairs_tested += m.pairs_tested;
@@ -143,12 +142,12 @@ Meetings gathered(const std::vector<Meetings>& per_cell, const Carriers& carrier
   tbb::parallel_sort(all.equal.begin(), all.equal.end());
   all.equal.erase(std::unique(all.equal.begin(), all.equal.end()), all.equal.end());
 
-  std::vector<PointName> names(first_name.back());  // what several cells found occurs several times
+  std::vector<SymbolicPoint> names(first_name.back());  // what several cells found occurs several times
   tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t c) {
     const auto& constructed = per_cell[c].constructed;
     std::copy(constructed.begin(), constructed.end(), names.begin() + static_cast<std::ptrdiff_t>(first_name[c]));
   });
-  const std::vector<ConstraintPlace> places = order_by_face(per_cell, carriers.face_count());
+  const std::vector<ConstraintPosition> places = order_by_face(per_cell, input.face_count());
   const PointId first = points.first();
   const std::vector<PointId> numbers = points.add(names, monitor);
   all.constraints.resize(places.size());
@@ -165,16 +164,16 @@ Meetings gathered(const std::vector<Meetings>& per_cell, const Carriers& carrier
 
 }  // namespace
 
-Meetings find_meetings(const Carriers& carriers, const CellTree& cells, bool self, PointTable& points,
-                       const Monitor& monitor) {
+Intersections find_intersections(const InputComplex& input, const CellTree& cells, bool self, PointTable& points,
+                                 const Monitor& monitor) {
   const std::vector<const Cell*> mixed = mixed_cells(cells);
-  std::vector<Meetings> per_cell(mixed.size());
-  tbb::enumerable_thread_specific<CellPairs> pairs([&] { return CellPairs(carriers, cells, self); });
+  std::vector<Intersections> per_cell(mixed.size());
+  tbb::enumerable_thread_specific<CellPairs> pairs([&] { return CellPairs(input, cells, self); });
   tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t i) {
     monitor.check();
     pairs.local().find(*mixed[i], per_cell[i]);
   });
-  return gathered(per_cell, carriers, points, monitor);
+  return gathered(per_cell, input, points, monitor);
 }
 
 }  // namespace strata

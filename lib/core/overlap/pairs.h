@@ -9,7 +9,7 @@ namespace strata {
 /// Every pair of faces of different operands (with `self`: of any operands) is tested in exactly one cell: the one that
 /// holds the lower corner of the intersection of their boxes. The same for any number of threads.
 /// Constructed points become points of the table.
-[[nodiscard]] Meetings find_meetings(const Carriers& carriers, const CellTree& cells, bool self, PointTable& points,
-                                     const Monitor& monitor);
+[[nodiscard]] Intersections find_intersections(const InputComplex& input, const CellTree& cells, bool self,
+                                               PointTable& points, const Monitor& monitor);
 
 }  // namespace strata

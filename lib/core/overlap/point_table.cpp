@@ -27,7 +27,7 @@ void for_each_index(std::size_t count, const Body& body) {
   });
 }
 
-std::uint64_t hash_of(const PointName& name) {
+std::uint64_t hash_of(const SymbolicPoint& name) {
   std::uint64_t h = static_cast<std::uint64_t>(name.kind) * 0x9e3779b97f4a7c15u;
   for (const std::uint32_t id : name.id) h = (h ^ id) * 0xff51afd7ed558ccdu + (h >> 29);
   return h ^ h >> 32;
@@ -71,14 +71,14 @@ class FirstOccurrences {
 
 }  // namespace
 
-std::vector<PointId> PointTable::add(std::span<const PointName> names, const Monitor& monitor) {
+std::vector<PointId> PointTable::add(std::span<const SymbolicPoint> names, const Monitor& monitor) {
   const std::size_t known = constructed_.size();
   if (std::size_t{first()} + known + names.size() >= none) fail("more points than numbers", none);
-  const auto name_of = [&](std::size_t i) -> const PointName& {
+  const auto name_of = [&](std::size_t i) -> const SymbolicPoint& {
     return i < known ? constructed_[i].name : names[i - known];
   };
   std::vector<PointId> numbers(names.size());
-  const auto is_input = [&](std::size_t i) { return names[i].kind == PointName::Kind::input; };
+  const auto is_input = [&](std::size_t i) { return names[i].kind == SymbolicPoint::Kind::input; };
   const FirstOccurrences firsts(known + names.size(), name_of);
   for_each_index(names.size(), [&](std::size_t i) { numbers[i] = firsts.of(known + i); });
   std::vector<Index> fresh;  // indices of names that occur here first
@@ -96,17 +96,17 @@ std::vector<PointId> PointTable::add(std::span<const PointName> names, const Mon
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), 256), [&](const auto& range) {
     monitor.check();
     for (std::size_t i = range.begin(); i != range.end(); ++i)
-      constructed_[known + i] = make_point(carriers_, names[fresh[i]]);
+      constructed_[known + i] = make_point(input_, names[fresh[i]]);
   });
   return numbers;
 }
 
-std::vector<std::pair<PointId, PointId>> PointTable::equal_places(std::vector<PointId> ids,
-                                                                  const Monitor& monitor) const {
+std::vector<std::pair<PointId, PointId>> PointTable::equal_positions(std::vector<PointId> ids,
+                                                                     const Monitor& monitor) const {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   struct Place {
-    Carriers::Coordinates nearest;  ///< equal points have equal ones
+    InputComplex::Coordinates nearest;  ///< equal points have equal ones
     PointId id;
     bool operator<(const Place& p) const { return nearest < p.nearest || (nearest == p.nearest && id < p.id); }
   };
@@ -114,7 +114,7 @@ std::vector<std::pair<PointId, PointId>> PointTable::equal_places(std::vector<Po
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ids.size(), 256), [&](const auto& range) {
     monitor.check();
     for (std::size_t i = range.begin(); i != range.end(); ++i)
-      places[i] = {nearest_doubles(carriers_, point(ids[i])), ids[i]};
+      places[i] = {nearest_doubles(input_, point(ids[i])), ids[i]};
   });
   tbb::parallel_sort(places.begin(), places.end());
   std::vector<std::pair<PointId, PointId>> same;
@@ -126,7 +126,7 @@ std::vector<std::pair<PointId, PointId>> PointTable::equal_places(std::vector<Po
       for (std::size_t i = first + 1; i < last; ++i) {
         const Point p = point(places[i].id);
         for (std::size_t k = first; k < i; ++k) {
-          if (!equal(carriers_, point(places[k].id), p)) continue;
+          if (!equal(input_, point(places[k].id), p)) continue;
           same.emplace_back(places[k].id, places[i].id);
           break;
         }
@@ -134,7 +134,7 @@ std::vector<std::pair<PointId, PointId>> PointTable::equal_places(std::vector<Po
     } else {  // as where doubles are far apart: near zero
       std::vector<std::pair<RationalPoint, PointId>> exact;
       for (std::size_t i = first; i < last; ++i)
-        exact.emplace_back(exact_position(carriers_, point(places[i].id)), places[i].id);
+        exact.emplace_back(exact_position(input_, point(places[i].id)), places[i].id);
       std::sort(exact.begin(), exact.end());
       for (std::size_t i = 1; i < exact.size(); ++i)
         if (exact[i].first == exact[i - 1].first) same.emplace_back(exact[i - 1].second, exact[i].second);

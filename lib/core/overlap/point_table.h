@@ -16,34 +16,36 @@ using PointId = std::uint32_t;
 class PointTable {
  public:
   /// Knows the input vertices.
-  explicit PointTable(const Carriers& carriers) : carriers_(carriers) {}
+  explicit PointTable(const InputComplex& input) : input_(input) {}
 
   /// Numbers of named points; names that are new are numbered in the order of their first occurrence, and their
   /// coordinates found. O(n + size), in parallel; the same for any number of threads.
-  std::vector<PointId> add(std::span<const PointName> names, const Monitor& monitor);
+  std::vector<PointId> add(std::span<const SymbolicPoint> names, const Monitor& monitor);
 
   /// Points that are one place: from now on one number represents them, an input vertex if there is one, the lowest.
   void identify(std::span<const std::pair<PointId, PointId>> equal);
   /// Which of these points are one place, as pairs: exact, whatever their names say. O(n log n), in parallel.
-  [[nodiscard]] std::vector<std::pair<PointId, PointId>> equal_places(std::vector<PointId> ids,
-                                                                      const Monitor& monitor) const;
+  [[nodiscard]] std::vector<std::pair<PointId, PointId>> equal_positions(std::vector<PointId> ids,
+                                                                         const Monitor& monitor) const;
   [[nodiscard]] PointId representative(PointId id) const { return same_.empty() ? id : same_[id]; }
   [[nodiscard]] bool has_identified() const { return !same_.empty(); }
 
   /// One more than the last number.
   [[nodiscard]] PointId end() const { return first() + static_cast<PointId>(constructed_.size()); }
   /// The number of the first constructed point.
-  [[nodiscard]] PointId first() const { return carriers_.vertex_count(); }
+  [[nodiscard]] PointId first() const { return input_.vertex_count(); }
   [[nodiscard]] bool is_input(PointId id) const { return id < first(); }
-  [[nodiscard]] PointName name(PointId id) const { return is_input(id) ? PointName::input(id) : constructed(id).name; }
+  [[nodiscard]] SymbolicPoint name(PointId id) const {
+    return is_input(id) ? SymbolicPoint::input(id) : constructed(id).name;
+  }
   [[nodiscard]] Point point(PointId id) const {
-    return is_input(id) ? make_point(carriers_, PointName::input(id)) : constructed(id);
+    return is_input(id) ? make_point(input_, SymbolicPoint::input(id)) : constructed(id);
   }
   /// Requires a constructed point.
   [[nodiscard]] const Point& constructed(PointId id) const { return constructed_[id - first()]; }
 
  private:
-  const Carriers& carriers_;
+  const InputComplex& input_;
   std::vector<Point> constructed_;
   std::vector<PointId> same_;  ///< if any were identified
 };

@@ -26,17 +26,17 @@ std::optional<Feature> locate(const Signs& sides) {
   return std::nullopt;
 }
 
-PointName name_of(SharedPoint p, std::uint32_t f, const Carriers::Indices& vf, std::uint32_t g,
-                  const Carriers::Indices& vg) {
+SymbolicPoint name_of(SharedPoint p, std::uint32_t f, const InputComplex::Indices& vf, std::uint32_t g,
+                      const InputComplex::Indices& vg) {
   using Kind = Feature::Kind;
-  const auto at = [](const Carriers::Indices& v, int i) { return v[static_cast<std::size_t>(i)]; };
+  const auto at = [](const InputComplex::Indices& v, int i) { return v[static_cast<std::size_t>(i)]; };
   const int i = p.on_f.index, k = p.on_g.index;
-  if (p.on_f.kind == Kind::vertex) return PointName::input(at(vf, i));
-  if (p.on_g.kind == Kind::vertex) return PointName::input(at(vg, k));
+  if (p.on_f.kind == Kind::vertex) return SymbolicPoint::input(at(vf, i));
+  if (p.on_g.kind == Kind::vertex) return SymbolicPoint::input(at(vg, k));
   if (p.on_f.kind == Kind::edge && p.on_g.kind == Kind::edge)
-    return PointName::edge_edge(at(vf, i), at(vf, next(i)), at(vg, k), at(vg, next(k)));
-  if (p.on_f.kind == Kind::edge) return PointName::edge_face(at(vf, i), at(vf, next(i)), g);
-  return PointName::edge_face(at(vg, k), at(vg, next(k)), f);
+    return SymbolicPoint::edge_edge(at(vf, i), at(vf, next(i)), at(vg, k), at(vg, next(k)));
+  if (p.on_f.kind == Kind::edge) return SymbolicPoint::edge_face(at(vf, i), at(vf, next(i)), g);
+  return SymbolicPoint::edge_face(at(vg, k), at(vg, next(k)), f);
 }
 
 }  // namespace strata

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/exact/sign.h"
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/kernel/point.h"
 
 namespace strata {
@@ -41,7 +41,7 @@ struct SharedPoint {
 
 /// Name of a shared point, as seen from f: where both features are vertices, f's vertex.
 /// Requires that not both features are insides.
-[[nodiscard]] PointName name_of(SharedPoint p, std::uint32_t f, const Carriers::Indices& vf, std::uint32_t g,
-                                const Carriers::Indices& vg);
+[[nodiscard]] SymbolicPoint name_of(SharedPoint p, std::uint32_t f, const InputComplex::Indices& vf, std::uint32_t g,
+                                    const InputComplex::Indices& vg);
 
 }  // namespace strata

@@ -20,11 +20,11 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Numbers the vertices of the result.
 class VertexNumbers {
  public:
-  VertexNumbers(const Carriers& carriers, const PointTable& points) : points_(points) {
+  VertexNumbers(const InputComplex& input, const PointTable& points) : points_(points) {
     resize_fresh(number_, points.end(), unused);
-    if (!points.has_identified() && !carriers.has_identified()) return;
+    if (!points.has_identified() && !input.has_identified()) return;
     same_.resize(points.first());
-    for (std::uint32_t v = 0; v < same_.size(); ++v) same_[v] = points.representative(carriers.identified(v));
+    for (std::uint32_t v = 0; v < same_.size(); ++v) same_[v] = points.representative(input.identified(v));
   }
 
   /// A vertex of a whole face. Threads may use vertices at the same time.
@@ -75,8 +75,8 @@ class VertexNumbers {
 /// The faces that stay whole, in blocks.
 class WholeFaces {
  public:
-  WholeFaces(const Carriers& carriers, const std::vector<Verdict>& verdicts)
-      : carriers_(carriers), verdicts_(verdicts), blocks_(face_blocks(carriers)), first_(blocks_.size() + 1, 0) {}
+  WholeFaces(const InputComplex& input, const std::vector<Verdict>& verdicts)
+      : input_(input), verdicts_(verdicts), blocks_(face_blocks(input)), first_(blocks_.size() + 1, 0) {}
 
   /// Tells the vertices and counts the faces.
   void use(VertexNumbers& numbers) {
@@ -98,7 +98,7 @@ class WholeFaces {
       const std::uint32_t operand = blocks_[n].operand;
       for_each_face(n, [&](std::uint32_t face, Verdict verdict, const Triangle& t) {
         Triangle r{numbers.of_input(t[0]), numbers.of_input(t[1]), numbers.of_input(t[2])};
-        if (verdict == Verdict::keep_turned) std::swap(r[0], r[2]);
+        if (verdict == Verdict::keep_reversed) std::swap(r[0], r[2]);
         boundary.triangles[i] = r;
         boundary.sources[i++] = {operand, face};
       });
@@ -113,15 +113,15 @@ class WholeFaces {
   template <class Visit>
   void for_each_face(std::size_t block, const Visit& visit) const {
     const auto& [operand, first, last] = blocks_[block];
-    const auto faces = carriers_.faces(operand);
-    const Verdict* verdicts = verdicts_.data() + carriers_.first_face(operand);
-    const std::uint32_t shift = carriers_.first_vertex(operand);
+    const auto faces = input_.faces(operand);
+    const Verdict* verdicts = verdicts_.data() + input_.first_face(operand);
+    const std::uint32_t shift = input_.first_vertex(operand);
     for (std::uint32_t i = first; i < last; ++i)
       if (verdicts[i] != Verdict::drop)
         visit(i, verdicts[i], {faces[i][0] + shift, faces[i][1] + shift, faces[i][2] + shift});
   }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const std::vector<Verdict>& verdicts_;
   std::vector<FaceBlock> blocks_;
   std::vector<std::size_t> first_;  ///< triangle per block
@@ -129,10 +129,10 @@ class WholeFaces {
 
 }  // namespace
 
-Boundary gather_boundary(const Carriers& carriers, const std::vector<Verdict>& whole,
+Boundary gather_boundary(const InputComplex& input, const std::vector<Verdict>& whole,
                          const std::vector<SplitFace>& split, const PointTable& points) {
-  VertexNumbers numbers(carriers, points);
-  WholeFaces whole_faces(carriers, whole);
+  VertexNumbers numbers(input, points);
+  WholeFaces whole_faces(input, whole);
   whole_faces.use(numbers);
   std::vector<std::size_t> first(split.size() + 1, whole_faces.count());
   for (std::size_t i = 0; i < split.size(); ++i) {
@@ -147,8 +147,8 @@ Boundary gather_boundary(const Carriers& carriers, const std::vector<Verdict>& w
   whole_faces.write(numbers, result);
   tbb::parallel_for(std::size_t{0}, split.size(), [&](std::size_t i) {
     const SplitFace& face = split[i];
-    const std::uint32_t operand = carriers.operand_of_face(face.face);
-    const Source source{operand, face.face - carriers.first_face(operand)};
+    const std::uint32_t operand = input.operand_of_face(face.face);
+    const Source source{operand, face.face - input.first_face(operand)};
     std::size_t n = first[i];
     for (const PieceTriangle& piece : face.triangles) {
       for (std::size_t k = 0; k < 3; ++k) result.triangles[n][k] = numbers.of(face.points[piece.v[k]]);

@@ -21,7 +21,7 @@ struct Boundary {
 
 /// Gathers what stays. Points that were identified become one vertex. Two streaming passes over the whole faces, in
 /// parallel.
-[[nodiscard]] Boundary gather_boundary(const Carriers& carriers, const std::vector<Verdict>& whole,
+[[nodiscard]] Boundary gather_boundary(const InputComplex& input, const std::vector<Verdict>& whole,
                                        const std::vector<SplitFace>& split, const PointTable& points);
 
 }  // namespace strata

@@ -12,13 +12,13 @@ void Covering::start(std::span<const Constraint> constraints) {
     if (c.kind == ConstraintKind::coplanar) coplanar_.push_back(c.other);
   if (coplanar_.empty()) return;
   face_ = constraints.front().face;
-  operand_ = carriers_.operand_of_face(face_);
+  operand_ = input_.operand_of_face(face_);
   projection_.reset();
 }
 
 std::optional<Windings> Covering::above(std::span<const std::uint32_t> covers) {
   find_sheets(covers);
-  if (sheets_.size() + 1 < carriers_.operand_count()) return std::nullopt;
+  if (sheets_.size() + 1 < input_.operand_count()) return std::nullopt;
   Windings w;
   for (const Sheet& s : sheets_) {
     if (!s.tells()) return std::nullopt;
@@ -45,7 +45,7 @@ bool Covering::hides_face() {
   if (!meets_coplanar_faces_only()) return false;
   constexpr std::uint32_t tries = 4;
   for (std::uint32_t t = 2; t < 2 + tries; ++t) {
-    const Point q = make_point(carriers_, PointName::weighted(face_, t));
+    const Point q = make_point(input_, SymbolicPoint::weighted(face_, t));
     covers_.clear();
     bool on_edge = false;
     for (std::size_t i = 0; i < coplanar_.size() && !on_edge; ++i) {
@@ -70,29 +70,29 @@ bool Covering::meets_coplanar_faces_only() const {
 void Covering::find_sheets(std::span<const std::uint32_t> covers) {
   sheets_.clear();
   for (const std::uint32_t g : covers) {
-    const std::uint32_t operand = carriers_.operand_of_face(g);
+    const std::uint32_t operand = input_.operand_of_face(g);
     if (sheets_.empty() || sheets_.back().operand != operand) sheets_.push_back({operand, 0});
-    sheets_.back().net += to_int(same_orientation(carriers_, face_, g));
+    sheets_.back().net += to_int(same_orientation(input_, face_, g));
   }
 }
 
 Covering::Place Covering::place_in(std::uint32_t g, const Point& q) {
-  if (!projection_) projection_ = projection_of(carriers_, face_);
-  const auto v = carriers_.face(g);
+  if (!projection_) projection_ = projection_of(input_, face_);
+  const auto v = input_.face(g);
   if (is_beyond_box(v, *projection_, q)) return Place::outside;
   std::array<Point, 3> p;
-  for (std::size_t i = 0; i < 3; ++i) p[i] = make_point(carriers_, PointName::input(v[i]));
-  const Sign a = orient2d(carriers_, *projection_, p[0], p[1], q), b = orient2d(carriers_, *projection_, p[1], p[2], q);
+  for (std::size_t i = 0; i < 3; ++i) p[i] = make_point(input_, SymbolicPoint::input(v[i]));
+  const Sign a = orient2d(input_, *projection_, p[0], p[1], q), b = orient2d(input_, *projection_, p[1], p[2], q);
   if (a * b == Sign::negative) return Place::outside;
-  const Sign c = orient2d(carriers_, *projection_, p[2], p[0], q);
+  const Sign c = orient2d(input_, *projection_, p[2], p[0], q);
   if (a * c == Sign::negative || b * c == Sign::negative) return Place::outside;
   return a * b * c == Sign::zero ? Place::border : Place::inside;
 }
 
 /// True when q is certainly beyond the box of a triangle, as seen in a projection. A rational corner rounds to its
 /// doubles, so what is beyond these is beyond the corner.
-bool Covering::is_beyond_box(const Carriers::Indices& triangle, Projection projection, const Point& q) const {
-  const auto &a = carriers_.vertex(triangle[0]), &b = carriers_.vertex(triangle[1]), &c = carriers_.vertex(triangle[2]);
+bool Covering::is_beyond_box(const InputComplex::Indices& triangle, Projection projection, const Point& q) const {
+  const auto &a = input_.vertex(triangle[0]), &b = input_.vertex(triangle[1]), &c = input_.vertex(triangle[2]);
   for (const int axis : {projection.u, projection.v}) {
     const auto i = static_cast<std::size_t>(axis);
     if (q.at[i].upper() < std::min({a[i], b[i], c[i]}) || q.at[i].lower() > std::max({a[i], b[i], c[i]})) return true;

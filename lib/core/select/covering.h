@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/cells/windings.h"
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/kernel/point.h"
 #include "core/kernel/predicates.h"
 #include "core/overlap/constraint.h"
@@ -18,7 +18,7 @@ namespace strata {
 /// they look the other way, 1 above and 0 below. theory.md, "Covered faces". For one thread.
 class Covering {
  public:
-  Covering(const Carriers& carriers, const Rule& rule) : carriers_(carriers), rule_(rule) {}
+  Covering(const InputComplex& input, const Rule& rule) : input_(input), rule_(rule) {}
 
   /// Looks at a face by all its constraints.
   void start(std::span<const Constraint> constraints);
@@ -51,9 +51,9 @@ class Covering {
   [[nodiscard]] bool meets_coplanar_faces_only() const;
   void find_sheets(std::span<const std::uint32_t> covers);
   [[nodiscard]] Place place_in(std::uint32_t g, const Point& q);
-  [[nodiscard]] bool is_beyond_box(const Carriers::Indices& triangle, Projection projection, const Point& q) const;
+  [[nodiscard]] bool is_beyond_box(const InputComplex::Indices& triangle, Projection projection, const Point& q) const;
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const Rule& rule_;
   std::uint32_t face_ = 0, operand_ = 0;
   std::optional<Projection> projection_;  ///< of the face, once it was needed

@@ -11,37 +11,37 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-FaceSplitter::FaceSplitter(const Carriers& carriers, const Surroundings& surroundings, const Rule& rule, bool self,
+FaceSplitter::FaceSplitter(const InputComplex& input, const WindingOracle& oracle, const Rule& rule, bool self,
                            const PointTable& points)
-    : carriers_(carriers),
-      surroundings_(surroundings),
-      known_corners_(carriers.vertex_count()),
-      settling_(carriers, rule),
-      covering_(carriers, rule),
+    : input_(input),
+      oracle_(oracle),
+      known_corners_(input.vertex_count()),
+      early_out_(input, rule),
+      covering_(input, rule),
       rule_(rule),
       self_(self),
       points_(points),
-      triangulation_(carriers, points) {}
+      triangulation_(input, points) {}
 
 void FaceSplitter::split(std::span<const Constraint> constraints, SplitFace& result, EqualNames& equal, Pool& pool) {
   face_ = constraints.front().face;
-  operand_ = carriers_.operand_of_face(face_);
-  corners_ = carriers_.face(face_);
+  operand_ = input_.operand_of_face(face_);
+  corners_ = input_.face(face_);
   constraints_ = constraints;
   kept_.clear();
   list_met();
   covering_.start(constraints);
   find_free_corners();
-  settling_.start(corners_, met_);
+  early_out_.start(corners_, met_);
   const bool same = is_one_of_the_same();
   if (same) {
     collect_whole();
-  } else if (!settling_.is_settled() && (self_ || !covering_.hides_face())) {
+  } else if (!early_out_.is_settled() && (self_ || !covering_.hides_face())) {
     const std::optional<FreeCorner> corner = ask_free_corner();
-    if (!corner || !settling_.is_settled(corner->windings)) collect_pieces(corner, equal);
+    if (!corner || !early_out_.is_settled(corner->windings)) collect_pieces(corner, equal);
   }
   result.face = face_;
-  result.may_merge = !same && (self_ || carriers_.operand_count() > 2 ||
+  result.may_merge = !same && (self_ || input_.operand_count() > 2 ||
                                std::any_of(constraints.begin(), constraints.end(),
                                            [](const Constraint& c) { return c.kind != ConstraintKind::crossing; }));
   result.points = pool.keep(kept_.points);
@@ -61,8 +61,8 @@ void FaceSplitter::collect_pieces(const std::optional<FreeCorner>& corner, Equal
 /// Tells other names of the points that stay. `simple`: the constraints are simple paths.
 void FaceSplitter::connect_names(bool simple, EqualNames& equal) {
   // Where lines of one operand may know a point by different names, simple paths may, too.
-  const bool same_operand = self_ || carriers_.has_identified();
-  if (self_ || (carriers_.operand_count() > 2 && (same_operand || !simple)))
+  const bool same_operand = self_ || input_.has_identified();
+  if (self_ || (input_.operand_count() > 2 && (same_operand || !simple)))
     triangulation_.connect_names(same_operand, kept_index_);
   for (const auto& [vertex, name] : triangulation_.other_names())
     if (kept_index_[at(vertex)] >= 0) equal.emplace_back(name, triangulation_.points()[vertex].name);
@@ -71,7 +71,7 @@ void FaceSplitter::connect_names(bool simple, EqualNames& equal) {
 /// All operands that the face meets, its own included, in order.
 void FaceSplitter::list_met() {
   met_.assign(1, operand_);
-  for (const Constraint& c : constraints_) met_.push_back(carriers_.operand_of_face(c.other));
+  for (const Constraint& c : constraints_) met_.push_back(input_.operand_of_face(c.other));
   std::sort(met_.begin(), met_.end());
   met_.erase(std::unique(met_.begin(), met_.end()), met_.end());
 }
@@ -81,7 +81,7 @@ bool FaceSplitter::is_one_of_the_same() const {
   const auto same = [this](const Constraint& c) {
     if (c.kind != ConstraintKind::coplanar) return false;
     const auto& v = corners_;
-    const auto w = carriers_.face(c.other);
+    const auto w = input_.face(c.other);
     return std::all_of(w.begin(), w.end(), [&](std::uint32_t x) { return x == v[0] || x == v[1] || x == v[2]; });
   };
   return std::all_of(constraints_.begin(), constraints_.end(), same);
@@ -92,12 +92,12 @@ void FaceSplitter::collect_whole() {
   for (const Constraint& c : constraints_) region.covers.push_back(c.other);
   if (region.covers.front() < face_) return;  // sorted; that one speaks for all
   if (!self_ && covering_.leaves_nothing(region.covers)) return;
-  region.above = above_at(PointName::weighted(face_, 1), region.covers);
+  region.above = above_at(SymbolicPoint::weighted(face_, 1), region.covers);
   const Verdict verdict = verdict_on(region);
   if (verdict == Verdict::drop) return;
   PieceTriangle piece;
-  piece.turned = verdict == Verdict::keep_turned;
-  piece.outline = 7;
+  piece.turned = verdict == Verdict::keep_reversed;
+  piece.loop = 7;
   for (const std::uint32_t v : corners_) kept_.points.push_back(v);
   piece.v = piece.turned ? std::array<std::uint32_t, 3>{2, 1, 0} : std::array<std::uint32_t, 3>{0, 1, 2};
   kept_.triangles.push_back(piece);
@@ -118,7 +118,7 @@ void FaceSplitter::find_free_corners() {
   if (self_ || !covering_.coplanar().empty()) return;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto ends_here = [&](const Constraint& c) { return c.tail == corners_[i] || c.head == corners_[i]; };
-    if (!carriers_.is_shared(corners_[i]) && std::none_of(constraints_.begin(), constraints_.end(), ends_here))
+    if (!input_.is_shared(corners_[i]) && std::none_of(constraints_.begin(), constraints_.end(), ends_here))
       free_corners_.push_back(i);
   }
 }
@@ -133,22 +133,22 @@ std::optional<FaceSplitter::FreeCorner> FaceSplitter::ask_free_corner() const {
     if (const Windings* known = known_corners_.find(corners_[i])) return FreeCorner{i, *known};
   if (free_corners_.empty()) return std::nullopt;
   const std::size_t i = free_corners_.front();
-  return FreeCorner{i, surroundings_.around(make_point(carriers_, PointName::input(corners_[i])), operand_)};
+  return FreeCorner{i, oracle_.around(make_point(input_, SymbolicPoint::input(corners_[i])), operand_)};
 }
 
 void FaceSplitter::remember_corners() {
   for (const std::size_t i : free_corners_) {
     const Windings& w = regions_[at(region_of_[at(triangle_at_corner(i))])].above;
     known_corners_.remember(corners_[i], w);
-    settling_.tell(corners_[i], w);
+    early_out_.tell(corners_[i], w);
   }
 }
 
 /// The points with weights (1, t, t^2) lie on a conic, which a line meets in at most two points. So at most two of
 /// them lie on each constraint and one on each isolated point, and the search ends.
 FaceSplitter::Start FaceSplitter::start_inside() {
-  for (std::uint32_t t = 1; t <= PointName::weight_limit; ++t) {
-    const Point q = make_point(carriers_, PointName::weighted(face_, t));
+  for (std::uint32_t t = 1; t <= SymbolicPoint::weight_limit; ++t) {
+    const Point q = make_point(input_, SymbolicPoint::weighted(face_, t));
     const auto l = triangulation_.locate(q);
     using On = Triangulation::Location::On;
     if (l.on == On::vertex) continue;
@@ -163,13 +163,13 @@ FaceSplitter::Start FaceSplitter::start_inside() {
 }
 
 /// Winding numbers just above q, of the other operands where operands are solids. `covers`: the other faces through q.
-Windings FaceSplitter::above_at(const PointName& q, const std::vector<std::uint32_t>& covers) {
+Windings FaceSplitter::above_at(const SymbolicPoint& q, const std::vector<std::uint32_t>& covers) {
   if (!rule_.looks_around()) return {};
   if (!self_)
     if (auto told = covering_.above(covers)) return *std::move(told);
   std::vector<std::uint32_t> covering = covers;
   covering.push_back(face_);
-  Windings w = surroundings_.above(face_, make_point(carriers_, q), covering);
+  Windings w = oracle_.above(face_, make_point(input_, q), covering);
   if (!self_) w.set(operand_, 0);
   return w;
 }
@@ -215,7 +215,7 @@ FaceSplitter::Region FaceSplitter::across(Region region, std::int32_t first_note
     const Constraint& c = constraints_[at(note.constraint)];
     switch (c.kind) {
       case ConstraintKind::crossing:
-        if (rule_.looks_around()) region.above.add(carriers_.operand_of_face(c.other), note.forward ? -1 : 1);
+        if (rule_.looks_around()) region.above.add(input_.operand_of_face(c.other), note.forward ? -1 : 1);
         break;
       case ConstraintKind::cover_left:
         cover(region, c.other, !note.forward);
@@ -247,13 +247,13 @@ void FaceSplitter::judge() {
 Verdict FaceSplitter::verdict_on(const Region& r) const {
   if (!r.covers.empty() && r.covers.front() < face_) return Verdict::drop;  // that one speaks for all
   if (!rule_.looks_around()) {
-    const auto looks_back = [&](std::uint32_t g) { return same_orientation(carriers_, face_, g) == Sign::negative; };
+    const auto looks_back = [&](std::uint32_t g) { return same_orientation(input_, face_, g) == Sign::negative; };
     return std::any_of(r.covers.begin(), r.covers.end(), looks_back) ? Verdict::drop : Verdict::keep;
   }
   Windings below = r.above;
   below.add(operand_, 1);
   for (const std::uint32_t g : r.covers)
-    below.add(carriers_.operand_of_face(g), to_int(same_orientation(carriers_, face_, g)));
+    below.add(input_.operand_of_face(g), to_int(same_orientation(input_, face_, g)));
   return verdict(rule_.inside(r.above), rule_.inside(below));
 }
 
@@ -265,7 +265,7 @@ void FaceSplitter::collect() {
     const Verdict verdict = verdict_of(static_cast<std::int32_t>(t));
     if (verdict == Verdict::drop) continue;
     PieceTriangle piece;
-    piece.turned = verdict == Verdict::keep_turned;
+    piece.turned = verdict == Verdict::keep_reversed;
     for (std::size_t i = 0; i < 3; ++i) {
       // Turned triangles run c, b, a: side i of the result is side 1 - i (mod 3) of the triangle.
       const std::size_t vertex = piece.turned ? 2 - i : i, side = piece.turned ? (4 - i) % 3 : i;
@@ -276,7 +276,7 @@ void FaceSplitter::collect() {
       }
       piece.v[i] = static_cast<std::uint32_t>(kept_index_[at(v)]);
       const auto bit = static_cast<std::uint8_t>(1u << i);
-      if (verdict_of(triangles[t].n[side]) != verdict) piece.outline |= bit;
+      if (verdict_of(triangles[t].n[side]) != verdict) piece.loop |= bit;
       if (triangles[t].c[side] >= 0) piece.carried |= bit;
     }
     kept_.triangles.push_back(piece);

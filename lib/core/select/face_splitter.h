@@ -9,20 +9,20 @@
 
 #include "core/arrange/triangulation.h"
 #include "core/select/covering.h"
-#include "core/select/settling.h"
+#include "core/select/early_out.h"
 #include "core/select/split_faces.h"
 #include "core/winding/corner_cache.h"
-#include "core/winding/surroundings.h"
+#include "core/winding/winding_oracle.h"
 
 namespace strata {
 
 /// Pairs of names found to be one point.
-using EqualNames = std::vector<std::pair<PointName, PointName>>;
+using EqualNames = std::vector<std::pair<SymbolicPoint, SymbolicPoint>>;
 
 /// Splits and judges one face; kept for the next one, so that its memory is reused. For one thread.
 class FaceSplitter {
  public:
-  FaceSplitter(const Carriers& carriers, const Surroundings& surroundings, const Rule& rule, bool self,
+  FaceSplitter(const InputComplex& input, const WindingOracle& oracle, const Rule& rule, bool self,
                const PointTable& points);
 
   /// Tells what stays of the face with these constraints, which are all it has, and adds names found to be one point.
@@ -53,7 +53,7 @@ class FaceSplitter {
   struct Kept {
     std::vector<PointId> points;
     std::vector<PieceTriangle> triangles;
-    std::vector<PointName> constructed;
+    std::vector<SymbolicPoint> constructed;
 
     void clear() {
       points.clear();
@@ -82,12 +82,12 @@ class FaceSplitter {
   void remember_corners();
   [[nodiscard]] std::int32_t triangle_at_corner(std::size_t i) const;
   [[nodiscard]] Start start_inside();
-  [[nodiscard]] Windings above_at(const PointName& q, const std::vector<std::uint32_t>& covers);
+  [[nodiscard]] Windings above_at(const SymbolicPoint& q, const std::vector<std::uint32_t>& covers);
 
-  const Carriers& carriers_;
-  const Surroundings& surroundings_;
+  const InputComplex& input_;
+  const WindingOracle& oracle_;
   CornerCache<Windings> known_corners_;
-  Settling settling_;
+  EarlyOut early_out_;
   Covering covering_;
   const Rule& rule_;
   bool self_;
@@ -95,7 +95,7 @@ class FaceSplitter {
   Triangulation triangulation_;
 
   std::uint32_t face_ = 0, operand_ = 0;
-  Carriers::Indices corners_{};
+  InputComplex::Indices corners_{};
   std::span<const Constraint> constraints_;
   std::vector<std::uint32_t> met_;  ///< operands
   boost::container::static_vector<std::size_t, 3> free_corners_;

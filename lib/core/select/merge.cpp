@@ -21,9 +21,9 @@ constexpr Id none = 0xffffffffu;
 Edge undirected(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// The edges of the outlines of all pieces, and what meets in each vertex.
-class Outlines {
+class BoundaryLoops {
  public:
-  Outlines(const Carriers& carriers, const PointTable& table, const std::vector<SplitFace>& faces) {
+  BoundaryLoops(const InputComplex& input, const PointTable& table, const std::vector<SplitFace>& faces) {
     concerned_.assign(table.end(), 0);
     for (const SplitFace& face : faces)
       for (const Id v : face.points) concerned_[v] |= static_cast<std::uint8_t>(face.may_merge);
@@ -31,8 +31,7 @@ class Outlines {
       for (const PieceTriangle& t : face.triangles)
         for (std::size_t i = 0; i < 3; ++i) {
           const Id a = face.points[t.v[i]], b = face.points[t.v[(i + 1) % 3]];
-          if ((t.outline >> i & 1) != 0 && (concerned_[a] != 0 || concerned_[b] != 0))
-            edges_.push_back(undirected(a, b));
+          if ((t.loop >> i & 1) != 0 && (concerned_[a] != 0 || concerned_[b] != 0)) edges_.push_back(undirected(a, b));
         }
     tbb::parallel_sort(edges_.begin(), edges_.end());
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
@@ -42,7 +41,7 @@ class Outlines {
       meet(a, b);
       meet(b, a);
     }
-    find_straight(carriers, table);
+    find_straight(input, table);
   }
 
   [[nodiscard]] bool has(Id a, Id b) const {
@@ -56,20 +55,20 @@ class Outlines {
     if (degree_[a] < 2) neighbours_[a][degree_[a]] = b;
     ++degree_[a];
   }
-  void find_straight(const Carriers& carriers, const PointTable& table) {
+  void find_straight(const InputComplex& input, const PointTable& table) {
     straight_.assign(degree_.size(), 0);
     tbb::parallel_for(std::size_t{0}, degree_.size(), [&](std::size_t v) {
       const auto id = static_cast<Id>(v);
       if (concerned_[v] == 0 || degree_[v] != 2 || table.is_input(id)) return;
       const auto [before, after] = neighbours_[v];
-      straight_[v] = static_cast<std::uint8_t>(runs_straight(carriers, table, before, id, after));
+      straight_[v] = static_cast<std::uint8_t>(runs_straight(input, table, before, id, after));
     });
   }
-  [[nodiscard]] static bool runs_straight(const Carriers& carriers, const PointTable& table, Id a, Id b, Id c) {
-    if (named_on_line(carriers, table.name(b), table.name(a), table.name(c))) return true;
+  [[nodiscard]] static bool runs_straight(const InputComplex& input, const PointTable& table, Id a, Id b, Id c) {
+    if (named_on_line(input, table.name(b), table.name(a), table.name(c))) return true;
     const Point p = table.point(a), q = table.point(b), r = table.point(c);
     for (const Projection axes : {Projection{0, 1}, Projection{1, 2}, Projection{2, 0}})
-      if (orient2d(carriers, axes, p, q, r) != Sign::zero) return false;
+      if (orient2d(input, axes, p, q, r) != Sign::zero) return false;
     return true;
   }
 
@@ -89,8 +88,8 @@ struct Run {
 /// Triangulates one face anew.
 class FaceMerger {
  public:
-  FaceMerger(const Carriers& carriers, const PointTable& table, const Outlines& outlines)
-      : outlines_(outlines), triangulation_(carriers, table) {}
+  FaceMerger(const InputComplex& input, const PointTable& table, const BoundaryLoops& loops)
+      : loops_(loops), triangulation_(input, table) {}
 
   void merge(SplitFace& face, Pool& pool) {
     if (!is_concerned(face)) return;
@@ -104,15 +103,15 @@ class FaceMerger {
  private:
   [[nodiscard]] bool is_concerned(const SplitFace& face) const {
     for (const Id v : face.points)
-      if (outlines_.is_redundant(v)) return true;
+      if (loops_.is_redundant(v)) return true;
     for (const PieceTriangle& t : face.triangles)
       for (std::size_t i = 0; i < 3; ++i)
         if (is_bare(t, i) && (t.carried >> i & 1) != 0 &&
-            !outlines_.has(face.points[t.v[i]], face.points[t.v[(i + 1) % 3]]))
+            !loops_.has(face.points[t.v[i]], face.points[t.v[(i + 1) % 3]]))
           return true;
     return false;
   }
-  [[nodiscard]] static bool is_bare(const PieceTriangle& t, std::size_t side) { return (t.outline >> side & 1) == 0; }
+  [[nodiscard]] static bool is_bare(const PieceTriangle& t, std::size_t side) { return (t.loop >> side & 1) == 0; }
 
   /// Sides that stay, in the face's own orientation, joined across redundant vertices.
   void gather_runs(const SplitFace& face) {
@@ -122,8 +121,8 @@ class FaceMerger {
         Id a = face.points[t.v[i]], b = face.points[t.v[(i + 1) % 3]];
         if (t.turned) std::swap(a, b);
         if (!is_bare(t, i)) {
-          sides.push_back({a, b, t.turned ? Verdict::keep_turned : Verdict::keep});
-        } else if ((t.carried >> i & 1) != 0 && outlines_.has(a, b)) {
+          sides.push_back({a, b, t.turned ? Verdict::keep_reversed : Verdict::keep});
+        } else if ((t.carried >> i & 1) != 0 && loops_.has(a, b)) {
           sides.push_back({a, b, Verdict::drop});
         }
       }
@@ -135,11 +134,11 @@ class FaceMerger {
   void join(const std::vector<Run>& sides, std::uint32_t face) {
     std::unordered_map<Id, std::vector<Run>> leaving;  // per redundant vertex
     for (const Run& s : sides)
-      if (outlines_.is_redundant(s.from)) leaving[s.from].push_back(s);
+      if (loops_.is_redundant(s.from)) leaving[s.from].push_back(s);
     runs_.clear();
     for (Run s : sides) {
-      if (outlines_.is_redundant(s.from)) continue;
-      for (Id before = s.from; outlines_.is_redundant(s.to);) {
+      if (loops_.is_redundant(s.from)) continue;
+      for (Id before = s.from; loops_.is_redundant(s.to);) {
         const auto& ways = leaving[s.to];
         const auto onward =
             std::find_if(ways.begin(), ways.end(), [&](const Run& w) { return w.left == s.left && w.to != before; });
@@ -158,7 +157,7 @@ class FaceMerger {
     std::vector<std::pair<std::int32_t, std::int32_t>> ends;
     for (const Run& r : runs_) ends.push_back({add_point(r.from), add_point(r.to)});
     for (const Id v : face.points)
-      if (!outlines_.is_redundant(v)) add_point(v);
+      if (!loops_.is_redundant(v)) add_point(v);
     const std::int32_t points = triangulation_.points().size();
     for (std::size_t i = 0; i < ends.size(); ++i)
       triangulation_.add_segment(ends[i].first, ends[i].second, static_cast<std::int32_t>(i), {});
@@ -201,7 +200,7 @@ class FaceMerger {
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       if (verdicts[t] == Verdict::drop) continue;
       PieceTriangle piece;
-      piece.turned = verdicts[t] == Verdict::keep_turned;
+      piece.turned = verdicts[t] == Verdict::keep_reversed;
       for (std::size_t i = 0; i < 3; ++i) {
         const auto v = static_cast<std::size_t>(triangles[t].v[piece.turned ? 2 - i : i]);
         if (index[v] == none) {
@@ -220,7 +219,7 @@ class FaceMerger {
     return true;
   }
 
-  const Outlines& outlines_;
+  const BoundaryLoops& loops_;
   Triangulation triangulation_;
   std::vector<Run> runs_;
   std::vector<Id> ids_;  ///< per vertex of the triangulation
@@ -230,11 +229,11 @@ class FaceMerger {
 
 }  // namespace
 
-void merge_pieces(const Carriers& carriers, const PointTable& table, std::vector<SplitFace>& faces, Pools& pools,
+void merge_pieces(const InputComplex& input, const PointTable& table, std::vector<SplitFace>& faces, Pools& pools,
                   const Monitor& monitor) {
   if (std::none_of(faces.begin(), faces.end(), [](const SplitFace& f) { return f.may_merge; })) return;
-  const Outlines outlines(carriers, table, faces);
-  tbb::enumerable_thread_specific<FaceMerger> mergers([&] { return FaceMerger(carriers, table, outlines); });
+  const BoundaryLoops loops(input, table, faces);
+  tbb::enumerable_thread_specific<FaceMerger> mergers([&] { return FaceMerger(input, table, loops); });
   tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t i) {
     monitor.check();
     mergers.local().merge(faces[i], pools.local());

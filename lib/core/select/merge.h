@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/overlap/point_table.h"
 #include "core/select/split_faces.h"
 #include "strata/options.h"
@@ -17,7 +17,7 @@ namespace strata {
 ///
 /// Whether a side or vertex is needed is decided for all faces at once, so the result meets only along shared edges and
 /// vertices as before. Input vertices on outlines always stay: whole faces may use them.
-void merge_pieces(const Carriers& carriers, const PointTable& table, std::vector<SplitFace>& faces, Pools& pools,
+void merge_pieces(const InputComplex& input, const PointTable& table, std::vector<SplitFace>& faces, Pools& pools,
                   const Monitor& monitor);
 
 }  // namespace strata

@@ -20,7 +20,7 @@ class Rule {
   explicit Rule(Formula formula) : operands_(formula.operands()), formula_(std::move(formula)) {}
   /// Every piece stays, whatever surrounds it: of coinciding pieces one, and none where they look both ways.
   [[nodiscard]] static Rule every_sheet() {
-    Rule rule(Operation::exclude, 1);
+    Rule rule(Operation::symmetric_difference, 1);
     rule.looks_around_ = false;
     return rule;
   }
@@ -33,13 +33,13 @@ class Rule {
   [[nodiscard]] bool settles(std::uint32_t operand, std::int32_t winding) const {
     if (formula_) return formula_->settles(operand, winding > 0);
     switch (operation_) {
-      case Operation::unite:
+      case Operation::union_:
         return winding > 0;
-      case Operation::intersect:
+      case Operation::intersection:
         return winding <= 0;
-      case Operation::subtract:
+      case Operation::difference:
         return (winding > 0) != (operand == 0);
-      case Operation::exclude:
+      case Operation::symmetric_difference:
         return false;
     }
     return false;
@@ -48,8 +48,9 @@ class Rule {
   /// Operands that matter only in that a point is in one of them or in none: each list is as good as their union.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> unions() const {
     if (formula_) return formula_->unions();
-    const std::uint32_t first = operation_ == Operation::subtract ? 1 : 0;
-    if (operation_ == Operation::intersect || operation_ == Operation::exclude || operands_ < first + 2) return {};
+    const std::uint32_t first = operation_ == Operation::difference ? 1 : 0;
+    if (operation_ == Operation::intersection || operation_ == Operation::symmetric_difference || operands_ < first + 2)
+      return {};
     std::vector<std::uint32_t> list(operands_ - first);
     std::iota(list.begin(), list.end(), first);
     return {list};
@@ -65,13 +66,13 @@ class Rule {
       in_first = in_first || operand == 0;
     }
     switch (operation_) {
-      case Operation::unite:
+      case Operation::union_:
         return in > 0;
-      case Operation::intersect:
+      case Operation::intersection:
         return in == operands_;
-      case Operation::subtract:
+      case Operation::difference:
         return in_first && in == 1;
-      case Operation::exclude:
+      case Operation::symmetric_difference:
         return in % 2 == 1;
     }
     return false;
@@ -87,13 +88,13 @@ class Rule {
 /// What becomes of a piece of surface.
 enum class Verdict : std::uint8_t {
   drop,
-  keep,        ///< the result is behind it, as the operand was
-  keep_turned  ///< the result is in front of it
+  keep,          ///< the result is behind it, as the operand was
+  keep_reversed  ///< the result is in front of it
 };
 
 [[nodiscard]] inline Verdict verdict(bool inside_above, bool inside_below) {
   if (inside_above == inside_below) return Verdict::drop;
-  return inside_below ? Verdict::keep : Verdict::keep_turned;
+  return inside_below ? Verdict::keep : Verdict::keep_reversed;
 }
 
 }  // namespace strata

@@ -12,7 +12,7 @@ namespace {
 void complete(PointTable& points, std::vector<SplitFace>& faces, std::span<const EqualVertices> equal_vertices,
               const EqualNames& equal, bool by_places, const Monitor& monitor) {
   const PointId end = points.end();
-  std::vector<PointName> names;
+  std::vector<SymbolicPoint> names;
   std::vector<std::size_t> first;
   for (const SplitFace& f : faces) {
     first.push_back(names.size());
@@ -33,7 +33,7 @@ void complete(PointTable& points, std::vector<SplitFace>& faces, std::span<const
   if (by_places) {
     std::vector<PointId> used;
     for (const SplitFace& f : faces) used.insert(used.end(), f.points.begin(), f.points.end());
-    for (const auto& pair : points.equal_places(std::move(used), monitor)) same.push_back(pair);
+    for (const auto& pair : points.equal_positions(std::move(used), monitor)) same.push_back(pair);
   }
   points.identify(same);
   if (!points.has_identified()) return;
@@ -44,10 +44,10 @@ void complete(PointTable& points, std::vector<SplitFace>& faces, std::span<const
 
 }  // namespace
 
-std::vector<SplitFace> split_faces(const Carriers& carriers, const Surroundings& surroundings, const Rule& rule,
-                                   const Meetings& meetings, bool self, PointTable& points, Pools& pools,
+std::vector<SplitFace> split_faces(const InputComplex& input, const WindingOracle& oracle, const Rule& rule,
+                                   const Intersections& intersections, bool self, PointTable& points, Pools& pools,
                                    const Monitor& monitor) {
-  const std::span<const Constraint> constraints = meetings.constraints;
+  const std::span<const Constraint> constraints = intersections.constraints;
   std::vector<std::size_t> first;
   for (std::size_t i = 0; i < constraints.size(); ++i)
     if (i == 0 || constraints[i].face != constraints[i - 1].face) first.push_back(i);
@@ -56,14 +56,14 @@ std::vector<SplitFace> split_faces(const Carriers& carriers, const Surroundings&
 
   std::vector<EqualNames> equal(faces.size());
   tbb::enumerable_thread_specific<FaceSplitter> splitters(
-      [&] { return FaceSplitter(carriers, surroundings, rule, self, points); });
+      [&] { return FaceSplitter(input, oracle, rule, self, points); });
   tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t i) {
     monitor.check();
     splitters.local().split(constraints.subspan(first[i], first[i + 1] - first[i]), faces[i], equal[i], pools.local());
   });
   EqualNames all_equal;
   for (const auto& e : equal) all_equal.insert(all_equal.end(), e.begin(), e.end());
-  complete(points, faces, meetings.equal, all_equal, !rule.looks_around(), monitor);
+  complete(points, faces, intersections.equal, all_equal, !rule.looks_around(), monitor);
   return faces;
 }
 

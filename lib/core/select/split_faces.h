@@ -11,7 +11,7 @@
 #include "core/mesh/pool.h"
 #include "core/overlap/constraint.h"
 #include "core/select/rule.h"
-#include "core/winding/surroundings.h"
+#include "core/winding/winding_oracle.h"
 #include "strata/options.h"
 
 namespace strata {
@@ -19,8 +19,7 @@ namespace strata {
 /// A triangle that stays, by indices into SplitFace::points; already turned if its face's verdict says so.
 struct PieceTriangle {
   std::array<std::uint32_t, 3> v{};
-  std::uint8_t outline =
-      0;  ///< bit i: across side i (v[i] to v[i + 1]) nothing of this face stays with this orientation
+  std::uint8_t loop = 0;  ///< bit i: across side i (v[i] to v[i + 1]) nothing of this face stays with this orientation
   std::uint8_t carried = 0;  ///< bit i: side i carries a constraint
   bool turned = false;
 };
@@ -32,7 +31,7 @@ struct SplitFace {
   std::span<PointId> points;
   std::span<PieceTriangle> triangles;
   /// Points constructed in this face, numbered from the end of the PointTable until they are in it.
-  std::span<PointName> constructed;
+  std::span<SymbolicPoint> constructed;
 };
 
 /// One pool per thread.
@@ -46,8 +45,8 @@ using Pools = tbb::enumerable_thread_specific<Pool>;
 /// follow across the constraints, each of which says by how much they change. Below a piece they are those above plus
 /// what the piece itself and the coplanar pieces on it contribute. Of coinciding pieces the one of the lowest face
 /// counts. Points constructed by the way become points of the table, and what was found equal is identified there.
-[[nodiscard]] std::vector<SplitFace> split_faces(const Carriers& carriers, const Surroundings& surroundings,
-                                                 const Rule& rule, const Meetings& meetings, bool self,
+[[nodiscard]] std::vector<SplitFace> split_faces(const InputComplex& input, const WindingOracle& oracle,
+                                                 const Rule& rule, const Intersections& intersections, bool self,
                                                  PointTable& points, Pools& pools, const Monitor& monitor);
 
 }  // namespace strata

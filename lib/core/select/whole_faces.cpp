@@ -14,17 +14,17 @@ namespace {
 /// Judges faces of one operand one after the other; neighbours in number are often neighbours in space.
 class FaceJudge {
  public:
-  FaceJudge(const Carriers& carriers, const Surroundings& surroundings, const CellTree* cells, const Rule& rule,
+  FaceJudge(const InputComplex& input, const WindingOracle& oracle, const CellTree* cells, const Rule& rule,
             std::uint32_t operand, bool self)
-      : carriers_(carriers),
-        surroundings_(surroundings),
+      : input_(input),
+        oracle_(oracle),
         cells_(cells),
         rule_(rule),
         operand_(operand),
         self_(self),
-        faces_(carriers.faces(operand)),
-        first_vertex_(carriers.first_vertex(operand)),
-        known_(carriers.points(operand).size()) {}
+        faces_(input.faces(operand)),
+        first_vertex_(input.first_vertex(operand)),
+        known_(input.points(operand).size()) {}
 
   /// Local face number `i`. A face that meets no other has one verdict with all its corners, so neighbours tell.
   [[nodiscard]] Verdict judge(std::uint32_t i) {
@@ -36,18 +36,17 @@ class FaceJudge {
         return judge_in_region(cell);
     for (const std::uint32_t v : corners)
       if (const Verdict* known = known_.find(v)) return remember(corners, *known);
-    if (carriers_.is_shared(vertex)) return judge_inside(i);
-    return remember(corners,
-                    verdict_of(surroundings_.around(make_point(carriers_, PointName::input(vertex)), operand_)));
+    if (input_.is_shared(vertex)) return judge_inside(i);
+    return remember(corners, verdict_of(oracle_.around(make_point(input_, SymbolicPoint::input(vertex)), operand_)));
   }
 
  private:
   static constexpr std::uint32_t nobody = 0xffffffffu;
 
   /// Vertices that other operands have too may lie on faces of theirs: they tell nothing.
-  Verdict remember(const Carriers::Indices& corners, Verdict verdict) {
+  Verdict remember(const InputComplex::Indices& corners, Verdict verdict) {
     for (const std::uint32_t v : corners)
-      if (!carriers_.is_shared(first_vertex_ + v)) known_.remember(v, verdict);
+      if (!input_.is_shared(first_vertex_ + v)) known_.remember(v, verdict);
     return verdict;
   }
 
@@ -61,8 +60,8 @@ class FaceJudge {
 
   /// By a point inside.
   [[nodiscard]] Verdict judge_inside(std::uint32_t i) const {
-    const std::uint32_t face = carriers_.first_face(operand_) + i;
-    Windings w = surroundings_.above(face, make_point(carriers_, PointName::weighted(face, 1)), {&face, 1});
+    const std::uint32_t face = input_.first_face(operand_) + i;
+    Windings w = oracle_.above(face, make_point(input_, SymbolicPoint::weighted(face, 1)), {&face, 1});
     if (!self_) w.set(operand_, 0);
     return verdict_of(std::move(w));
   }
@@ -74,13 +73,13 @@ class FaceJudge {
     return verdict(above, rule_.inside(w));
   }
 
-  const Carriers& carriers_;
-  const Surroundings& surroundings_;
+  const InputComplex& input_;
+  const WindingOracle& oracle_;
   const CellTree* cells_;
   const Rule& rule_;
   const std::uint32_t operand_;
   const bool self_;
-  const std::span<const Carriers::Indices> faces_;
+  const std::span<const InputComplex::Indices> faces_;
   const std::uint32_t first_vertex_;
   std::uint32_t known_cell_ = nobody;
   Verdict of_known_cell_{};
@@ -89,21 +88,21 @@ class FaceJudge {
 
 }  // namespace
 
-std::vector<Verdict> judge_whole_faces(const Carriers& carriers, const Surroundings& surroundings,
-                                       const CellTree* cells, const Rule& rule, const std::vector<SplitFace>& split,
-                                       bool self, const Monitor& monitor) {
-  std::vector<Verdict> verdicts(carriers.face_count(), Verdict::drop);
+std::vector<Verdict> judge_whole_faces(const InputComplex& input, const WindingOracle& oracle, const CellTree* cells,
+                                       const Rule& rule, const std::vector<SplitFace>& split, bool self,
+                                       const Monitor& monitor) {
+  std::vector<Verdict> verdicts(input.face_count(), Verdict::drop);
   if (!rule.looks_around()) {
     verdicts.assign(verdicts.size(), Verdict::keep);
     for (const SplitFace& s : split) verdicts[s.face] = Verdict::drop;
     return verdicts;
   }
-  const std::vector<FaceBlock> blocks = face_blocks(carriers);
+  const std::vector<FaceBlock> blocks = face_blocks(input);
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t n) {
     monitor.check();
     const FaceBlock& block = blocks[n];
-    const std::uint32_t first = carriers.first_face(block.operand);
-    FaceJudge judge(carriers, surroundings, cells, rule, block.operand, self);
+    const std::uint32_t first = input.first_face(block.operand);
+    FaceJudge judge(input, oracle, cells, rule, block.operand, self);
     auto next = std::lower_bound(split.begin(), split.end(), first + block.first,
                                  [](const SplitFace& s, std::uint32_t f) { return s.face < f; });
     for (std::uint32_t i = block.first; i < block.last; ++i) {

@@ -44,9 +44,9 @@ template <int D>
 BoundaryFacet<D> boundary_facet(const HyperplaneTable<D>& table, const Facet<D>& facet) {
   if (!facet.piece.is_bounded()) throw std::domain_error("the boundary of the region is not bounded");
   BoundaryFacet<D> result{form_of(table[facet.piece.hyperplane], facet.faces_plus), {}};
-  for (const Corner<D>& c : facet.piece.corners) result.corners.push_back(table.position(c));
-  const bool is_turned = D == 3 ? !facet.faces_plus : facet.faces_plus;  // `Piece` has the order of corners
-  if (is_turned) std::reverse(result.corners.begin(), result.corners.end());
+  for (const HyperplaneMeet<D>& c : facet.piece.corners) result.corners.push_back(table.position(c));
+  const bool is_reversed = D == 3 ? !facet.faces_plus : facet.faces_plus;  // `Piece` has the order of corners
+  if (is_reversed) std::reverse(result.corners.begin(), result.corners.end());
   return result;
 }
 

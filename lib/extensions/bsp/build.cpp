@@ -123,7 +123,7 @@ class Builder {
   static double median(const Facets& facets, std::size_t axis) {
     std::vector<double> values;
     for_some(facets.size(), most_asked, [&](std::size_t i) {
-      for (const Corner<D>& c : facets[i].piece.corners)
+      for (const HyperplaneMeet<D>& c : facets[i].piece.corners)
         if (!c.is_far) values.push_back(c.at[axis].value);
     });
     if (values.empty()) return HUGE_VAL;
@@ -137,7 +137,7 @@ class Builder {
     Count count;
     for_some(facets.size(), most_asked, [&](std::size_t i) {
       bool minus = false, plus = false;
-      for (const Corner<D>& c : facets[i].piece.corners) {
+      for (const HyperplaneMeet<D>& c : facets[i].piece.corners) {
         const double x = c.at[axis].value;
         minus |= c.is_far ? x < 0 : x < value;
         plus |= c.is_far ? x > 0 : x > value;

@@ -58,8 +58,8 @@ class Merging {
   [[nodiscard]] bsp::Partition<3> merged(Operation operation, std::span<const bsp::Partition<3>> regions) const {
     if (regions.empty()) return {};
     if (regions.size() == 1) return regions[0];
-    if (operation == Operation::subtract)
-      return pair(operation, regions[0], merged(Operation::unite, regions.subspan(1)));
+    if (operation == Operation::difference)
+      return pair(operation, regions[0], merged(Operation::union_, regions.subspan(1)));
     const std::size_t half = regions.size() / 2;
     bsp::Partition<3> first, second;
     tbb::parallel_invoke([&] { first = merged(operation, regions.first(half)); },

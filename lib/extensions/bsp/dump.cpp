@@ -76,7 +76,7 @@ class DumpReader {
         oriented_hyperplane<3>(std::array<Rational, 4>{n[0], n[1], n[2], -(n[0] * p[0] + n[1] * p[1] + n[2] * p[2])});
     const std::uint32_t h = table_.add(std::move(plane.hyperplane));
     const Link minus = node(depth + 1), plus = node(depth + 1);
-    tree_.nodes.push_back({h, plane.is_turned ? plus : minus, plane.is_turned ? minus : plus});
+    tree_.nodes.push_back({h, plane.is_reversed ? plus : minus, plane.is_reversed ? minus : plus});
     return static_cast<Link>(tree_.nodes.size() - 1);
   }
 

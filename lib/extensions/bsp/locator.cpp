@@ -19,7 +19,7 @@ std::vector<std::vector<std::uint32_t>> faces_by_plane(const Scene& scene, std::
   for (std::uint32_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
     const auto [a, b, c] = mesh.mesh.triangles[t];
     const auto plane = table.find(plane_through(mesh.position(a), mesh.position(b), mesh.position(c)).hyperplane);
-    if (plane) faces[*plane].push_back(carriers_of(scene).first_face(solid) + t);
+    if (plane) faces[*plane].push_back(input_complex_of(scene).first_face(solid) + t);
   }
   return faces;
 }
@@ -57,7 +57,7 @@ Location PartitionLocator::locate(const Vertex& q) const {
     for (std::uint32_t plane = 0; plane < faces.size(); ++plane) {
       if (table_of(partition).side(plane, q) != Sign::zero) continue;
       for (const std::uint32_t face : faces[plane])
-        if (is_on_closed_face(carriers_of(data_->scene), face, point)) contacts.push_back({s, face});
+        if (is_on_closed_face(input_complex_of(data_->scene), face, point)) contacts.push_back({s, face});
     }
   }
   return location_of(std::move(windings), std::move(contacts));

@@ -18,7 +18,7 @@ class View {
     axis_ = form_.longest_axis();
     const Rational height(-form_.exact()[D], abs(form_.exact()[axis_]));
     height_ = facet.faces_plus ? height : -height;
-    for (const Corner<D>& c : facet.piece.corners) corners_.push_back(table.position(c));
+    for (const HyperplaneMeet<D>& c : facet.piece.corners) corners_.push_back(table.position(c));
   }
 
   [[nodiscard]] const Rational& height() const { return height_; }

@@ -9,21 +9,21 @@ namespace strata::bsp {
 namespace {
 
 /// What a leaf of one tree makes of the other tree.
-enum class Effect { stays, turns, becomes_in, becomes_out };
+enum class Effect { stays, orientations, becomes_in, becomes_out };
 
 /// `is_first`: the leaf belongs to the first operand.
 Effect effect_of(Operation operation, Link leaf, bool is_first) {
   const bool inside = leaf == leaf_in;
   switch (operation) {
-    case Operation::unite:
+    case Operation::union_:
       return inside ? Effect::becomes_in : Effect::stays;
-    case Operation::intersect:
+    case Operation::intersection:
       return inside ? Effect::stays : Effect::becomes_out;
-    case Operation::subtract:
-      if (is_first) return inside ? Effect::turns : Effect::becomes_out;
+    case Operation::difference:
+      if (is_first) return inside ? Effect::orientations : Effect::becomes_out;
       return inside ? Effect::becomes_out : Effect::stays;
-    case Operation::exclude:
-      return inside ? Effect::turns : Effect::stays;
+    case Operation::symmetric_difference:
+      return inside ? Effect::orientations : Effect::stays;
   }
   return Effect::stays;
 }
@@ -94,7 +94,7 @@ class Merger {
     switch (effect) {
       case Effect::stays:
         return reduced(tree);
-      case Effect::turns:
+      case Effect::orientations:
         return complemented(nodes_, reduced(tree));
       case Effect::becomes_in:
         return leaf_in;

@@ -18,7 +18,7 @@ std::vector<ExactFacet> exact_facets(const Partition<3>& region) {
   for (const Facet<3>& f : facets_of(region)) {
     if (!f.piece.is_bounded()) throw std::domain_error("the boundary of the region is not bounded");
     std::vector<RationalPoint> loop;
-    for (const Corner<3>& c : f.piece.corners) loop.push_back(table_of(region).position(c));
+    for (const HyperplaneMeet<3>& c : f.piece.corners) loop.push_back(table_of(region).position(c));
     if (!f.faces_plus) std::reverse(loop.begin(), loop.end());
     facets.push_back({std::move(loop)});
   }
@@ -124,10 +124,10 @@ class Triangulation {
     for (const auto& loop : loops)
       for (std::size_t i = 0; i < loop.size(); ++i)
         sides.push_back({place_of(loop[i]), place_of(loop[(i + 1) % loop.size()])});
-    const auto turn = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-      return turn_of(places_[i], places_[j], places_[k]);
+    const auto orientation = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+      return orientation_of(places_[i], places_[j], places_[k]);
     };
-    for (const Triangle& t : PolygonSweep(sides, turn).divide())
+    for (const Triangle& t : PolygonSweep(sides, orientation).divide())
       triangles.push_back({places_[t[0]], places_[t[1]], places_[t[2]]});
   }
 
@@ -152,8 +152,8 @@ class Triangulation {
                                      [&](std::uint32_t a, std::uint32_t b) { return is_left_of(a, b); });
     return static_cast<std::uint32_t>(at - places_.begin());
   }
-  [[nodiscard]] Sign turn_of(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    if (const auto sign = strata::turn_of<Bounded>(at_[a], at_[b], at_[c], u_, v_).sign()) return *sign;
+  [[nodiscard]] Sign orientation_of(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    if (const auto sign = strata::orientation_of<Bounded>(at_[a], at_[b], at_[c], u_, v_).sign()) return *sign;
     return sign_of(Rational((exact(b, u_) - exact(a, u_)) * (exact(c, v_) - exact(a, v_)) -
                             (exact(b, v_) - exact(a, v_)) * (exact(c, u_) - exact(a, u_))));
   }

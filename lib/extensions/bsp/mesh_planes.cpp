@@ -44,7 +44,7 @@ std::optional<MeshPlanes::Plane> MeshPlanes::through(const Triangle& vertices) {
   if (!plane) return std::nullopt;
   const std::uint32_t number = table_.add(std::move(plane->hyperplane));
   for (const std::uint32_t v : vertices) note(number, v);
-  return Plane{number, plane->is_turned};
+  return Plane{number, plane->is_reversed};
 }
 
 std::uint32_t MeshPlanes::along_axis(std::uint32_t p, std::uint32_t q, int axis) {

@@ -19,7 +19,7 @@ class MeshPlanes {
 
   struct Plane {
     std::uint32_t number = 0;
-    bool is_turned = false;  ///< the vertices are seen clockwise from its plus side
+    bool is_reversed = false;  ///< the vertices are seen clockwise from its plus side
   };
   /// Through three vertices; nothing if they are collinear.
   [[nodiscard]] std::optional<Plane> through(const Triangle& vertices);

@@ -63,15 +63,16 @@ class PieceProjector {
 
  private:
   /// The point of a segment nearest to one of its line: that point itself, or the corner that it is beyond.
-  [[nodiscard]] RationalVector<D> on_segment(const RationalVector<D>& foot, const Corner<D>& a,
-                                             const Corner<D>& b) const {
+  [[nodiscard]] RationalVector<D> on_segment(const RationalVector<D>& foot, const HyperplaneMeet<D>& a,
+                                             const HyperplaneMeet<D>& b) const {
     if (is_beyond(foot, a, b)) return table_.position(a);
     if (is_beyond(foot, b, a)) return table_.position(b);
     return foot;
   }
 
   /// True when the way from the first corner to a point of the line leads away from the second corner.
-  [[nodiscard]] bool is_beyond(const RationalVector<D>& foot, const Corner<D>& first, const Corner<D>& second) const {
+  [[nodiscard]] bool is_beyond(const RationalVector<D>& foot, const HyperplaneMeet<D>& first,
+                               const HyperplaneMeet<D>& second) const {
     if (first.is_far) return false;
     const RationalVector<D> from = table_.position(first);
     const RationalVector<D> to = second.is_far ? direction(second) : table_.position(second);
@@ -83,7 +84,7 @@ class PieceProjector {
   }
 
   /// Whither a far corner lies, up to length: its longest component has its sign, others are left out.
-  [[nodiscard]] static RationalVector<D> direction(const Corner<D>& far) {
+  [[nodiscard]] static RationalVector<D> direction(const HyperplaneMeet<D>& far) {
     std::size_t longest = 0;
     for (std::size_t i = 1; i < D; ++i)
       if (std::abs(far.at[i].value) > std::abs(far.at[longest].value)) longest = i;

@@ -89,7 +89,7 @@ template <int D>
 Partition<D> behind(const OrientedHyperplane<D>& hyperplane) {
   HyperplaneTable<D> table;
   const std::uint32_t h = table.add(hyperplane.hyperplane);
-  return partition_from(std::move(table), {{{h, leaf(!hyperplane.is_turned), leaf(hyperplane.is_turned)}}, 0, 0});
+  return partition_from(std::move(table), {{{h, leaf(!hyperplane.is_reversed), leaf(hyperplane.is_reversed)}}, 0, 0});
 }
 
 template <int D>

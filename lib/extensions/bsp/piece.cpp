@@ -14,7 +14,7 @@ using Signs = boost::container::small_vector<Sign, 8>;
 template <int D>
 Signs sides_of(const HyperplaneTable<D>& table, const Piece<D>& piece, std::uint32_t hyperplane) {
   Signs signs;
-  for (const Corner<D>& c : piece.corners) signs.push_back(table.side(hyperplane, c));
+  for (const HyperplaneMeet<D>& c : piece.corners) signs.push_back(table.side(hyperplane, c));
   return signs;
 }
 
@@ -30,7 +30,7 @@ Lie lie_of(const Signs& signs) {
 /// Where the sides of a piece go through a hyperplane that has corners on both, in their order: one point on a line,
 /// two on the rim of a polygon unless corners lie in it.
 template <int D>
-using Crossings = boost::container::small_vector<Corner<D>, 2>;
+using Crossings = boost::container::small_vector<HyperplaneMeet<D>, 2>;
 
 Crossings<1> crossings(const HyperplaneTable<1>&, const Piece<1>&, std::uint32_t, const Signs&) {
   throw LogicError("a point of the line has two sides");
@@ -172,7 +172,7 @@ Lie estimated_lie(const HyperplaneTable<D>& table, const Piece<D>& piece, std::u
   if (piece.hyperplane == hyperplane) return Lie::on;
   const auto& form = table[hyperplane].bounded();
   bool minus = false, plus = false;
-  for (const Corner<D>& c : piece.corners) {
+  for (const HyperplaneMeet<D>& c : piece.corners) {
     double value = c.is_far ? 0 : form[D].value, size = std::abs(value);
     for (std::size_t i = 0; i < D; ++i) {
       const double product = form[i].value * c.at[i].value;

@@ -10,7 +10,7 @@
 namespace strata::bsp {
 
 /// A convex part of a hyperplane, of the hyperplane's own dimension: a point of the line, a segment, a convex polygon.
-/// Where it is not bounded it reaches to the frame (`Corner`).
+/// Where it is not bounded it reaches to the frame (`HyperplaneMeet`).
 ///
 /// In the plane its two corners lead along the line with the plus side on the left. In space its corners are listed
 /// counter-clockwise as seen from the plus side, and `walls[i]` is the other plane through corners i and i + 1.
@@ -19,11 +19,11 @@ struct Piece {
   static constexpr std::size_t usual = D == 3 ? 6 : D;
 
   std::uint32_t hyperplane = 0;
-  boost::container::small_vector<Corner<D>, usual> corners;
+  boost::container::small_vector<HyperplaneMeet<D>, usual> corners;
   boost::container::small_vector<std::uint32_t, usual> walls;  ///< empty unless D = 3
 
   [[nodiscard]] bool is_bounded() const {
-    for (const Corner<D>& c : corners)
+    for (const HyperplaneMeet<D>& c : corners)
       if (c.is_far) return false;
     return true;
   }

@@ -17,8 +17,8 @@ Partition<2> partition_of(std::span<const PlaneSide> sides) {
     const auto corner = [&](const RationalVector<2>& p) {
       return table.meet({piece.hyperplane, table.add(axis_hyperplane<2>(axis, p[axis]))});
     };
-    piece.corners = {corner(line.is_turned ? s.to : s.from), corner(line.is_turned ? s.from : s.to)};
-    facets.push_back({std::move(piece), line.is_turned});
+    piece.corners = {corner(line.is_reversed ? s.to : s.from), corner(line.is_reversed ? s.from : s.to)};
+    facets.push_back({std::move(piece), line.is_reversed});
   }
   Tree tree = built(table, std::move(facets));
   return compact(partition_from(std::move(table), std::move(tree)));

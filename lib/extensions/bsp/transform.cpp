@@ -39,7 +39,7 @@ Partition<D> transformed(const Partition<D>& region, const AffineMap<D>& map) {
       image[D] -= image[k] * map.shift[k];
     }
     OrientedHyperplane<D> oriented = oriented_hyperplane<D>(image);
-    images.emplace_back(table.add(std::move(oriented.hyperplane)), oriented.is_turned);
+    images.emplace_back(table.add(std::move(oriented.hyperplane)), oriented.is_reversed);
   }
   Tree tree = tree_of(region);
   for (Node& n : tree.nodes) {

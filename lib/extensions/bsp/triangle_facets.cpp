@@ -9,7 +9,7 @@ namespace {
 /// The walls are planes along the axis nearest to the normal, so that a wall meets the triangle's plane in the edge's
 /// line whatever lies beyond the edge.
 Facet<3> facet(MeshPlanes& planes, Triangle t, MeshPlanes::Plane plane) {
-  if (plane.is_turned) std::swap(t[1], t[2]);
+  if (plane.is_reversed) std::swap(t[1], t[2]);
   const HyperplaneTable<3>& table = planes.table();
   const auto axis = static_cast<int>(table[plane.number].longest_axis());
   Piece<3> piece;
@@ -20,7 +20,7 @@ Facet<3> facet(MeshPlanes& planes, Triangle t, MeshPlanes::Plane plane) {
     piece.corners.push_back(planes.is_given(t[i]) ? HyperplaneTable<3>::given(names, planes.mesh().mesh.vertices[t[i]])
                                                   : table.meet(names));
   }
-  return {std::move(piece), !plane.is_turned};
+  return {std::move(piece), !plane.is_reversed};
 }
 
 }  // namespace

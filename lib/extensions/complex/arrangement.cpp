@@ -28,11 +28,11 @@ struct Place {
   }
 };
 
-std::vector<std::uint8_t> turned_faces(const Carriers& carriers) {
-  std::vector<std::uint8_t> turned(carriers.face_count());
-  for (Index f = 0; f < carriers.face_count(); ++f)
+std::vector<std::uint8_t> turned_faces(const InputComplex& input) {
+  std::vector<std::uint8_t> turned(input.face_count());
+  for (Index f = 0; f < input.face_count(); ++f)
     for (int axis = 0; axis < 3; ++axis)
-      if (const Sign s = normal_component(carriers, f, axis); s != Sign::zero) {
+      if (const Sign s = normal_component(input, f, axis); s != Sign::zero) {
         turned[f] = s == Sign::negative;
         break;
       }
@@ -40,13 +40,13 @@ std::vector<std::uint8_t> turned_faces(const Carriers& carriers) {
 }
 
 /// Points by number in lexicographic order, with those at one place next to each other.
-std::vector<std::pair<PointId, Index>> by_place(const Carriers& carriers, const PointTable& table,
+std::vector<std::pair<PointId, Index>> by_place(const InputComplex& input, const PointTable& table,
                                                 std::vector<PointId> ids) {
   std::vector<std::pair<Point, PointId>> points;
   for (const PointId id : ids) points.emplace_back(table.point(id), id);
   const auto order = [&](const Point& p, const Point& q) {
     for (int axis = 0; axis < 3; ++axis)
-      if (const Sign s = p.name == q.name ? Sign::zero : compare(carriers, axis, p, q); s != Sign::zero) return s;
+      if (const Sign s = p.name == q.name ? Sign::zero : compare(input, axis, p, q); s != Sign::zero) return s;
     return Sign::zero;
   };
   std::sort(points.begin(), points.end(),
@@ -91,15 +91,15 @@ GivenFaces::GivenFaces(std::span<const Soup> operands) : vertex_cell(operands.si
   for (const auto& [v, k, cell] : cells) vertex_cell[k][v] = cell;
 }
 
-Arrangement::Arrangement(const GivenFaces& faces, const Monitor& monitor) : points(carriers) {
-  carriers.add(faces.mesh.mesh.vertices, faces.mesh.mesh.triangles, faces.mesh.exact);
-  is_turned = turned_faces(carriers);
-  const CellTree cells(carriers, {.self = true, .monitor = monitor});
-  const Meetings meetings = find_meetings(carriers, cells, true, points, monitor);
-  FaceCutter cutter(carriers, points, is_turned);
-  const std::span<const Constraint> constraints = meetings.constraints;
+Arrangement::Arrangement(const GivenFaces& faces, const Monitor& monitor) : points(input) {
+  input.add(faces.mesh.mesh.vertices, faces.mesh.mesh.triangles, faces.mesh.exact);
+  is_reversed = turned_faces(input);
+  const CellTree cells(input, {.self = true, .monitor = monitor});
+  const Intersections intersections = find_intersections(input, cells, true, points, monitor);
+  FaceCutter cutter(input, points, is_reversed);
+  const std::span<const Constraint> constraints = intersections.constraints;
   std::size_t first = 0;
-  for (Index f = 0; f < carriers.face_count(); ++f) {
+  for (Index f = 0; f < input.face_count(); ++f) {
     std::size_t last = first;
     while (last < constraints.size() && constraints[last].face == f) ++last;
     monitor.check();
@@ -119,7 +119,7 @@ Arrangement::Arrangement(const GivenFaces& faces, const Monitor& monitor) : poin
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   std::vector<Index> number(points.end(), none);
-  for (const auto& [id, n] : by_place(carriers, points, used)) {
+  for (const auto& [id, n] : by_place(input, points, used)) {
     number[id] = n;
     if (n == vertices.size()) vertices.push_back(id);
   }
@@ -134,7 +134,7 @@ Arrangement::Arrangement(const GivenFaces& faces, const Monitor& monitor) : poin
   }
   covers = std::move(cutter.covers);
   coplanar = std::move(cutter.coplanar);
-  vertex_of.assign(number.begin(), number.begin() + carriers.vertex_count());
+  vertex_of.assign(number.begin(), number.begin() + input.vertex_count());
 }
 
 }  // namespace strata::complex

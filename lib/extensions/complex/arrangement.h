@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/overlap/point_table.h"
 #include "extensions/complex/soup.h"
 #include "strata/options.h"
@@ -38,14 +38,14 @@ struct SidePart {
 struct Arrangement {
   Arrangement(const GivenFaces& faces, const Monitor& monitor);
 
-  Carriers carriers;
+  InputComplex input;
   PointTable points;
   std::vector<PointId> vertices;         ///< in lexicographic order of places
   std::vector<std::uint32_t> vertex_of;  ///< of given vertices, in `vertices`
   std::vector<Piece> pieces;
   std::vector<std::uint32_t> covers;
   std::vector<SidePart> side_parts;
-  std::vector<std::uint8_t> is_turned;                            ///< per face: its normal points down
+  std::vector<std::uint8_t> is_reversed;                          ///< per face: its normal points down
   std::vector<std::pair<std::uint32_t, std::uint32_t>> coplanar;  ///< pairs of faces that touch in one plane
 };
 

@@ -64,7 +64,7 @@ SelectiveComplex combine(const Formula& formula, std::span<const SelectiveComple
   return SelectiveComplex::of(result.cells);
 }
 
-SelectiveComplex unite(std::span<const SelectiveComplex> operands, const Monitor& monitor) {
+SelectiveComplex union_(std::span<const SelectiveComplex> operands, const Monitor& monitor) {
   return joined(Formula::Join::any, operands, false, monitor);
 }
 SelectiveComplex operator|(const SelectiveComplex& a, const SelectiveComplex& b) {

@@ -30,26 +30,26 @@ struct RayBox {
 /// The ray p + t (1, 0, 0) with p moved by (0, e, e^2): it meets the insides of triangles only.
 class Ray {
  public:
-  Ray(const Carriers& carriers, const Point& from) : carriers_(carriers), from_(from) {}
+  Ray(const InputComplex& input, const Point& from) : input_(input), from_(from) {}
 
   /// positive: it leaves through the triangle's front; negative: through its back; zero: not at all.
-  [[nodiscard]] Sign passes(const Carriers::Indices& v) const {
+  [[nodiscard]] Sign passes(const InputComplex::Indices& v) const {
     std::array<Point, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) p[i] = make_point(carriers_, PointName::input(v[i]));
-    const Sign seen = turn(p[0], p[1]);
-    if (seen == Sign::zero || turn(p[1], p[2]) != seen || turn(p[2], p[0]) != seen) return Sign::zero;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = make_point(input_, SymbolicPoint::input(v[i]));
+    const Sign seen = orientation(p[0], p[1]);
+    if (seen == Sign::zero || orientation(p[1], p[2]) != seen || orientation(p[2], p[0]) != seen) return Sign::zero;
     // Seen along x the front looks the way of the ray where corners turn left.
-    return orient3d(carriers_, p[0], p[1], p[2], from_) == -seen ? seen : Sign::zero;
+    return orient3d(input_, p[0], p[1], p[2], from_) == -seen ? seen : Sign::zero;
   }
 
  private:
-  [[nodiscard]] Sign turn(const Point& a, const Point& b) const {
-    if (const Sign s = orient2d(carriers_, {1, 2}, a, b, from_); s != Sign::zero) return s;
-    if (const Sign s = compare(carriers_, 2, a, b); s != Sign::zero) return s;
-    return compare(carriers_, 1, b, a);
+  [[nodiscard]] Sign orientation(const Point& a, const Point& b) const {
+    if (const Sign s = orient2d(input_, {1, 2}, a, b, from_); s != Sign::zero) return s;
+    if (const Sign s = compare(input_, 2, a, b); s != Sign::zero) return s;
+    return compare(input_, 1, b, a);
   }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const Point& from_;
 };
 
@@ -62,8 +62,8 @@ std::vector<std::uint32_t> enclosing_shells(const Arrangement& arrangement, cons
   if (sets.size() < 2) return result;
   std::vector<Triangle> triangles;
   for (const Piece& p : arrangement.pieces) triangles.push_back(p.v);
-  Carriers carriers;
-  carriers.add(cells.points, triangles, cells.exact);
+  InputComplex input;
+  input.add(cells.points, triangles, cells.exact);
   std::vector<RayBox> boxes(sets.size());
   for (std::size_t i = 0; i < sets.size(); ++i)
     for (const Index p : sets[i].pieces)
@@ -72,9 +72,9 @@ std::vector<std::uint32_t> enclosing_shells(const Arrangement& arrangement, cons
   std::map<Index, std::size_t> set_of_shell;
   std::vector<std::vector<Index>> around(sets.size());  // shells
   for (std::size_t i = 0; i < sets.size(); ++i) {
-    const Point from = make_point(carriers, PointName::weighted(sets[i].pieces.front(), 1));
-    const Vertex rounded = nearest_doubles(carriers, from);
-    const Ray ray(carriers, from);
+    const Point from = make_point(input, SymbolicPoint::weighted(sets[i].pieces.front(), 1));
+    const Vertex rounded = nearest_doubles(input, from);
+    const Ray ray(input, from);
     for (std::size_t j = 0; j < sets.size(); ++j) {
       if (j == i || !boxes[j].is_on_ray(rounded)) continue;
       std::map<Index, int> windings;

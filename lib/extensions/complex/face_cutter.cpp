@@ -15,7 +15,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 void FaceCutter::keep_whole(Index face) {
-  const auto v = carriers_.face(face);
+  const auto v = input_.face(face);
   for (std::size_t i = 0; i < 3; ++i) add_side_part(face, static_cast<int>(i), v[i], v[(i + 1) % 3]);
   add_piece(face, v, {});
 }
@@ -69,8 +69,8 @@ void FaceCutter::spread() {
 
 /// A place off all constraints: on the conic of weighted points each constraint has at most two.
 std::pair<std::int32_t, std::vector<Index>> FaceCutter::place_inside() {
-  for (Index t = 1; t <= PointName::weight_limit; ++t) {
-    const Point q = make_point(carriers_, PointName::weighted(face_, t));
+  for (Index t = 1; t <= SymbolicPoint::weight_limit; ++t) {
+    const Point q = make_point(input_, SymbolicPoint::weighted(face_, t));
     const auto place = triangulation_.locate(q);
     using On = Triangulation::Location::On;
     if (place.on == On::vertex) continue;
@@ -84,12 +84,12 @@ std::pair<std::int32_t, std::vector<Index>> FaceCutter::place_inside() {
 }
 
 bool FaceCutter::holds(Index g, const Point& q) const {
-  const Projection seen = projection_of(carriers_, g);
-  const auto v = carriers_.face(g);
+  const Projection seen = projection_of(input_, g);
+  const auto v = input_.face(g);
   for (std::size_t i = 0; i < 3; ++i) {
-    const Point a = make_point(carriers_, PointName::input(v[i]));
-    const Point b = make_point(carriers_, PointName::input(v[(i + 1) % 3]));
-    if (orient2d(carriers_, seen, a, b, q) != Sign::positive) return false;
+    const Point a = make_point(input_, SymbolicPoint::input(v[i]));
+    const Point b = make_point(input_, SymbolicPoint::input(v[(i + 1) % 3]));
+    if (orient2d(input_, seen, a, b, q) != Sign::positive) return false;
   }
   return true;
 }

@@ -13,8 +13,8 @@ namespace strata::complex {
 /// Cuts faces, and collects what they are cut into, under numbers that are provisional until all are cut.
 class FaceCutter {
  public:
-  FaceCutter(const Carriers& carriers, const PointTable& points, const std::vector<std::uint8_t>& is_turned)
-      : carriers_(carriers), points_(points), is_turned_(is_turned), triangulation_(carriers, points) {}
+  FaceCutter(const InputComplex& input, const PointTable& points, const std::vector<std::uint8_t>& is_reversed)
+      : input_(input), points_(points), is_turned_(is_reversed), triangulation_(input, points) {}
   FaceCutter(const FaceCutter&) = delete;
   FaceCutter& operator=(const FaceCutter&) = delete;
 
@@ -27,7 +27,7 @@ class FaceCutter {
   std::vector<Piece> pieces;
   std::vector<std::uint32_t> covers;
   std::vector<SidePart> side_parts;
-  std::vector<PointName> constructed;
+  std::vector<SymbolicPoint> constructed;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> coplanar;
 
  private:
@@ -42,7 +42,7 @@ class FaceCutter {
   void add_piece(std::uint32_t face, std::array<std::uint32_t, 3> v, const std::vector<std::uint32_t>& covered);
   [[nodiscard]] PointId number_of(std::int32_t v);
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const PointTable& points_;
   const std::vector<std::uint8_t>& is_turned_;
   Triangulation triangulation_;

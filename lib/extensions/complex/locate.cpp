@@ -39,8 +39,8 @@ class Locator {
 
   /// The sign of the turn from the projected edge to p moved by (e, e^2): positive where p is on its left.
   [[nodiscard]] int side(const RationalPoint& u, const RationalPoint& v, std::size_t i, std::size_t j) const {
-    const Rational turn = (v[i] - u[i]) * (p_[j] - u[j]) - (v[j] - u[j]) * (p_[i] - u[i]);
-    if (turn != 0) return turn.sign();
+    const Rational orientation = (v[i] - u[i]) * (p_[j] - u[j]) - (v[j] - u[j]) * (p_[i] - u[i]);
+    if (orientation != 0) return orientation.sign();
     const Rational first = u[j] - v[j];
     return first != 0 ? first.sign() : Rational(v[i] - u[i]).sign();
   }

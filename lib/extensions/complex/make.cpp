@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/kernel/predicates.h"
-#include "extensions/complex/carriers_of_cells.h"
+#include "extensions/complex/input_of_cells.h"
 #include "extensions/complex/overlay.h"
 #include "strata/complex.h"
 #include "strata/errors.h"
@@ -81,12 +81,12 @@ SelectiveComplex simplex_in_plane(std::span<const Vertex> corners, bool closed) 
 }
 
 bool are_independent(std::span<const Vertex> corners) {
-  Carriers carriers;
+  InputComplex input;
   const std::array<Triangle, 1> face{{{0, 1, 2}}};
   if (corners.size() == 2) return corners[0] != corners[1];
   if (corners.size() == 3) {
-    carriers.add(corners, face);
-    return !is_degenerate(carriers, 0);
+    input.add(corners, face);
+    return !is_degenerate(input, 0);
   }
   return corners.size() == 1 || orient3d(corners[0], corners[1], corners[2], corners[3]) != Sign::zero;
 }

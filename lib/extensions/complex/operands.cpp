@@ -4,8 +4,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "extensions/complex/carriers_of_cells.h"
 #include "extensions/complex/face_geometry.h"
+#include "extensions/complex/input_of_cells.h"
 #include "extensions/complex/subdivision.h"
 
 namespace strata::complex {

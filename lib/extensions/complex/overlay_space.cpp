@@ -16,9 +16,9 @@ Cells cells_of(const Arrangement& arrangement) {
   for (Index v = 0; v < arrangement.vertices.size(); ++v) {
     const PointId id = arrangement.vertices[v];
     const Point p = arrangement.points.point(id);
-    cells.points.push_back(nearest_doubles(arrangement.carriers, p));
-    if (arrangement.points.is_input(id) && arrangement.carriers.has_doubles(id)) continue;
-    RationalPoint exact = exact_position(arrangement.carriers, p);
+    cells.points.push_back(nearest_doubles(arrangement.input, p));
+    if (arrangement.points.is_input(id) && arrangement.input.has_doubles(id)) continue;
+    RationalPoint exact = exact_position(arrangement.input, p);
     const Vertex& d = cells.points.back();
     if (exact != RationalPoint{to_rational(d[0]), to_rational(d[1]), to_rational(d[2])})
       cells.exact.push_back({v, std::move(exact)});
@@ -79,7 +79,7 @@ class Labelling {
     if (operands_[k].face_cell[f] == none) return;
     label(2, p, k) = operands_[k].face_cell[f];
     auto [above, below] = operands_[k].volume_cell[f];
-    if (arrangement_.is_turned[face] != 0) std::swap(above, below);
+    if (arrangement_.is_reversed[face] != 0) std::swap(above, below);
     label(3, cells_.sides[p][0], k) = above;
     label(3, cells_.sides[p][1], k) = below;
   }

@@ -22,7 +22,7 @@ class Shells {
         cells_(cells),
         shells_(2 * arrangement.pieces.size()),
         sets_(arrangement.pieces.size()),
-        planes_(arrangement.carriers.face_count()) {
+        planes_(arrangement.input.face_count()) {
     for (const auto& [f, g] : arrangement.coplanar) planes_.unite(f, g);
     for (std::size_t i = 0, last = 0; i < cells.wings.size(); i = last) {
       while (last < cells.wings.size() && cells.wings[last].edge == cells.wings[i].edge) ++last;
@@ -36,28 +36,28 @@ class Shells {
 
  private:
   /// Where the inside of wing j lies as seen from wing i, by an angle about the edge: positive within half a turn.
-  [[nodiscard]] Sign turn(const Wing& i, const Wing& j) {
+  [[nodiscard]] Sign orientation(const Wing& i, const Wing& j) {
     const Index f = arrangement_.pieces[i.face].face, g = arrangement_.pieces[j.face].face;
     if (planes_.find(f) == planes_.find(g)) return Sign::zero;
     const auto& v = arrangement_.pieces[j.face].v;
     const auto& ends = cells_.edges[j.edge];
     const Index apex = v[0] != ends[0] && v[0] != ends[1] ? v[0] : v[1] != ends[0] && v[1] != ends[1] ? v[1] : v[2];
     const Point p = arrangement_.points.point(arrangement_.vertices[apex]);
-    const Sign side = side_of_face(arrangement_.carriers, f, p);
+    const Sign side = side_of_face(arrangement_.input, f, p);
     if (side == Sign::zero) planes_.unite(f, g);
-    return i.left == (arrangement_.is_turned[f] == 0) ? side : -side;
+    return i.left == (arrangement_.is_reversed[f] == 0) ? side : -side;
   }
 
   void go_around(std::span<const Wing> wings) {
     order_.clear();
     for (const Wing& w : wings) {
       sets_.unite(wings.front().face, w.face);
-      const Sign s = order_.empty() ? Sign::zero : turn(wings.front(), w);
+      const Sign s = order_.empty() ? Sign::zero : orientation(wings.front(), w);
       order_.emplace_back(order_.empty() ? 0 : s == Sign::positive ? 1 : s == Sign::zero ? 2 : 3, w);
     }
     std::sort(order_.begin(), order_.end(), [this](const auto& a, const auto& b) {
       if (a.first != b.first) return a.first < b.first;
-      return (a.first == 1 || a.first == 3) && turn(a.second, b.second) == Sign::positive;
+      return (a.first == 1 || a.first == 3) && orientation(a.second, b.second) == Sign::positive;
     });
     find_opposite();
     for (std::size_t i = 0; i < order_.size(); ++i) {
@@ -71,7 +71,7 @@ class Shells {
     const std::size_t n = order_.size();
     for (std::size_t i = 0, j = 1; i < n; ++i) {
       j = std::max(j, i + 1);
-      while (j < i + n && turn(order_[i].second, order_[j % n].second) == Sign::positive) ++j;
+      while (j < i + n && orientation(order_[i].second, order_[j % n].second) == Sign::positive) ++j;
     }
   }
 

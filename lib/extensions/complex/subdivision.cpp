@@ -33,10 +33,10 @@ Subdivision::Subdivision(const ExactMesh& points, std::span<const std::array<std
   std::vector<ExactVertex> exact = points.exact;
   for (ExactVertex& e : exact) e.vertex += 3;
   const std::array<Triangle, 1> face{{{0, 1, 2}}};
-  Carriers carriers;
-  carriers.add(all, face, exact);
-  const PointTable table(carriers);
-  Triangulation triangulation(carriers, table);
+  InputComplex input;
+  input.add(all, face, exact);
+  const PointTable table(input);
+  Triangulation triangulation(input, table);
   triangulation.start(0, Triangulation::Names::any);
   std::vector<std::int32_t> local;
   for (Index p = 3; p < all.size(); ++p) local.push_back(triangulation.add_point(p));
@@ -51,18 +51,18 @@ Subdivision::Subdivision(const ExactMesh& points, std::span<const std::array<std
   std::vector<std::int32_t> order;
   for (std::int32_t v = 3; v < found.size(); ++v) order.push_back(v);
   std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    const Sign s = compare(carriers, 0, found[a], found[b]);
-    return (s != Sign::zero ? s : compare(carriers, 1, found[a], found[b])) == Sign::negative;
+    const Sign s = compare(input, 0, found[a], found[b]);
+    return (s != Sign::zero ? s : compare(input, 1, found[a], found[b])) == Sign::negative;
   });
   std::vector<Index> number(at(found.size()), none);
   for (Index i = 0; i < order.size(); ++i) {
     const Point& p = found[order[i]];
     number[at(order[i])] = i;
-    Vertex rounded = nearest_doubles(carriers, p);
+    Vertex rounded = nearest_doubles(input, p);
     for (double& x : rounded) x += 0.0;
     vertices.mesh.vertices.push_back(rounded);
-    if (p.name.kind == PointName::Kind::input && carriers.has_doubles(p.name.id[0])) continue;
-    RationalPoint place = exact_position(carriers, p);
+    if (p.name.kind == SymbolicPoint::Kind::input && input.has_doubles(p.name.id[0])) continue;
+    RationalPoint place = exact_position(input, p);
     if (place != RationalPoint{to_rational(rounded[0]), to_rational(rounded[1]), to_rational(rounded[2])})
       vertices.exact.push_back({i, std::move(place)});
   }

@@ -8,20 +8,20 @@ namespace strata::contact {
 
 /// Names of the corners of what two faces share: a point, the ends of a segment, or the corners of a convex polygon in
 /// no order. Different names are different places.
-using CommonPoints = boost::container::static_vector<PointName, 32>;
+using CommonPoints = boost::container::static_vector<SymbolicPoint, 32>;
 
 /// What two faces, and no others, have in common, from what `meet_faces` says about them. Where two vertices meet, the
 /// name is that of the first face.
-[[nodiscard]] CommonPoints common_points(const Carriers& carriers, const Meetings& meetings);
+[[nodiscard]] CommonPoints common_points(const InputComplex& input, const Intersections& intersections);
 
 /// True when these faces lie in one plane.
-[[nodiscard]] inline bool are_coplanar(const Meetings& meetings) {
-  return !meetings.constraints.empty() && meetings.constraints.front().kind == ConstraintKind::coplanar;
+[[nodiscard]] inline bool are_coplanar(const Intersections& intersections) {
+  return !intersections.constraints.empty() && intersections.constraints.front().kind == ConstraintKind::coplanar;
 }
 
 /// True when what two faces share has an area.
-[[nodiscard]] inline bool share_area(const Carriers& carriers, const Meetings& meetings) {
-  return are_coplanar(meetings) && common_points(carriers, meetings).size() >= 3;
+[[nodiscard]] inline bool share_area(const InputComplex& input, const Intersections& intersections) {
+  return are_coplanar(intersections) && common_points(input, intersections).size() >= 3;
 }
 
 }  // namespace strata::contact

@@ -75,8 +75,8 @@ class Nesting {
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const RationalPoint &a = points_[loop[k]], &b = points_[loop[(k + 1) % loop.size()]];
       if ((a[v] > p[v]) == (b[v] > p[v])) continue;
-      const Rational turn = (b[u] - a[u]) * (p[v] - a[v]) - (b[v] - a[v]) * (p[u] - a[u]);
-      if ((turn.sign() > 0) == (b[v] > a[v])) inside = !inside;
+      const Rational orientation = (b[u] - a[u]) * (p[v] - a[v]) - (b[v] - a[v]) * (p[u] - a[u]);
+      if ((orientation.sign() > 0) == (b[v] > a[v])) inside = !inside;
     }
     return inside;
   }

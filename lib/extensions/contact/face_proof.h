@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/overlap/constraint.h"
 #include "core/overlap/filtered_face.h"
 
@@ -18,7 +18,7 @@ struct SoleFaces {
 /// Faces of which one reaches below the other in a segment that runs inside of that one, or that lie on one another
 /// looking the same way: the interiors of their solids meet around a point inside of what the faces share, if there the
 /// solids have no other faces than is told. Nothing for other faces. theory.md, section 2.
-[[nodiscard]] std::optional<SoleFaces> prove_interference(const Carriers& carriers, const FilteredFace& f,
-                                                          const FilteredFace& g, const Meetings& meetings);
+[[nodiscard]] std::optional<SoleFaces> prove_interference(const InputComplex& input, const FilteredFace& f,
+                                                          const FilteredFace& g, const Intersections& intersections);
 
 }  // namespace strata::contact

@@ -14,18 +14,18 @@ namespace strata::contact {
 /// The faces of a leaf that are near something, with what a first look at them needs.
 class LeafFaces {
  public:
-  LeafFaces(const Carriers& carriers, std::uint32_t part, const PartTree& tree, const PartTree::Node& leaf,
+  LeafFaces(const InputComplex& input, std::uint32_t part, const PartTree& tree, const PartTree::Node& leaf,
             const Box& near) {
     for (const std::uint32_t f : tree.faces(leaf))
-      if (const Box box = box_of_face(carriers, part, f); box.overlaps(near)) list_.push_back({box, {}, f, false});
-    carriers_ = &carriers;
+      if (const Box box = box_of_face(input, part, f); box.overlaps(near)) list_.push_back({box, {}, f, false});
+    input_ = &input;
     part_ = part;
   }
   [[nodiscard]] std::size_t size() const { return list_.size(); }
   [[nodiscard]] const Box& box(std::size_t i) const { return list_[i].box; }
   [[nodiscard]] std::uint32_t number(std::size_t i) const { return list_[i].number; }
   [[nodiscard]] const FilteredFace& face(std::size_t i) {
-    if (!list_[i].is_known) list_[i].face = FilteredFace(*carriers_, part_, list_[i].number);
+    if (!list_[i].is_known) list_[i].face = FilteredFace(*input_, part_, list_[i].number);
     list_[i].is_known = true;
     return list_[i].face;
   }
@@ -37,7 +37,7 @@ class LeafFaces {
     std::uint32_t number = 0;
     bool is_known = false;
   };
-  const Carriers* carriers_ = nullptr;
+  const InputComplex* input_ = nullptr;
   std::uint32_t part_ = 0;
   boost::container::small_vector<Entry, PartTree::leaf_size> list_;
 };
@@ -65,26 +65,26 @@ bool for_each_near_leaves(const PartTree& a, const PartTree& b, const Visit& vis
   return true;
 }
 
-/// Calls `visit(f, g, meetings)` for all faces f of part a and g of part b that share a point, but for those of which
-/// `skip(f, g)` holds, with what `meet_faces` says about them alone; ends, and returns false, when `visit` does. Always
-/// in the same order.
+/// Calls `visit(f, g, intersections)` for all faces f of part a and g of part b that share a point, but for those of
+/// which `skip(f, g)` holds, with what `meet_faces` says about them alone; ends, and returns false, when `visit` does.
+/// Always in the same order.
 template <class Skip, class Visit>
 bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Skip& skip, const Visit& visit) {
-  const Carriers& carriers = parts.carriers();
+  const InputComplex& input = parts.input();
   const PartTree &tree_a = parts.tree(a), &tree_b = parts.tree(b);
-  Meetings meetings;
+  Intersections intersections;
   return for_each_near_leaves(tree_a, tree_b, [&](const PartTree::Node& m, const PartTree::Node& n) {
-    LeafFaces of_a(carriers, a, tree_a, m, n.box);
+    LeafFaces of_a(input, a, tree_a, m, n.box);
     if (of_a.size() == 0) return true;
-    LeafFaces of_b(carriers, b, tree_b, n, m.box);
+    LeafFaces of_b(input, b, tree_b, n, m.box);
     for (std::size_t i = 0; i < of_a.size(); ++i)
       for (std::size_t k = 0; k < of_b.size(); ++k) {
         if (!of_a.box(i).overlaps(of_b.box(k)) || skip(of_a.number(i), of_b.number(k))) continue;
-        meetings.constraints.clear();
-        meetings.constructed.clear();
-        meetings.equal.clear();
-        if (meet_faces(carriers, of_a.face(i), of_b.face(k), meetings) &&
-            !visit(of_a.face(i), of_b.face(k), std::as_const(meetings)))
+        intersections.constraints.clear();
+        intersections.constructed.clear();
+        intersections.equal.clear();
+        if (meet_faces(input, of_a.face(i), of_b.face(k), intersections) &&
+            !visit(of_a.face(i), of_b.face(k), std::as_const(intersections)))
           return false;
       }
     return true;

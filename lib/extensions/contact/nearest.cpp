@@ -23,9 +23,9 @@ struct NearNodes {
 void look_at_leaves(const Parts& parts, std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> of_a,
                     std::span<const std::uint32_t> of_b, NearestCandidates& candidates) {
   std::vector<Box> boxes;
-  for (const std::uint32_t g : of_b) boxes.push_back(box_of_face(parts.carriers(), b, g));
+  for (const std::uint32_t g : of_b) boxes.push_back(box_of_face(parts.input(), b, g));
   for (const std::uint32_t f : of_a) {
-    const Box box = box_of_face(parts.carriers(), a, f);
+    const Box box = box_of_face(parts.input(), a, f);
     for (std::size_t k = 0; k < of_b.size(); ++k)
       if (half_distance(box, boxes[k]) <= candidates.half_bound()) candidates.look_at(f, of_b[k]);
   }
@@ -41,7 +41,7 @@ Nearest nearest_of(const Parts& parts, std::uint32_t a, std::uint32_t b) {
   const PartTree &tree_a = parts.tree(a), &tree_b = parts.tree(b);
   if (tree_a.nodes().empty() || tree_b.nodes().empty())
     throw std::invalid_argument("an empty part has no distance from another");
-  NearestCandidates candidates(parts.carriers());
+  NearestCandidates candidates(parts.input());
   std::priority_queue<NearNodes> waiting;
   const auto add = [&](std::uint32_t i, std::uint32_t k) {
     const double distance = half_distance(tree_a.nodes()[i].box, tree_b.nodes()[k].box);
@@ -64,8 +64,8 @@ Nearest nearest_of(const Parts& parts, std::uint32_t a, std::uint32_t b) {
   }
   Nearest nearest = candidates.best();
   nearest.distance = root(nearest.squared);
-  make_local(nearest.feature_a, parts.carriers().first_vertex(a));
-  make_local(nearest.feature_b, parts.carriers().first_vertex(b));
+  make_local(nearest.feature_a, parts.input().first_vertex(a));
+  make_local(nearest.feature_b, parts.input().first_vertex(b));
   return nearest;
 }
 

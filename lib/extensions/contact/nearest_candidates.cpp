@@ -14,7 +14,7 @@ using Kind = MeshFeature::Kind;
 
 MeshFeature vertex(std::uint32_t v) { return {Kind::vertex, {v, 0, 0}}; }
 MeshFeature edge(std::uint32_t v, std::uint32_t w) { return {Kind::edge, {std::min(v, w), std::max(v, w), 0}}; }
-MeshFeature face(Carriers::Indices v) {
+MeshFeature face(InputComplex::Indices v) {
   std::sort(v.begin(), v.end());
   return {Kind::face, v};
 }
@@ -51,11 +51,11 @@ std::size_t NearestCandidates::Hash::operator()(const Pair& p) const {
 /// overflow nor underflow.
 class NearestCandidates::Scale {
  public:
-  Scale(const Carriers& carriers, const Carriers::Indices& f, const Carriers::Indices& g) : carriers_(carriers) {
+  Scale(const InputComplex& input, const InputComplex::Indices& f, const InputComplex::Indices& g) : input_(input) {
     double most = 0;
-    for (const Carriers::Indices& face : {f, g})
+    for (const InputComplex::Indices& face : {f, g})
       for (const std::uint32_t v : face)
-        for (const double x : carriers.vertex(v)) most = std::max(most, std::abs(x));
+        for (const double x : input.vertex(v)) most = std::max(most, std::abs(x));
     int exponent = 0;
     std::frexp(most, &exponent);
     factor_ = std::ldexp(1.0, std::clamp(-exponent, -1023, 1023));
@@ -73,19 +73,19 @@ class NearestCandidates::Scale {
 
  private:
   [[nodiscard]] BoundedPoint approximate_vertex(std::uint32_t v) const {
-    const auto& p = carriers_.vertex(v);
+    const auto& p = input_.vertex(v);
     BoundedPoint r{p[0], p[1], p[2]};
-    if (!carriers_.has_doubles(v))
+    if (!input_.has_doubles(v))
       for (Bounded& x : r) x.error = std::abs(x.value) * Bounded::rounding + Bounded::underflow;
     return r;
   }
-  const Carriers& carriers_;
+  const InputComplex& input_;
   double factor_ = 1;
 };
 
 void NearestCandidates::look_at(std::uint32_t f, std::uint32_t g) {
-  const Carriers::Indices vf = carriers_.face(f), vg = carriers_.face(g);
-  const Scale scale(carriers_, vf, vg);
+  const InputComplex::Indices vf = input_.face(f), vg = input_.face(g);
+  const Scale scale(input_, vf, vg);
   if (are_apart_along_best(vf, vg, scale)) return;
   const auto try_pair = [&](const MeshFeature& a, const MeshFeature& b) {
     const Pair pair{a, b};
@@ -106,11 +106,11 @@ void NearestCandidates::look_at(std::uint32_t f, std::uint32_t g) {
 
 /// True when, seen along the way between the closest points so far, the faces are farther apart than these. Scaled
 /// coordinates and components are at most 1, so that 2^-48 is more than all rounding; theory.md, section 7.
-bool NearestCandidates::are_apart_along_best(const Carriers::Indices& f, const Carriers::Indices& g,
+bool NearestCandidates::are_apart_along_best(const InputComplex::Indices& f, const InputComplex::Indices& g,
                                              const Scale& scale) const {
   if (!has_best_) return false;
   const auto along = [&](std::uint32_t v) {
-    const auto& p = carriers_.vertex(v);
+    const auto& p = input_.vertex(v);
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i) sum += direction_[i] * (p[i] * scale.factor());
     return sum;
@@ -178,8 +178,8 @@ void NearestCandidates::offer(const Pair& pair, const Rational& squared, const R
 }
 
 RationalPoint NearestCandidates::position(std::uint32_t vertex) const {
-  if (const RationalPoint* p = carriers_.exact(vertex)) return *p;
-  const auto& p = carriers_.vertex(vertex);
+  if (const RationalPoint* p = input_.exact(vertex)) return *p;
+  const auto& p = input_.vertex(vertex);
   return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
 }
 

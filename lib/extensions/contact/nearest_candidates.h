@@ -12,7 +12,7 @@ namespace strata::contact {
 /// The best of the pairs of features looked at so far. For one thread.
 class NearestCandidates {
  public:
-  explicit NearestCandidates(const Carriers& carriers) : carriers_(carriers) {}
+  explicit NearestCandidates(const InputComplex& input) : input_(input) {}
 
   /// Looks at all features of two faces, the first one of part a.
   void look_at(std::uint32_t f, std::uint32_t g);
@@ -32,19 +32,19 @@ class NearestCandidates {
   };
   class Scale;
 
-  [[nodiscard]] bool are_apart_along_best(const Carriers::Indices& f, const Carriers::Indices& g,
+  [[nodiscard]] bool are_apart_along_best(const InputComplex::Indices& f, const InputComplex::Indices& g,
                                           const Scale& scale) const;
   [[nodiscard]] bool may_be_best(const Pair& pair, const Scale& scale) const;
   void decide(const Pair& pair);
   void offer(const Pair& pair, const Rational& squared, const RationalPoint& on_a, const RationalPoint& on_b);
   [[nodiscard]] RationalPoint position(std::uint32_t vertex) const;
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   std::unordered_set<Pair, Hash> decided_;
   bool has_best_ = false;
   Nearest best_;
   double half_bound_ = HUGE_VAL;
-  Carriers::Coordinates direction_{};  ///< from a to b, with a longest component of 1
+  InputComplex::Coordinates direction_{};  ///< from a to b, with a longest component of 1
 };
 
 }  // namespace strata::contact

@@ -14,10 +14,10 @@ Box widened(Box box) {
   return box;
 }
 
-Box box_of_vertex(const Carriers& carriers, std::uint32_t vertex) {
+Box box_of_vertex(const InputComplex& input, std::uint32_t vertex) {
   Box box;
-  box.include(carriers.vertex(vertex));
-  return carriers.has_doubles(vertex) ? box : widened(box);
+  box.include(input.vertex(vertex));
+  return input.has_doubles(vertex) ? box : widened(box);
 }
 
 namespace {
@@ -37,9 +37,9 @@ std::uint32_t spread(std::uint32_t x) {
 }
 
 /// By the sums of their corners. Eighths of coordinates do not overflow when added.
-std::vector<Placed> placed_faces(const Carriers& carriers, std::uint32_t part) {
-  const auto points = carriers.points(part);
-  const auto faces = carriers.faces(part);
+std::vector<Placed> placed_faces(const InputComplex& input, std::uint32_t part) {
+  const auto points = input.points(part);
+  const auto faces = input.faces(part);
   Box bounds;
   for (const auto& p : points) bounds.include(p);
   double extent = 0;
@@ -53,7 +53,7 @@ std::vector<Placed> placed_faces(const Carriers& carriers, std::uint32_t part) {
       const double above = p[i] / 8 + q[i] / 8 + r[i] / 8 - 3 * (bounds.lower[i] / 8);
       return spread(static_cast<std::uint32_t>(std::clamp(above * scale, 0.0, 1023.0)));
     };
-    placed[f] = {cell(0) << 2 | cell(1) << 1 | cell(2), carriers.first_face(part) + f};
+    placed[f] = {cell(0) << 2 | cell(1) << 1 | cell(2), input.first_face(part) + f};
   }
   return placed;
 }
@@ -74,27 +74,27 @@ void sort_by_cells(std::vector<Placed>& faces) {
 
 }  // namespace
 
-PartTree::PartTree(const Carriers& carriers, std::uint32_t part) {
-  std::vector<Placed> placed = placed_faces(carriers, part);
+PartTree::PartTree(const InputComplex& input, std::uint32_t part) {
+  std::vector<Placed> placed = placed_faces(input, part);
   if (placed.empty()) return;
   sort_by_cells(placed);
   faces_.reserve(placed.size());
   for (const Placed& p : placed) faces_.push_back(p.face);
   nodes_.reserve(2 * placed.size() / (leaf_size / 2) + 1);
-  build(carriers, part, 0, static_cast<std::uint32_t>(placed.size()));
+  build(input, part, 0, static_cast<std::uint32_t>(placed.size()));
 }
 
-void PartTree::build(const Carriers& carriers, std::uint32_t part, std::uint32_t first, std::uint32_t count) {
+void PartTree::build(const InputComplex& input, std::uint32_t part, std::uint32_t first, std::uint32_t count) {
   const std::size_t node = nodes_.size();
   nodes_.push_back({{}, first, count, 0});
   Box box;
   if (count <= leaf_size) {
-    for (const std::uint32_t f : faces(nodes_[node])) box.include(box_of_face(carriers, part, f));
+    for (const std::uint32_t f : faces(nodes_[node])) box.include(box_of_face(input, part, f));
   } else {
     const std::uint32_t half = count / 2;
-    build(carriers, part, first, half);
+    build(input, part, first, half);
     nodes_[node].right = static_cast<std::uint32_t>(nodes_.size());
-    build(carriers, part, first + half, count - half);
+    build(input, part, first + half, count - half);
     box = nodes_[node + 1].box;
     box.include(nodes_[nodes_[node].right].box);
   }

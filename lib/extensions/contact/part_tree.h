@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/kernel/box.h"
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 
 namespace strata::contact {
 
@@ -12,14 +12,14 @@ namespace strata::contact {
 [[nodiscard]] Box widened(Box box);
 
 /// A box that holds a face wherever its vertices are: one step of doubles outwards where they are rational.
-[[nodiscard]] inline Box box_of_face(const Carriers& carriers, std::uint32_t part, std::uint32_t face) {
-  const auto points = carriers.points(part);
+[[nodiscard]] inline Box box_of_face(const InputComplex& input, std::uint32_t part, std::uint32_t face) {
+  const auto points = input.points(part);
   Box box;
-  for (const std::uint32_t v : carriers.faces(part)[face - carriers.first_face(part)]) box.include(points[v]);
-  return carriers.has_rationals() && !carriers.has_doubles(carriers.face(face)) ? widened(box) : box;
+  for (const std::uint32_t v : input.faces(part)[face - input.first_face(part)]) box.include(points[v]);
+  return input.has_rationals() && !input.has_doubles(input.face(face)) ? widened(box) : box;
 }
 /// The same for a vertex.
-[[nodiscard]] Box box_of_vertex(const Carriers& carriers, std::uint32_t vertex);
+[[nodiscard]] Box box_of_vertex(const InputComplex& input, std::uint32_t vertex);
 
 /// A tree of boxes over the faces of one part, in the order of a Z-curve, halved again and again. Decides nothing. An
 /// immutable value; O(n) to make, about 30 bytes per face.
@@ -35,7 +35,7 @@ class PartTree {
     [[nodiscard]] bool is_leaf() const { return right == 0; }
   };
 
-  PartTree(const Carriers& carriers, std::uint32_t part);
+  PartTree(const InputComplex& input, std::uint32_t part);
 
   /// The root is the first; none: a part without faces.
   [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
@@ -62,7 +62,7 @@ class PartTree {
   }
 
  private:
-  void build(const Carriers& carriers, std::uint32_t part, std::uint32_t first, std::uint32_t count);
+  void build(const InputComplex& input, std::uint32_t part, std::uint32_t first, std::uint32_t count);
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> faces_;

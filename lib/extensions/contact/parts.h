@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/kernel/box.h"
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/kernel/point.h"
 #include "extensions/contact/part_tree.h"
 #include "strata/solid.h"
@@ -21,7 +21,7 @@ class Parts {
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(solids_.size()); }
   [[nodiscard]] const Solid& solid(std::uint32_t part) const { return solids_[part]; }
-  [[nodiscard]] const Carriers& carriers() const { return carriers_; }
+  [[nodiscard]] const InputComplex& input() const { return input_; }
   /// Holds the part; empty for an empty one.
   [[nodiscard]] const Box& box(std::uint32_t part) const { return boxes_[part]; }
   /// What the boxes of two parts have in common; empty if that is nothing.
@@ -51,7 +51,7 @@ class Parts {
   [[nodiscard]] const std::vector<Piece>& pieces(std::uint32_t part) const;
 
   std::vector<Solid> solids_;
-  Carriers carriers_;
+  InputComplex input_;
   std::vector<Box> boxes_;
   std::unique_ptr<Lazy[]> lazy_;
 };

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/kernel/point.h"
 #include "strata/rational.h"
 
@@ -14,21 +14,21 @@ namespace strata::contact {
 /// Distinct points, found by name and by place: names that are one place get one number.
 class Places {
  public:
-  explicit Places(const Carriers& carriers) : carriers_(carriers) {}
+  explicit Places(const InputComplex& input) : input_(input) {}
 
-  std::uint32_t number(const PointName& name);
+  std::uint32_t number(const SymbolicPoint& name);
   [[nodiscard]] std::size_t size() const { return positions_.size(); }
   [[nodiscard]] const RationalPoint& operator[](std::uint32_t n) const { return positions_[n]; }
-  [[nodiscard]] const Carriers::Coordinates& nearest(std::uint32_t n) const { return nearest_[n]; }
+  [[nodiscard]] const InputComplex::Coordinates& nearest(std::uint32_t n) const { return nearest_[n]; }
   [[nodiscard]] const Point& point(std::uint32_t n) const { return points_[n]; }
 
  private:
-  const Carriers& carriers_;
-  std::map<PointName, std::uint32_t> by_name_;
-  std::multimap<Carriers::Coordinates, std::uint32_t> by_nearest_;
+  const InputComplex& input_;
+  std::map<SymbolicPoint, std::uint32_t> by_name_;
+  std::multimap<InputComplex::Coordinates, std::uint32_t> by_nearest_;
   std::vector<Point> points_;
   std::vector<RationalPoint> positions_;
-  std::vector<Carriers::Coordinates> nearest_;
+  std::vector<InputComplex::Coordinates> nearest_;
 };
 
 }  // namespace strata::contact

@@ -6,13 +6,13 @@
 
 #include "core/exact/failure.h"
 #include "core/kernel/predicates.h"
+#include "extensions/contact/coincident_faces.h"
 #include "extensions/contact/common_points.h"
 #include "extensions/contact/face_proof.h"
-#include "extensions/contact/lining.h"
+#include "extensions/contact/interior_side.h"
 #include "extensions/contact/near_pairs.h"
 #include "extensions/contact/separation.h"
 #include "extensions/contact/sole_face.h"
-#include "extensions/contact/twins.h"
 
 namespace strata::contact {
 namespace {
@@ -25,33 +25,33 @@ class Inquiry {
 
   /// Nothing where faces would prove interference if their parts had no other faces there, and no others do prove it.
   std::optional<Relation> find() {
-    const auto skip = [this](std::uint32_t f, std::uint32_t g) { return twins_ && twins_->tell(f, g); };
-    const auto visit = [this](const FilteredFace& f, const FilteredFace& g, const Meetings& m) {
+    const auto skip = [this](std::uint32_t f, std::uint32_t g) { return coincident_ && coincident_->tell(f, g); };
+    const auto visit = [this](const FilteredFace& f, const FilteredFace& g, const Intersections& m) {
       look_at(f, g, m);
       return !is_decided_;
     };
     const bool is_open = for_each_meeting(parts_, a_, b_, skip, visit);
     if (!is_open) return relation_;
     if (is_doubtful_) return std::nullopt;
-    const bool do_interfere =
-        linings_ ? linings_->show_interference() : parts_.has_piece_inside(a_, b_) || parts_.has_piece_inside(b_, a_);
+    const bool do_interfere = interior_sides_ ? interior_sides_->show_interference()
+                                              : parts_.has_piece_inside(a_, b_) || parts_.has_piece_inside(b_, a_);
     return do_interfere ? Relation::interfering : relation_;
   }
 
  private:
-  void look_at(const FilteredFace& f, const FilteredFace& g, const Meetings& meetings) {
+  void look_at(const FilteredFace& f, const FilteredFace& g, const Intersections& intersections) {
     relation_ = Relation::contact;
     is_decided_ = are_beside_;
     if (is_decided_) return;
-    if (const auto sole = prove_interference(parts_.carriers(), f, g, meetings)) {
-      conclude(f, g, *sole, common_points(parts_.carriers(), meetings));
+    if (const auto sole = prove_interference(parts_.input(), f, g, intersections)) {
+      conclude(f, g, *sole, common_points(parts_.input(), intersections));
       return;
     }
     is_decided_ = try_plane(f.face, a_, b_) || try_plane(g.face, b_, a_);
     if (is_decided_ || is_doubtful_) return;
-    if (!linings_) linings_.emplace(parts_, a_, b_);
-    linings_->note(meetings);
-    if (++undecided_ == many) find_twins();
+    if (!interior_sides_) interior_sides_.emplace(parts_, a_, b_);
+    interior_sides_->note(intersections);
+    if (++undecided_ == many) find_coincident_faces();
   }
 
   /// Faces have the form of a proof; are they what it takes to be one, around the middle of what they share?
@@ -64,19 +64,19 @@ class Inquiry {
     is_doubtful_ |= !holds;
   }
 
-  /// From now on, what twins tell is not asked.
-  void find_twins() {
-    twins_.emplace(parts_, a_, b_);
-    const Carriers& carriers = parts_.carriers();
-    for (const Twins::Pair& pair : twins_->pairs()) {
+  /// From now on, what coincident faces tell is not asked.
+  void find_coincident_faces() {
+    coincident_.emplace(parts_, a_, b_);
+    const InputComplex& input = parts_.input();
+    for (const Twins::Pair& pair : coincident_->pairs()) {
       if (pair.look_the_same_way) {
         CommonPoints corners;
-        for (const std::uint32_t v : carriers.face(pair.f)) corners.push_back(PointName::input(v));
-        conclude(FilteredFace(carriers, a_, pair.f), FilteredFace(carriers, b_, pair.g),
-                 {.first = true, .second = true}, corners);
+        for (const std::uint32_t v : input.face(pair.f)) corners.push_back(SymbolicPoint::input(v));
+        conclude(FilteredFace(input, a_, pair.f), FilteredFace(input, b_, pair.g), {.first = true, .second = true},
+                 corners);
         if (is_decided_) return;
       }
-      linings_->note_twins(pair.f, pair.g);
+      interior_sides_->note_coincident_faces(pair.f, pair.g);
     }
   }
 
@@ -90,9 +90,9 @@ class Inquiry {
   }
   /// True when a face lies in the plane of another one.
   [[nodiscard]] bool has_plane_of(std::uint32_t face, std::uint32_t other) const {
-    const auto f = parts_.carriers().face(face), g = parts_.carriers().face(other);
+    const auto f = parts_.input().face(face), g = parts_.input().face(other);
     return std::all_of(g.begin(), g.end(),
-                       [&](std::uint32_t v) { return orient3d(parts_.carriers(), f[0], f[1], f[2], v) == Sign::zero; });
+                       [&](std::uint32_t v) { return orient3d(parts_.input(), f[0], f[1], f[2], v) == Sign::zero; });
   }
 
   static constexpr std::size_t most_planes = 8;
@@ -102,10 +102,10 @@ class Inquiry {
   bool are_beside_;
   Relation relation_ = Relation::apart;
   bool is_decided_ = false;
-  bool is_doubtful_ = false;        ///< some faces have the form of a proof, and are none: linings tell nothing
-  std::optional<Linings> linings_;  ///< once faces share something that decides nothing
-  int undecided_ = 0;               ///< such pairs of faces
-  std::optional<Twins> twins_;      ///< once these are many
+  bool is_doubtful_ = false;  ///< some faces have the form of a proof, and are none: interior sides tell nothing
+  std::optional<InteriorSides> interior_sides_;  ///< once faces share something that decides nothing
+  int undecided_ = 0;                            ///< such pairs of faces
+  std::optional<Twins> coincident_;              ///< once these are many
   boost::container::static_vector<std::uint32_t, most_planes> tried_;
 };
 

@@ -40,12 +40,12 @@ Sign side_of_box(const FilteredFace& plane, const Box& box) {
 class Sides {
  public:
   Sides(const Parts& parts, std::uint32_t part, const FilteredFace& plane)
-      : carriers_(parts.carriers()),
+      : input_(parts.input()),
         plane_(plane),
-        points_(carriers_.points(part)),
-        faces_(carriers_.faces(part)),
-        first_vertex_(carriers_.first_vertex(part)),
-        first_face_(carriers_.first_face(part)) {}
+        points_(input_.points(part)),
+        faces_(input_.faces(part)),
+        first_vertex_(input_.first_vertex(part)),
+        first_face_(input_.first_face(part)) {}
 
   /// True when some vertex of a face is strictly on a side.
   [[nodiscard]] bool has_vertex(std::uint32_t face, Sign side) {
@@ -67,39 +67,39 @@ class Sides {
   [[nodiscard]] Sign find(std::uint32_t vertex) const {
     const std::uint32_t v = first_vertex_ + vertex;
     const auto& at = points_[vertex];
-    const Sign quick = carriers_.has_doubles(v) ? side_of(plane_, {at[0], at[1], at[2]})
-                                                : side_of(plane_, approximate_vertex<Bounded>(carriers_, v));
+    const Sign quick = input_.has_doubles(v) ? side_of(plane_, {at[0], at[1], at[2]})
+                                             : side_of(plane_, approximate_vertex<Bounded>(input_, v));
     if (quick != Sign::zero) return quick;
     const auto& p = plane_.vertices;
-    return orient3d(carriers_, p[0], p[1], p[2], v);
+    return orient3d(input_, p[0], p[1], p[2], v);
   }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const FilteredFace& plane_;
-  std::span<const Carriers::Coordinates> points_;
-  std::span<const Carriers::Indices> faces_;
+  std::span<const InputComplex::Coordinates> points_;
+  std::span<const InputComplex::Indices> faces_;
   std::uint32_t first_vertex_, first_face_;
   std::array<Known, 512> known_;
 };
 
 /// True when no face of a part that comes near the box reaches into the half.
 bool is_clear_of(const Parts& parts, std::uint32_t part, const HalfBox& half) {
-  const Carriers& carriers = parts.carriers();
+  const InputComplex& input = parts.input();
   Sides sides(parts, part, half.face);
   const auto may_reach = [&](const Box& box) {
     return box.overlaps(half.box) && side_of_box(half.face, box) != -half.side;
   };
   return parts.tree(part).for_each_in(may_reach, [&](std::uint32_t f) {
-    return !sides.has_vertex(f, half.side) || !box_of_face(carriers, part, f).overlaps(half.box);
+    return !sides.has_vertex(f, half.side) || !box_of_face(input, part, f).overlaps(half.box);
   });
 }
 
 /// A corner of the box strictly in the half; none: no point of the box is, since a plane leaves a box at a corner.
-std::optional<Carriers::Coordinates> corner_in(const Carriers& carriers, const HalfBox& half) {
+std::optional<InputComplex::Coordinates> corner_in(const InputComplex& input, const HalfBox& half) {
   for (std::size_t number = 0; number < 8; ++number) {
-    Carriers::Coordinates corner{};
+    InputComplex::Coordinates corner{};
     for (std::size_t i = 0; i < 3; ++i) corner[i] = (number >> i & 1) != 0 ? half.box.upper[i] : half.box.lower[i];
-    if (side_of_face(carriers, half.face.face, Point::free(corner)) == half.side) return corner;
+    if (side_of_face(input, half.face.face, Point::free(corner)) == half.side) return corner;
   }
   return std::nullopt;
 }
@@ -107,14 +107,14 @@ std::optional<Carriers::Coordinates> corner_in(const Carriers& carriers, const H
 /// True when a part has nothing of the half: its surface keeps clear, and some point there is outside of it.
 bool has_nothing_of(const Parts& parts, std::uint32_t part, const HalfBox& half) {
   if (!is_clear_of(parts, part, half)) return false;
-  const auto corner = corner_in(parts.carriers(), half);
+  const auto corner = corner_in(parts.input(), half);
   return !corner || !parts.is_inside(Point::free(*corner), part);
 }
 
 }  // namespace
 
 bool separates(const Parts& parts, std::uint32_t face, std::uint32_t a, std::uint32_t b) {
-  const FilteredFace plane(parts.carriers(), face);
+  const FilteredFace plane(parts.input(), face);
   const Box box = parts.common_box(a, b);
   return has_nothing_of(parts, a, {plane, Sign::positive, box}) &&
          has_nothing_of(parts, b, {plane, Sign::negative, box});

@@ -9,7 +9,7 @@ constexpr std::uint32_t none = 0xffffffff;
 
 bool are_collinear(const PointCloud& cloud, std::uint32_t p, std::uint32_t q, std::uint32_t r) {
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (cloud.turn(p, q, r, axis) != Sign::zero) return false;
+    if (cloud.orientation(p, q, r, axis) != Sign::zero) return false;
   return true;
 }
 

@@ -33,7 +33,7 @@ std::size_t CellMaker::NamesHash::operator()(const std::array<std::uint32_t, 3>&
   return folded_product(std::uint64_t{names[0]} << 32 | names[1], names[2] ^ 0x9e3779b97f4a7c15u);
 }
 
-std::uint32_t CellMaker::add(Corner<3> corner) {
+std::uint32_t CellMaker::add(HyperplaneMeet<3> corner) {
   std::array<std::uint32_t, 3> names = corner.names;
   std::sort(names.begin(), names.end());
   const auto [known, is_new] = numbers_.try_emplace(names, static_cast<std::uint32_t>(corners_.size()));
@@ -53,7 +53,7 @@ bool CellMaker::is_same(std::uint32_t a, std::uint32_t b) {
   a = representative(a);
   b = representative(b);
   if (a == b) return true;
-  const Corner<3>&p = corners_[a], &q = corners_[b];
+  const HyperplaneMeet<3>&p = corners_[a], &q = corners_[b];
   for (std::size_t i = 0; i < 3; ++i)
     if (are_apart(p.at[i], q.at[i])) return false;
   for (const std::uint32_t plane : q.names)
@@ -94,7 +94,7 @@ bool CellMaker::is_of_box(std::uint32_t plane) const {
 
 CellFacet CellMaker::facet_of(const bsp::Piece<3>& polygon, bool faces_plus) {
   CellFacet facet{polygon.hyperplane, faces_plus, {}, {}};
-  for (const Corner<3>& c : polygon.corners) facet.corners.push_back(add(c));
+  for (const HyperplaneMeet<3>& c : polygon.corners) facet.corners.push_back(add(c));
   facet.walls.assign(polygon.walls.begin(), polygon.walls.end());
   if (!faces_plus) turn_round(facet);
   return facet;

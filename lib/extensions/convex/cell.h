@@ -32,7 +32,7 @@ class CellMaker {
  public:
   CellMaker(const HyperplaneTable<3>& table, const bsp::BoxPlanes& box) : table_(table), box_(box) {}
 
-  [[nodiscard]] const Corner<3>& corner(std::uint32_t number) const { return corners_[number]; }
+  [[nodiscard]] const HyperplaneMeet<3>& corner(std::uint32_t number) const { return corners_[number]; }
 
   /// The whole box.
   [[nodiscard]] Cell box();
@@ -71,11 +71,11 @@ class CellMaker {
     std::size_t operator()(const std::array<std::uint32_t, 3>& names) const;
   };
   /// The number of a corner; the same for all that have the same three names.
-  std::uint32_t add(Corner<3> corner);
+  std::uint32_t add(HyperplaneMeet<3> corner);
 
   const HyperplaneTable<3>& table_;
   bsp::BoxPlanes box_;
-  std::vector<Corner<3>> corners_;
+  std::vector<HyperplaneMeet<3>> corners_;
   std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, NamesHash> numbers_;  ///< by names, rising
   std::vector<std::pair<std::uint32_t, Sign>> signs_;  ///< of corners, and in which division that was
   std::uint32_t split_ = 0;                            ///< the number of the last division

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/kernel/disjoint_sets.h"
+#include "extensions/convex/boundary_loop.h"
 #include "extensions/convex/directions.h"
-#include "extensions/convex/outline.h"
 
 namespace strata::convex {
 namespace {

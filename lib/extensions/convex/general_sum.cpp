@@ -26,8 +26,8 @@ struct Operands {
 };
 
 /// A point inside a piece, moved outwards by infinitely little; another one for every k > 0.
-NearPoint place_in_front(const Carriers& carriers, const PointTable& points, const PieceOfFace& piece, int k) {
-  const auto place = [&](PointId v) { return exact_position(carriers, points.point(v)); };
+NearPoint place_in_front(const InputComplex& input, const PointTable& points, const PieceOfFace& piece, int k) {
+  const auto place = [&](PointId v) { return exact_position(input, points.point(v)); };
   const RationalPoint a = place(piece.corners[0]), b = place(piece.corners[1]), c = place(piece.corners[2]);
   const Rational second = k, third = Rational(k) * k, sum = 1 + second + third;
   NearPoint result;
@@ -42,22 +42,22 @@ NearPoint place_in_front(const Carriers& carriers, const PointTable& points, con
 }
 
 ExactMesh outer_boundary(const ExactMesh& touching, const Operands& operands, const Monitor& monitor) {
-  Carriers carriers;
-  carriers.add(touching.mesh.vertices, touching.mesh.triangles, touching.exact);
-  PointTable points(carriers);
+  InputComplex input;
+  input.add(touching.mesh.vertices, touching.mesh.triangles, touching.exact);
+  PointTable points(input);
   Profile profile;
-  Evaluated pieces = arrange_pieces(carriers, Rule::every_sheet(), true, points, monitor, profile);
+  Evaluated pieces = arrange_pieces(input, Rule::every_sheet(), true, points, monitor, profile);
   const SumMembership membership(operands.a.mesh, operands.a.surface, operands.solid_b, operands.of_b,
                                  operands.polytope_b);
   keep_outer_pieces(
-      carriers, points, pieces,
-      [&](const PieceOfFace& piece, int k) { return membership.side(place_in_front(carriers, points, piece, k)); },
+      input, points, pieces,
+      [&](const PieceOfFace& piece, int k) { return membership.side(place_in_front(input, points, piece, k)); },
       monitor);
-  merge_pieces(carriers, points, pieces.split, pieces.pools, monitor);
-  Boundary boundary = gather_boundary(carriers, pieces.whole, pieces.split, points);
+  merge_pieces(input, points, pieces.split, pieces.pools, monitor);
+  Boundary boundary = gather_boundary(input, pieces.whole, pieces.split, points);
   ExactMesh sum;
-  sum.mesh.vertices = round_to_doubles(carriers, points, boundary, monitor);
-  sum.exact = exact_places(carriers, points, boundary, sum.mesh.vertices, monitor);
+  sum.mesh.vertices = round_to_doubles(input, points, boundary, monitor);
+  sum.exact = exact_positions(input, points, boundary, sum.mesh.vertices, monitor);
   sum.mesh.triangles = std::move(boundary.triangles);
   if (!chain_is_closed(sum.mesh)) throw LogicError("the boundary of a sum is not closed");
   return sum;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/kernel/disjoint_sets.h"
-#include "extensions/convex/outline.h"
+#include "extensions/convex/boundary_loop.h"
 #include "strata/convex.h"
 
 namespace strata::convex {
@@ -67,7 +67,7 @@ std::vector<std::vector<RationalPoint>> parts_of(const Surface& surface) {
 }
 
 /// Turn of p, q, r in the plane of x and y, where r is moved by (e, e^2).
-int turn(const RationalPoint& p, const RationalPoint& q, const RationalPoint& r) {
+int orientation(const RationalPoint& p, const RationalPoint& q, const RationalPoint& r) {
   const Rational x = q[0] - p[0], y = q[1] - p[1];
   const Rational value = x * (r[1] - p[1]) - y * (r[0] - p[0]);
   if (value != 0) return value.sign();
@@ -104,9 +104,9 @@ Side side_of_solid(const ExactMesh& solid, const BoxIndex& triangles, const Near
       if (told) return false;
       is_in_front = true;
     }
-    const int turns = turn(c[0], c[1], p) + turn(c[1], c[2], p) + turn(c[2], c[0], p);
-    if (turns == 3 && height < 0) ++above;
-    if (turns == -3 && height > 0) --above;
+    const int orientations = orientation(c[0], c[1], p) + orientation(c[1], c[2], p) + orientation(c[2], c[0], p);
+    if (orientations == 3 && height < 0) ++above;
+    if (orientations == -3 && height > 0) --above;
     return true;
   });
   if (told) return *told;
@@ -114,22 +114,22 @@ Side side_of_solid(const ExactMesh& solid, const BoxIndex& triangles, const Near
 }
 
 /// Both sides of a triangle.
-Outline outline_of(const Mesh& mesh, const Triangle& t) {
+BoundaryLoop outline_of(const Mesh& mesh, const Triangle& t) {
   const Vertex &p = mesh.vertices[t[0]], &q = mesh.vertices[t[1]], &r = mesh.vertices[t[2]];
-  Outline outline({p, q, r});
-  outline.add_facet(p, q, r);
-  outline.add_facet(p, r, q);
-  return outline;
+  BoundaryLoop loop({p, q, r});
+  loop.add_facet(p, q, r);
+  loop.add_facet(p, r, q);
+  return loop;
 }
 
-Outline outline_of(const Polytope& polytope) {
-  Outline outline(polytope.vertices);
+BoundaryLoop outline_of(const Polytope& polytope) {
+  BoundaryLoop loop(polytope.vertices);
   for (const auto& loop : polytope.facets) {
     const Vertex &p = polytope.vertices[loop[0]], &q = polytope.vertices[loop[1]], &r = polytope.vertices[loop[2]];
-    outline.add_facet(p, q, r);
-    if (polytope.dimension < 3) outline.add_facet(p, r, q);
+    loop.add_facet(p, q, r);
+    if (polytope.dimension < 3) loop.add_facet(p, r, q);
   }
-  return outline;
+  return loop;
 }
 
 }  // namespace
@@ -225,7 +225,7 @@ Side SumMembership::side_of_boundaries(const NearPoint& point) const {
 
 template <class PieceOfB>
 Side SumMembership::side_of_sums(const NearPoint& point, const Vertex& near, const Box& bounds_of_b,
-                                 const Outline& outline_of_b, const PieceOfB& piece_of_b) const {
+                                 const BoundaryLoop& outline_of_b, const PieceOfB& piece_of_b) const {
   std::optional<Polytope> of_b;  // when it is needed
   bool unknown = false;
   const bool is_out =

@@ -41,7 +41,7 @@ ExactMesh resolved(const Solid& solid, const Options& options) {
   inner.input = InputClass::overlapping;
   inner.engine = nullptr;
   inner.exact_vertices = true;
-  BooleanResult united = combine(Operation::unite, std::span<const Operand>(operand), inner);
+  BooleanResult united = combine(Operation::union_, std::span<const Operand>(operand), inner);
   return {std::move(united.mesh), std::move(united.exact)};
 }
 
@@ -61,7 +61,7 @@ Solid uncovered(Mesh room, const Solid& covered, const Options& options) {
   for (Vertex& v : room.vertices)
     for (double& x : v) x /= 2;
   const Solid both[] = {Solid::trusted({std::move(room), {}}), covered};
-  return combine_solids(Operation::subtract, both, options);
+  return combine_solids(Operation::difference, both, options);
 }
 
 ExactMesh turned_about_origin(ExactMesh mesh) {
@@ -111,7 +111,7 @@ Solid minkowski_sum(const Solid& a, std::span<const Polytope> b, const Options& 
   Options quiet = options;
   quiet.progress = {};
   for (const Polytope& polytope : b) sums.push_back(minkowski_sum(a, polytope, quiet));
-  return combine_solids(Operation::unite, sums, options);
+  return combine_solids(Operation::union_, sums, options);
 }
 
 Solid erosion(const Solid& a, const Polytope& b, const Options& options) {

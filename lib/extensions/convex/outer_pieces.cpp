@@ -107,11 +107,11 @@ class Patches {
 };
 
 /// All that an arrangement holds: whole faces, then pieces of the others.
-std::vector<PieceOfFace> list_pieces(const Carriers& carriers, const PointTable& points, const Evaluated& pieces) {
+std::vector<PieceOfFace> list_pieces(const InputComplex& input, const PointTable& points, const Evaluated& pieces) {
   std::vector<PieceOfFace> all;
   for (std::uint32_t f = 0; f < pieces.whole.size(); ++f) {
     if (pieces.whole[f] == Verdict::drop) continue;
-    auto corners = carriers.face(f);
+    auto corners = input.face(f);
     for (PointId& p : corners) p = points.representative(p);
     all.push_back({f, corners});
   }
@@ -203,7 +203,7 @@ class Remainder {
     for (PieceTriangle& t : triangles_)
       for (std::size_t i = 0; i < 3; ++i)
         if (!std::binary_search(sides.begin(), sides.end(), std::pair(t.v[(i + 1) % 3], t.v[i])))
-          t.outline |= static_cast<std::uint8_t>(1u << i);
+          t.loop |= static_cast<std::uint8_t>(1u << i);
   }
 
   std::vector<std::uint32_t> index_;  ///< per point of the face
@@ -227,9 +227,9 @@ void drop_gone(Evaluated& pieces, Patches& patches) {
 
 }  // namespace
 
-void keep_outer_pieces(const Carriers& carriers, const PointTable& points, Evaluated& pieces,
+void keep_outer_pieces(const InputComplex& input, const PointTable& points, Evaluated& pieces,
                        const SideInFront& in_front, const Monitor& monitor) {
-  const std::vector<PieceOfFace> all = list_pieces(carriers, points, pieces);
+  const std::vector<PieceOfFace> all = list_pieces(input, points, pieces);
   Patches patches(all);
   auto unknown = patches.unknown();
   if (const std::size_t outside = farthest(unknown, all, points); outside < unknown.size()) {

@@ -7,7 +7,7 @@
 
 #include "core/exact/lattice.h"
 #include "core/kernel/box.h"
-#include "core/kernel/filtered_turn.h"
+#include "core/kernel/filtered_orientation.h"
 #include "core/kernel/filters.h"
 
 namespace strata::convex {
@@ -174,14 +174,14 @@ Sign PointCloud::side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::ui
   return decide<4>({a, b, c, p}, [](const auto& q) { return value_at(plane_through(q[0], q[1], q[2]), q[3]); });
 }
 
-Sign PointCloud::turn(std::uint32_t p, std::uint32_t q, std::uint32_t r, std::size_t axis) const {
+Sign PointCloud::orientation(std::uint32_t p, std::uint32_t q, std::uint32_t r, std::size_t axis) const {
   const int u = static_cast<int>((axis + 1) % 3), v = static_cast<int>((axis + 2) % 3);
-  if (const auto sign = turn_of<Bounded>(bounded(p), bounded(q), bounded(r), u, v).sign()) return *sign;
+  if (const auto sign = orientation_of<Bounded>(bounded(p), bounded(q), bounded(r), u, v).sign()) return *sign;
   if (rounded_.empty()) {
     const auto seen = [&](std::uint32_t point) { return PlanePoint{at_[point][u], at_[point][v]}; };
-    if (const auto sign = turn_by_differences(seen(p), seen(q), seen(r))) return *sign;
+    if (const auto sign = orientation_by_differences(seen(p), seen(q), seen(r))) return *sign;
   }
-  return decide<3>({p, q, r}, [&](const auto& t) { return strata::turn(t[0], t[1], t[2], u, v); });
+  return decide<3>({p, q, r}, [&](const auto& t) { return strata::orientation(t[0], t[1], t[2], u, v); });
 }
 
 }  // namespace strata::convex

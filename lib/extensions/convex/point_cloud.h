@@ -40,7 +40,7 @@ class PointCloud {
   /// Side of p of the plane through a, b, c: positive when p sees them counter-clockwise.
   [[nodiscard]] Sign side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p) const;
   /// Turn of p, q, r as seen against an axis, in the axes after it: positive when counter-clockwise.
-  [[nodiscard]] Sign turn(std::uint32_t p, std::uint32_t q, std::uint32_t r, std::size_t axis) const;
+  [[nodiscard]] Sign orientation(std::uint32_t p, std::uint32_t q, std::uint32_t r, std::size_t axis) const;
 
  private:
   struct Rounded {

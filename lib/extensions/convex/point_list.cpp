@@ -23,12 +23,12 @@ class Places {
     });
   }
 
-  [[nodiscard]] const RoundedPlace<3>& operator[](std::size_t k) const { return rounded_[k]; }
-  [[nodiscard]] const Corner<3>& corner(std::size_t k) const { return maker_.corner(corners_[k]); }
+  [[nodiscard]] const RoundedPoint<3>& operator[](std::size_t k) const { return rounded_[k]; }
+  [[nodiscard]] const HyperplaneMeet<3>& corner(std::size_t k) const { return maker_.corner(corners_[k]); }
 
   /// Rounding keeps the order, so exact places decide only between equal doubles that were rounded the same way.
   [[nodiscard]] std::strong_ordering compare(std::size_t a, std::size_t b) {
-    const RoundedPlace<3>&p = rounded_[a], &q = rounded_[b];
+    const RoundedPoint<3>&p = rounded_[a], &q = rounded_[b];
     for (std::size_t i = 0; i < 3; ++i) {
       if (p.nearest[i] != q.nearest[i]) return less_if(p.nearest[i] < q.nearest[i]);
       if (p.rest[i] != q.rest[i]) return less_if(p.rest[i] < q.rest[i]);
@@ -57,7 +57,7 @@ class Places {
   const HyperplaneTable<3>& table_;
   const CellMaker& maker_;
   std::span<const std::uint32_t> corners_;
-  std::vector<RoundedPlace<3>> rounded_;
+  std::vector<RoundedPoint<3>> rounded_;
   std::vector<std::optional<RationalPoint>> exact_;  ///< those that were needed
 };
 
@@ -78,7 +78,7 @@ std::vector<std::uint32_t> PointList::sorted(std::vector<Vertex>& points, std::v
             [&](std::uint32_t a, std::uint32_t b) { return places.compare(a, b) == std::strong_ordering::less; });
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (k == 0 || places.compare(order[k - 1], order[k]) != std::strong_ordering::equal) {
-      const RoundedPlace<3>& place = places[order[k]];
+      const RoundedPoint<3>& place = places[order[k]];
       if (!place.is_exact())
         meets.push_back({static_cast<std::uint32_t>(points.size()), places.corner(order[k]).names});
       points.push_back(place.nearest);

@@ -11,7 +11,7 @@ namespace {
 /// An axis that is not parallel to the plane: seen along it different points are different.
 std::size_t axis_of_view(const PointCloud& cloud, const std::array<std::uint32_t, 3>& t) {
   for (std::size_t axis = 0; axis < 2; ++axis)
-    if (cloud.turn(t[0], t[1], t[2], axis) != Sign::zero) return axis;
+    if (cloud.orientation(t[0], t[1], t[2], axis) != Sign::zero) return axis;
   return 2;
 }
 
@@ -22,7 +22,7 @@ void append_chain(const PointCloud& cloud, std::size_t axis, Iterator begin, Ite
   const std::size_t least = corners.size() + 2;
   for (; begin != end; ++begin) {
     while (corners.size() >= least &&
-           cloud.turn(corners[corners.size() - 2], corners.back(), *begin, axis) != Sign::positive)
+           cloud.orientation(corners[corners.size() - 2], corners.back(), *begin, axis) != Sign::positive)
       corners.pop_back();
     corners.push_back(*begin);
   }

@@ -51,7 +51,7 @@ class Splitter {
       if (lie == bsp::Lie::minus) sides_.minus.edges.push_back(e);
       if (lie == bsp::Lie::plus) sides_.plus.edges.push_back(e);
     } else if (from * to == Sign::negative) {
-      const Corner<3> middle = boundary_.table.meet({w.planes[0], w.planes[1], plane_});
+      const HyperplaneMeet<3> middle = boundary_.table.meet({w.planes[0], w.planes[1], plane_});
       edges_on(from).push_back({e.wedge, {e.ends[0], middle}});
       edges_on(to).push_back({e.wedge, {middle, e.ends[1]}});
     } else {

@@ -34,7 +34,7 @@ struct Face {
 /// A wedge, as far as its edge goes through a region or along its walls with both faces inside.
 struct Edge {
   std::uint32_t wedge = 0;
-  std::array<Corner<3>, 2> ends;
+  std::array<HyperplaneMeet<3>, 2> ends;
 };
 
 /// A convex part of space and what is in it of a solid's boundary.

@@ -210,13 +210,13 @@ class Summation {
     std::vector<std::uint32_t> loop;
     for (std::size_t i = 0, j = 0; i + 1 < p.size() || j + 1 < q.size();) {
       loop.push_back(sums_.number(p[i], q[j]));
-      int turn = i + 1 == p.size() ? -1 : 1;
+      int orientation = i + 1 == p.size() ? -1 : 1;
       if (i + 1 < p.size() && j + 1 < q.size()) {
         const auto d = a_.difference(p[i], p[i + 1], axes), e = b_.difference(q[j], q[j + 1], axes);
-        turn = Integer(d[0] * e[1] - d[1] * e[0]).sign();
+        orientation = Integer(d[0] * e[1] - d[1] * e[0]).sign();
       }
-      i += turn >= 0;
-      j += turn <= 0;
+      i += orientation >= 0;
+      j += orientation <= 0;
     }
     return loop;
   }

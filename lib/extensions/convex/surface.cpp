@@ -24,7 +24,7 @@ class HalfEdges {
         from_.push_back(surface.faces[f][i]);
       }
     }
-    twin_.assign(face_.size(), none);
+    partner_.assign(face_.size(), none);
     pair();
   }
 
@@ -32,11 +32,11 @@ class HalfEdges {
   [[nodiscard]] std::uint32_t from(std::uint32_t h) const { return from_[h]; }
   [[nodiscard]] std::uint32_t to(std::uint32_t h) const { return from_[next_[h]]; }
   [[nodiscard]] std::uint32_t face(std::uint32_t h) const { return face_[h]; }
-  [[nodiscard]] std::uint32_t twin(std::uint32_t h) const { return twin_[h]; }
+  [[nodiscard]] std::uint32_t partner(std::uint32_t h) const { return partner_[h]; }
   /// A corner of its face off its line.
   [[nodiscard]] std::uint32_t third(std::uint32_t h) const { return from_[next_[next_[h]]]; }
   /// The next side out of the same vertex, counter-clockwise.
-  [[nodiscard]] std::uint32_t around(std::uint32_t h) const { return twin_[before_[h]]; }
+  [[nodiscard]] std::uint32_t around(std::uint32_t h) const { return partner_[before_[h]]; }
 
  private:
   void pair() {
@@ -53,8 +53,8 @@ class HalfEdges {
 
   void connect(std::uint32_t g, std::uint32_t h) {
     if (from(g) == from(h)) throw std::invalid_argument("faces about an edge do not bound a solid");
-    twin_[g] = h;
-    twin_[h] = g;
+    partner_[g] = h;
+    partner_[h] = g;
   }
 
   void pair_about_edge(std::span<std::uint32_t> sides) {
@@ -97,8 +97,8 @@ class HalfEdges {
     // x and y are not of one length: that stretches the plane, which keeps the order of directions.
     std::stable_sort(all.begin(), all.end(), [&](const Direction& a, const Direction& b) {
       if (half(a) != half(b)) return half(a) < half(b);
-      const Rational turn = a.x * b.y - a.y * b.x;
-      if (turn != 0) return turn > 0;
+      const Rational orientation = a.x * b.y - a.y * b.x;
+      if (orientation != 0) return orientation > 0;
       return a.backwards < b.backwards;
     });
     for (std::size_t i = 0; i < sides.size(); ++i) sides[i] = all[i].side;
@@ -108,7 +108,7 @@ class HalfEdges {
   }
 
   const Surface& surface_;
-  std::vector<std::uint32_t> face_, next_, before_, from_, twin_;
+  std::vector<std::uint32_t> face_, next_, before_, from_, partner_;
 };
 
 /// Edges, and fans about vertices, of a surface that has its faces.
@@ -117,7 +117,7 @@ void add_neighbourhoods(Surface& surface) {
   std::vector<std::uint32_t> edge_of(sides.size(), none);
   for (std::uint32_t h = 0; h < sides.size(); ++h) {
     if (edge_of[h] != none) continue;
-    const std::uint32_t g = sides.twin(h);
+    const std::uint32_t g = sides.partner(h);
     edge_of[h] = edge_of[g] = static_cast<std::uint32_t>(surface.edges.size());
     surface.edges.push_back(
         {sides.from(h), sides.to(h), sides.face(h), sides.face(g), {}, {sides.third(h), sides.third(g)}});

@@ -43,7 +43,7 @@ class WedgeFinder {
                                         : table_.side(f.piece.hyperplane, mesh_.position(vertex));
     return f.faces_plus ? side : -side;
   }
-  [[nodiscard]] Turn turn(const EdgeUse& from, const EdgeUse& to) const {
+  [[nodiscard]] Turn orientation(const EdgeUse& from, const EdgeUse& to) const {
     const Sign side = outer_side(from.triangle, apex(to));
     return side == Sign::negative ? Turn::less : side == Sign::zero ? Turn::straight : Turn::more;
   }
@@ -57,7 +57,7 @@ class WedgeFinder {
   }
   /// True when g comes before h in going round from `from`.
   [[nodiscard]] bool is_before(const EdgeUse& from, const EdgeUse& g, const EdgeUse& h) const {
-    const Turn to_g = turn(from, g), to_h = turn(from, h);
+    const Turn to_g = orientation(from, g), to_h = orientation(from, h);
     if (to_g != to_h) return to_g < to_h;
     if (to_g == Turn::straight) return false;
     // Within one half-turn h is less than 180 degrees beyond g, or g beyond h. Both face against `from`, so that what
@@ -75,7 +75,7 @@ class WedgeFinder {
             {plane, plane == other ? facet.piece.walls[side] : other},
             {triangles_[f.triangle][begin], triangles_[f.triangle][end]},
             {facet.piece.corners[corner(begin)], facet.piece.corners[corner(end)]},
-            turn(f, g) == Turn::more};
+            orientation(f, g) == Turn::more};
     return w;
   }
 

@@ -14,7 +14,7 @@ struct Wedge {
   std::array<std::uint32_t, 2> faces;     ///< the triangles that bound it
   std::array<std::uint32_t, 2> planes;    ///< two planes that meet in the edge's line
   std::array<std::uint32_t, 2> vertices;  ///< of the edge; one number for equal ones
-  std::array<Corner<3>, 2> ends;          ///< their places
+  std::array<HyperplaneMeet<3>, 2> ends;  ///< their places
   bool is_reflex = false;                 ///< larger than 180 degrees
 };
 

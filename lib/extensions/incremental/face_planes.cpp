@@ -7,13 +7,13 @@
 namespace strata {
 namespace {
 
-PlanePointer plane_through_corners(const Carriers& carriers, std::uint32_t face) {
-  const auto corners = carriers.face(face);
+PlanePointer plane_through_corners(const InputComplex& input, std::uint32_t face) {
+  const auto corners = input.face(face);
   std::array<Point, 3> points;
-  for (std::size_t i = 0; i < 3; ++i) points[i] = make_point(carriers, PointName::input(corners[i]));
+  for (std::size_t i = 0; i < 3; ++i) points[i] = make_point(input, SymbolicPoint::input(corners[i]));
   const std::array<const Point*, 3> list{&points[0], &points[1], &points[2]};
-  const Ground ground(carriers, list);
-  const ExactEvaluation<Integer> exact(carriers, ground.lattice());
+  const Ground ground(input, list);
+  const ExactEvaluation<Integer> exact(input, ground.lattice());
   return std::make_shared<const SourcePlane>(exact.face(face), ground.lattice().unit(), points[0].fine);
 }
 
@@ -21,7 +21,7 @@ PlanePointer plane_through_corners(const Carriers& carriers, std::uint32_t face)
 
 const PlanePointer& FacePlanes::of(std::uint32_t face, bool turned) {
   PlanePointer& plane = planes_[std::size_t{2} * face];
-  if (plane == nullptr) plane = plane_through_corners(carriers_, face);
+  if (plane == nullptr) plane = plane_through_corners(input_, face);
   if (!turned) return plane;
   PlanePointer& other = planes_[std::size_t{2} * face + 1];
   if (other == nullptr) other = std::make_shared<const SourcePlane>(plane->turned());

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/incremental/face_tree.h"
 
 namespace strata {
@@ -11,8 +11,7 @@ namespace strata {
 /// The source planes of the faces of an evaluation, made when they are asked for. For one thread.
 class FacePlanes {
  public:
-  explicit FacePlanes(const Carriers& carriers)
-      : carriers_(carriers), planes_(std::size_t{2} * carriers.face_count()) {}
+  explicit FacePlanes(const InputComplex& input) : input_(input), planes_(std::size_t{2} * input.face_count()) {}
 
   /// The plane of a face is known.
   void know(std::uint32_t face, const PlanePointer& plane) { planes_[std::size_t{2} * face] = plane; }
@@ -20,7 +19,7 @@ class FacePlanes {
   [[nodiscard]] const PlanePointer& of(std::uint32_t face, bool turned);
 
  private:
-  const Carriers& carriers_;
+  const InputComplex& input_;
   std::vector<PlanePointer> planes_;  ///< per face, as it is and turned
 };
 

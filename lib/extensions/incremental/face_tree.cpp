@@ -14,13 +14,15 @@ constexpr std::size_t most_in_leaf = 16;
 /// A tree stays as long as neither half has more than this part of its faces.
 constexpr double balance = 0.75;
 
-Twofold coordinate(const Corner& c, std::size_t axis) {
+DoubleDouble coordinate(const IncrementalVertex& c, std::size_t axis) {
   if (c.meet_planes[0] != nullptr) return c.meet.at[axis];
   if (c.rational) return Bounded{c.at[axis], std::abs(c.at[axis]) * Bounded::rounding + Bounded::underflow};
   return c.at[axis];
 }
 
-RealPoint<Twofold> place(const Corner& c) { return {coordinate(c, 0), coordinate(c, 1), coordinate(c, 2)}; }
+RealPoint<DoubleDouble> place(const IncrementalVertex& c) {
+  return {coordinate(c, 0), coordinate(c, 1), coordinate(c, 2)};
+}
 
 double middle(const WorkFace& f, std::size_t axis) {
   const Box& b = f.box();
@@ -44,17 +46,17 @@ double growth(const Box& box, const Box& added) {
 
 }  // namespace
 
-WorkFace::WorkFace(std::array<CornerPointer, 3> corners, PlanePointer plane)
+WorkFace::WorkFace(std::array<IncrementalVertexPointer, 3> corners, PlanePointer plane)
     : corners_(std::move(corners)), plane_(std::move(plane)) {
-  for (const CornerPointer& c : corners_) box_.include(c->at);
-  determinant_ = dot<Twofold>(place(*corners_[0]), cross<Twofold>(place(*corners_[1]), place(*corners_[2])));
+  for (const IncrementalVertexPointer& c : corners_) box_.include(c->at);
+  determinant_ = dot<DoubleDouble>(place(*corners_[0]), cross<DoubleDouble>(place(*corners_[1]), place(*corners_[2])));
 }
 
 FaceTree::FaceTree(std::vector<WorkFace> faces) : root_(faces.empty() ? nullptr : build(std::move(faces))) {}
 
 std::size_t FaceTree::size() const { return root_ == nullptr ? 0 : root_->count; }
 Box FaceTree::bounds() const { return root_ == nullptr ? Box() : root_->box; }
-Twofold FaceTree::determinant() const { return root_ == nullptr ? Twofold() : root_->determinant; }
+DoubleDouble FaceTree::determinant() const { return root_ == nullptr ? DoubleDouble() : root_->determinant; }
 
 FaceTree FaceTree::with(std::vector<FaceChange> changes) const {
   std::vector<const WorkFace*> removed;

@@ -8,18 +8,18 @@
 #include <span>
 #include <vector>
 
-#include "core/exact/twofold.h"
+#include "core/exact/double_double.h"
 #include "core/kernel/box.h"
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/kernel/source_plane.h"
 
 namespace strata {
 
 using PlanePointer = std::shared_ptr<const SourcePlane>;
 
-/// A vertex of a workpiece: at doubles, at a rational place that was given, or where three source planes meet.
-struct Corner {
-  Carriers::Coordinates at{};               ///< the place, or the nearest doubles
+/// A vertex of a incremental solid: at doubles, at a rational place that was given, or where three source planes meet.
+struct IncrementalVertex {
+  InputComplex::Coordinates at{};           ///< the place, or the nearest doubles
   bool is_given = true;                     ///< a vertex of an operand, as opposed to one that was constructed
   std::optional<RationalPoint> rational;    ///< if given, and not in doubles
   MeetOfPlanes meet;                        ///< if constructed, and not in doubles
@@ -27,27 +27,27 @@ struct Corner {
 
   [[nodiscard]] bool has_doubles() const { return !rational && meet_planes[0] == nullptr; }
 };
-using CornerPointer = std::shared_ptr<const Corner>;
+using IncrementalVertexPointer = std::shared_ptr<const IncrementalVertex>;
 
-/// A triangle of a workpiece.
+/// A triangle of a incremental solid.
 class WorkFace {
  public:
   /// Corners counter-clockwise from outside; the plane that the face is a part of, or null for the one through its
   /// corners, which are doubles then.
-  WorkFace(std::array<CornerPointer, 3> corners, PlanePointer plane);
+  WorkFace(std::array<IncrementalVertexPointer, 3> corners, PlanePointer plane);
 
-  [[nodiscard]] const std::array<CornerPointer, 3>& corners() const { return corners_; }
+  [[nodiscard]] const std::array<IncrementalVertexPointer, 3>& corners() const { return corners_; }
   [[nodiscard]] const PlanePointer& plane() const { return plane_; }
   /// Of the corners' doubles. Rounding is monotone: boxes of faces that meet overlap.
   [[nodiscard]] const Box& box() const { return box_; }
   /// Six times the signed volume between the face and the coordinates' origin, within bounds.
-  [[nodiscard]] const Twofold& determinant() const { return determinant_; }
+  [[nodiscard]] const DoubleDouble& determinant() const { return determinant_; }
 
  private:
-  std::array<CornerPointer, 3> corners_;
+  std::array<IncrementalVertexPointer, 3> corners_;
   PlanePointer plane_;
   Box box_;
-  Twofold determinant_;
+  DoubleDouble determinant_;
 };
 
 /// Faces of a tree, by their addresses, that go, and others that come in their place.
@@ -56,8 +56,8 @@ struct FaceChange {
   std::vector<WorkFace> added;
 };
 
-/// The faces of a workpiece in an immutable tree of boxes. A tree that differs in a few faces shares all subtrees in
-/// which it does not. The shape of a tree follows from how it was made, not from threads or addresses.
+/// The faces of a incremental solid in an immutable tree of boxes. A tree that differs in a few faces shares all
+/// subtrees in which it does not. The shape of a tree follows from how it was made, not from threads or addresses.
 class FaceTree {
  public:
   FaceTree() = default;
@@ -66,7 +66,7 @@ class FaceTree {
   [[nodiscard]] std::size_t size() const;
   [[nodiscard]] Box bounds() const;
   /// Six times the volume inside, within bounds.
-  [[nodiscard]] Twofold determinant() const;
+  [[nodiscard]] DoubleDouble determinant() const;
 
   /// Calls `visit(const WorkFace&)` for all faces whose boxes a region may hold something of, in the order of the tree.
   /// `overlaps(const Box&)` is true of a box if it is of a box inside. The references are valid as long as the tree is.
@@ -89,7 +89,7 @@ class FaceTree {
   struct Node {
     Box box;
     std::size_t count = 0;
-    Twofold determinant;
+    DoubleDouble determinant;
     std::array<NodePointer, 2> children;  ///< null: a leaf
     std::vector<WorkFace> faces;          ///< of a leaf
   };

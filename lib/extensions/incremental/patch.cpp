@@ -12,7 +12,7 @@ namespace {
 /// tool's box.
 class Reach {
  public:
-  Reach(const Box& workpiece, const Box& tool) : grid_(lower(workpiece, tool), upper(workpiece, tool)) {
+  Reach(const Box& solid_in_steps, const Box& tool) : grid_(lower(solid_in_steps, tool), upper(solid_in_steps, tool)) {
     tool_.lower = grid_.at(tool.lower);
     tool_.upper = grid_.at(tool.upper);
     tool_.upper[0] = Grid::extent;  // walks come from beyond
@@ -22,11 +22,11 @@ class Reach {
   }
 
  private:
-  static Carriers::Coordinates lower(Box a, const Box& b) {
+  static InputComplex::Coordinates lower(Box a, const Box& b) {
     a.include(b);
     return a.lower;
   }
-  static Carriers::Coordinates upper(Box a, const Box& b) {
+  static InputComplex::Coordinates upper(Box a, const Box& b) {
     a.include(b);
     return a.upper;
   }
@@ -38,11 +38,11 @@ class Reach {
 }  // namespace
 
 Patch::Patch(const FaceTree& tree, const Box& tool) : bounds_(tree.bounds()) {
-  std::unordered_map<const Corner*, std::uint32_t> numbers;
+  std::unordered_map<const IncrementalVertex*, std::uint32_t> numbers;
   tree.for_each_in(Reach(bounds_, tool), [&](const WorkFace& face) {
-    Carriers::Indices triangle{};
+    InputComplex::Indices triangle{};
     for (std::size_t i = 0; i < 3; ++i) {
-      const CornerPointer& corner = face.corners()[i];
+      const IncrementalVertexPointer& corner = face.corners()[i];
       const auto [at, is_new] = numbers.try_emplace(corner.get(), static_cast<std::uint32_t>(corners_.size()));
       triangle[i] = at->second;
       if (!is_new) continue;

@@ -30,9 +30,9 @@ double spread(const SourcePlane& p, const SourcePlane& q, const SourcePlane& r) 
 
 class CornerRemover {
  public:
-  CornerRemover(const Carriers& carriers, const PointTable& points, FacePlanes& planes,
+  CornerRemover(const InputComplex& input, const PointTable& points, FacePlanes& planes,
                 const std::vector<PointId>& candidates, std::vector<ResultTriangle>& triangles)
-      : carriers_(carriers), points_(points), planes_(planes), candidates_(candidates), triangles_(triangles) {
+      : input_(input), points_(points), planes_(planes), candidates_(candidates), triangles_(triangles) {
     place_.assign(points.end(), none);
     for (Index i = 0; i < candidates.size(); ++i) place_[candidates[i]] = i;
     around_.resize(candidates.size());
@@ -40,13 +40,13 @@ class CornerRemover {
   }
 
   std::vector<MeetingPlanes> remove_all() {
-    std::vector<MeetingPlanes> meetings(candidates_.size());
+    std::vector<MeetingPlanes> intersections(candidates_.size());
     for (Index i = 0; i < candidates_.size(); ++i) {
       find_sheets(i);
-      if (sheets_.empty() || (!find_meeting(meetings[i]) && remove(i))) continue;
+      if (sheets_.empty() || (!find_meeting(intersections[i]) && remove(i))) continue;
     }
     std::erase_if(triangles_, [](const ResultTriangle& t) { return t.face == none; });
-    return meetings;
+    return intersections;
   }
 
  private:
@@ -101,7 +101,7 @@ class CornerRemover {
     if (!split_discs() || !ends_match()) return false;
     std::vector<ResultTriangle> replacing;
     for (const Fan& fan : fans_) {
-      const auto triangulated = triangulate_star(carriers_, points_, *sheets_[fan.sheet].plane, fan.outline);
+      const auto triangulated = triangulate_star(input_, points_, *sheets_[fan.sheet].plane, fan.loop);
       if (!triangulated) return false;
       const ResultTriangle& like = triangles_[sheets_[fan.sheet].triangles.front()];
       for (const auto& v : *triangulated) replacing.push_back({v, like.face, like.turned, false});
@@ -119,7 +119,7 @@ class CornerRemover {
   struct Fan {
     std::size_t sheet = 0;
     bool is_closed = false;
-    std::vector<PointId> outline;
+    std::vector<PointId> loop;
   };
 
   /// Chains the sides opposite to the corner. False when they branch.
@@ -143,11 +143,11 @@ class CornerRemover {
       for (std::size_t at = first;;) {
         used[at] = true;
         const PointId next = sides[at].second;
-        if (next == fan.outline.front()) {
+        if (next == fan.loop.front()) {
           fan.is_closed = true;
           break;
         }
-        fan.outline.push_back(next);
+        fan.loop.push_back(next);
         const auto onward = std::lower_bound(sides.begin(), sides.end(), std::pair{next, PointId{0}});
         if (onward == sides.end() || onward->first != next) break;
         at = static_cast<std::size_t>(onward - sides.begin());
@@ -166,23 +166,23 @@ class CornerRemover {
   bool split_discs() {
     const auto open = std::find_if(fans_.begin(), fans_.end(), [](const Fan& f) { return !f.is_closed; });
     if (open == fans_.end()) return fans_.size() == 1;
-    const auto ends = std::minmax(open->outline.front(), open->outline.back());
+    const auto ends = std::minmax(open->loop.front(), open->loop.back());
     const std::pair<PointId, PointId> line(ends.first, ends.second);
     for (std::size_t i = 0, n = fans_.size(); i < n; ++i) {
       if (!fans_[i].is_closed) {
-        if (std::pair<PointId, PointId>(std::minmax({fans_[i].outline.front(), fans_[i].outline.back()})) != line)
+        if (std::pair<PointId, PointId>(std::minmax({fans_[i].loop.front(), fans_[i].loop.back()})) != line)
           return false;
         continue;
       }
       Fan half{fans_[i].sheet, false, {}};
-      std::vector<PointId>& outline = fans_[i].outline;
-      const auto first = std::find(outline.begin(), outline.end(), line.first);
-      std::rotate(outline.begin(), first, outline.end());
-      const auto second = std::find(outline.begin(), outline.end(), line.second);
-      if (outline.front() != line.first || second == outline.end()) return false;
-      half.outline.assign(second, outline.end());
-      half.outline.push_back(line.first);
-      outline.erase(second + 1, outline.end());
+      std::vector<PointId>& loop = fans_[i].loop;
+      const auto first = std::find(loop.begin(), loop.end(), line.first);
+      std::rotate(loop.begin(), first, loop.end());
+      const auto second = std::find(loop.begin(), loop.end(), line.second);
+      if (loop.front() != line.first || second == loop.end()) return false;
+      half.loop.assign(second, loop.end());
+      half.loop.push_back(line.first);
+      loop.erase(second + 1, loop.end());
       fans_[i].is_closed = false;
       fans_.push_back(std::move(half));
     }
@@ -194,15 +194,15 @@ class CornerRemover {
     std::vector<std::pair<PointId, PointId>> forth, back;
     for (const Fan& fan : fans_) {
       if (fan.is_closed) continue;
-      forth.emplace_back(fan.outline.front(), fan.outline.back());
-      back.emplace_back(fan.outline.back(), fan.outline.front());
+      forth.emplace_back(fan.loop.front(), fan.loop.back());
+      back.emplace_back(fan.loop.back(), fan.loop.front());
     }
     std::sort(forth.begin(), forth.end());
     std::sort(back.begin(), back.end());
     return forth == back;
   }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const PointTable& points_;
   FacePlanes& planes_;
   const std::vector<PointId>& candidates_;
@@ -215,10 +215,10 @@ class CornerRemover {
 
 }  // namespace
 
-std::vector<MeetingPlanes> remove_redundant_corners(const Carriers& carriers, const PointTable& points,
+std::vector<MeetingPlanes> remove_redundant_corners(const InputComplex& input, const PointTable& points,
                                                     FacePlanes& planes, const std::vector<PointId>& candidates,
                                                     std::vector<ResultTriangle>& triangles) {
-  return CornerRemover(carriers, points, planes, candidates, triangles).remove_all();
+  return CornerRemover(input, points, planes, candidates, triangles).remove_all();
 }
 
 }  // namespace strata

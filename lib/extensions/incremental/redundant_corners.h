@@ -27,7 +27,7 @@ using MeetingPlanes = std::array<PlanePointer, 3>;
 /// which sheets meet that do not share their edges stays. Returns the planes of the candidates that stay, in their
 /// order; none where no three planes tell. O(k d log d) for k candidates with d triangles around them each, for
 /// bounded d; O(d^3) for one of them at worst.
-std::vector<MeetingPlanes> remove_redundant_corners(const Carriers& carriers, const PointTable& points,
+std::vector<MeetingPlanes> remove_redundant_corners(const InputComplex& input, const PointTable& points,
                                                     FacePlanes& planes, const std::vector<PointId>& candidates,
                                                     std::vector<ResultTriangle>& triangles);
 

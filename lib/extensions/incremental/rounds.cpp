@@ -18,8 +18,8 @@ constexpr std::size_t most_in_round = 16;
 
 class Rounds {
  public:
-  Rounds(FaceTree workpiece, Operation operation, std::vector<ToolGroup> groups, const Options& options)
-      : tree_(std::move(workpiece)),
+  Rounds(FaceTree solid_in_steps, Operation operation, std::vector<ToolGroup> groups, const Options& options)
+      : tree_(std::move(solid_in_steps)),
         operation_(operation),
         waiting_(std::move(groups)),
         all_(waiting_.size()),
@@ -30,7 +30,7 @@ class Rounds {
     while (!waiting_.empty()) {
       monitor_.check();
       if (tree_.size() == 0) {
-        if (operation_ == Operation::subtract || operation_ == Operation::intersect) return {};
+        if (operation_ == Operation::difference || operation_ == Operation::intersection) return {};
         begin();
       } else {
         take_round();
@@ -41,7 +41,7 @@ class Rounds {
   }
 
  private:
-  /// The first tool is the workpiece.
+  /// The first tool is the incremental solid.
   void begin() {
     std::vector<Solid>& tools = waiting_.front().tools;
     tree_ = FaceTree(faces_of(tools.front()));
@@ -85,7 +85,7 @@ class Rounds {
   /// The first groups that are apart from each other, taken from those that wait. What an intersection leaves depends
   /// on all faces, so its steps are taken one by one.
   std::vector<ToolGroup> chosen() {
-    const std::size_t most = operation_ == Operation::intersect ? 1 : most_;
+    const std::size_t most = operation_ == Operation::intersection ? 1 : most_;
     std::vector<ToolGroup> round, rest;
     for (ToolGroup& group : waiting_) {
       const auto is_near = [&](const ToolGroup& other) { return group.box.overlaps(other.box); };
@@ -107,8 +107,9 @@ class Rounds {
 
 }  // namespace
 
-FaceTree take_steps(FaceTree workpiece, Operation operation, std::vector<ToolGroup> groups, const Options& options) {
-  return Rounds(std::move(workpiece), operation, std::move(groups), options).take_all();
+FaceTree take_steps(FaceTree solid_in_steps, Operation operation, std::vector<ToolGroup> groups,
+                    const Options& options) {
+  return Rounds(std::move(solid_in_steps), operation, std::move(groups), options).take_all();
 }
 
 }  // namespace strata

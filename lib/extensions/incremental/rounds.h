@@ -7,9 +7,9 @@
 
 namespace strata {
 
-/// A workpiece after a step with each group of tools. Groups that are apart from each other take their steps at the
-/// same time, in rounds; which ones these are does not depend on the number of threads. Throws as `combine` does.
-[[nodiscard]] FaceTree take_steps(FaceTree workpiece, Operation operation, std::vector<ToolGroup> groups,
+/// A incremental solid after a step with each group of tools. Groups that are apart from each other take their steps at
+/// the same time, in rounds; which ones these are does not depend on the number of threads. Throws as `combine` does.
+[[nodiscard]] FaceTree take_steps(FaceTree solid_in_steps, Operation operation, std::vector<ToolGroup> groups,
                                   const Options& options);
 
 }  // namespace strata

@@ -19,8 +19,9 @@ Projection projection_of(const SourcePlane& plane) {
 
 class EarCutter {
  public:
-  EarCutter(const Carriers& carriers, const PointTable& points, Projection projection, std::span<const PointId> polygon)
-      : carriers_(carriers), projection_(projection), ids_(polygon.begin(), polygon.end()) {
+  EarCutter(const InputComplex& input, const PointTable& points, Projection projection,
+            std::span<const PointId> polygon)
+      : input_(input), projection_(projection), ids_(polygon.begin(), polygon.end()) {
     for (const PointId id : polygon) points_.push_back(points.point(id));
   }
 
@@ -33,7 +34,7 @@ class EarCutter {
       ids_.erase(ids_.begin() + static_cast<std::ptrdiff_t>(*ear));
       points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(*ear));
     }
-    if (ids_.size() < 3 || turn(0, 1, 2) != Sign::positive) return std::nullopt;
+    if (ids_.size() < 3 || orientation(0, 1, 2) != Sign::positive) return std::nullopt;
     triangles.push_back({ids_[0], ids_[1], ids_[2]});
     return triangles;
   }
@@ -41,8 +42,8 @@ class EarCutter {
  private:
   [[nodiscard]] std::size_t before(std::size_t i) const { return (i + ids_.size() - 1) % ids_.size(); }
   [[nodiscard]] std::size_t after(std::size_t i) const { return (i + 1) % ids_.size(); }
-  [[nodiscard]] Sign turn(std::size_t a, std::size_t b, std::size_t c) const {
-    return orient2d(carriers_, projection_, points_[a], points_[b], points_[c]);
+  [[nodiscard]] Sign orientation(std::size_t a, std::size_t b, std::size_t c) const {
+    return orient2d(input_, projection_, points_[a], points_[b], points_[c]);
   }
 
   [[nodiscard]] std::optional<std::size_t> best_ear() const {
@@ -60,9 +61,10 @@ class EarCutter {
 
   [[nodiscard]] bool is_ear(std::size_t i) const {
     const std::size_t a = before(i), c = after(i);
-    if (turn(a, i, c) != Sign::positive) return false;
+    if (orientation(a, i, c) != Sign::positive) return false;
     for (std::size_t k = after(c); k != a; k = after(k))
-      if (turn(a, i, k) != Sign::negative && turn(i, c, k) != Sign::negative && turn(c, a, k) != Sign::negative)
+      if (orientation(a, i, k) != Sign::negative && orientation(i, c, k) != Sign::negative &&
+          orientation(c, a, k) != Sign::negative)
         return false;
     return true;
   }
@@ -80,7 +82,7 @@ class EarCutter {
   }
   static double length2(const std::array<double, 2>& d) { return d[0] * d[0] + d[1] * d[1]; }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const Projection projection_;
   std::vector<PointId> ids_;
   std::vector<Point> points_;
@@ -88,10 +90,10 @@ class EarCutter {
 
 }  // namespace
 
-std::optional<std::vector<std::array<PointId, 3>>> triangulate_star(const Carriers& carriers, const PointTable& points,
+std::optional<std::vector<std::array<PointId, 3>>> triangulate_star(const InputComplex& input, const PointTable& points,
                                                                     const SourcePlane& plane,
                                                                     std::span<const PointId> polygon) {
-  return EarCutter(carriers, points, projection_of(plane), polygon).cut();
+  return EarCutter(input, points, projection_of(plane), polygon).cut();
 }
 
 }  // namespace strata

@@ -14,10 +14,10 @@
 namespace strata {
 namespace {
 
-constexpr std::uint32_t workpiece_operand = 0;
+constexpr std::uint32_t incremental_operand = 0;
 
-CornerPointer given_corner(const Vertex& at, const RationalPoint* rational) {
-  auto corner = std::make_shared<Corner>();
+IncrementalVertexPointer given_corner(const Vertex& at, const RationalPoint* rational) {
+  auto corner = std::make_shared<IncrementalVertex>();
   corner->at = at;
   if (rational != nullptr) corner->rational = *rational;
   return corner;
@@ -29,11 +29,11 @@ bool holds(const Box& box, const Vertex& p) {
   return true;
 }
 
-/// Does a surface stay that only the workpiece has on its inside?
+/// Does a surface stay that only the incremental solid has on its inside?
 bool keeps_rest(const Rule& rule) {
-  Windings in_workpiece;
-  in_workpiece.add(workpiece_operand, 1);
-  return rule.inside(in_workpiece);
+  Windings in_incremental_solid;
+  in_incremental_solid.add(incremental_operand, 1);
+  return rule.inside(in_incremental_solid);
 }
 
 class Step {
@@ -43,37 +43,37 @@ class Step {
         region_(group.box),
         rule_(operation, static_cast<std::uint32_t>(group.tools.size() + 1)),
         patch_(tree, region_),
-        points_(carriers_) {
-    patch_.add_to(carriers_);
+        points_(input_) {
+    patch_.add_to(input_);
     for (const Solid& tool : group.tools)
-      carriers_.add(tool.mesh().vertices, tool.mesh().triangles, tool.exact_mesh().exact);
+      input_.add(tool.mesh().vertices, tool.mesh().triangles, tool.exact_mesh().exact);
     Profile profile;
-    pieces_ = evaluate_pieces(carriers_, rule_, false, points_, monitor, profile);
+    pieces_ = evaluate_pieces(input_, rule_, false, points_, monitor, profile);
   }
 
   FaceChange change() {
     gather();
-    FacePlanes planes(carriers_);
+    FacePlanes planes(input_);
     for (std::uint32_t f = 0; f < patch_.face_count(); ++f)
       if (patch_.face(f).plane() != nullptr) planes.know(f, patch_.face(f).plane());
     const std::vector<PointId> candidates = find_candidates();
-    const std::vector<MeetingPlanes> meetings =
-        remove_redundant_corners(carriers_, points_, planes, candidates, triangles_);
+    const std::vector<MeetingPlanes> intersections =
+        remove_redundant_corners(input_, points_, planes, candidates, triangles_);
     corners_.resize(points_.end());
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      if (meetings[i][0] != nullptr && !points_.is_input(candidates[i]))
-        corners_[candidates[i]] = constructed_corner(meetings[i]);
+      if (intersections[i][0] != nullptr && !points_.is_input(candidates[i]))
+        corners_[candidates[i]] = constructed_corner(intersections[i]);
     return assembled(planes);
   }
 
  private:
   void gather() {
-    for (std::uint32_t f = 0; f < carriers_.face_count(); ++f) {
+    for (std::uint32_t f = 0; f < input_.face_count(); ++f) {
       const Verdict verdict = pieces_.whole[f];
       if (verdict == Verdict::drop) continue;
-      Carriers::Indices v = carriers_.face(f);
+      InputComplex::Indices v = input_.face(f);
       for (std::uint32_t& x : v) x = points_.representative(x);
-      const bool turned = verdict == Verdict::keep_turned;
+      const bool turned = verdict == Verdict::keep_reversed;
       if (turned) std::swap(v[0], v[2]);
       triangles_.push_back({v, f, turned, f < patch_.face_count() && !turned});
     }
@@ -94,7 +94,7 @@ class Step {
     }
     for (std::uint32_t f = 0; f < patch_.face_count(); ++f)
       if (!stays[f])
-        for (const std::uint32_t v : carriers_.face(f)) is_touched[points_.representative(v)] = true;
+        for (const std::uint32_t v : input_.face(f)) is_touched[points_.representative(v)] = true;
     std::vector<PointId> candidates;
     for (PointId v = 0; v < points_.end(); ++v)
       if (is_touched[v] && is_candidate(v)) candidates.push_back(v);
@@ -103,12 +103,12 @@ class Step {
   [[nodiscard]] bool is_candidate(PointId v) const {
     if (!points_.is_input(v)) return true;
     if (v >= patch_.vertex_count()) return false;
-    const Corner& corner = *patch_.corner(v);
+    const IncrementalVertex& corner = *patch_.corner(v);
     return !corner.is_given && holds(region_, corner.at);
   }
 
-  static CornerPointer constructed_corner(const MeetingPlanes& planes) {
-    auto corner = std::make_shared<Corner>();
+  static IncrementalVertexPointer constructed_corner(const MeetingPlanes& planes) {
+    auto corner = std::make_shared<IncrementalVertex>();
     corner->is_given = false;
     corner->meet = meet_of(*planes[0], *planes[1], *planes[2]);
     for (std::size_t i = 0; i < 3; ++i) corner->at[i] = corner->meet.at[i].value;
@@ -121,9 +121,9 @@ class Step {
   }
 
   /// A corner that no three planes of the result tell: where sheets touch without sharing their edges.
-  [[nodiscard]] CornerPointer corner_by_name(PointId v) const {
-    auto corner = std::make_shared<Corner>();
-    const RationalPoint exact = exact_position(carriers_, points_.point(v));
+  [[nodiscard]] IncrementalVertexPointer corner_by_name(PointId v) const {
+    auto corner = std::make_shared<IncrementalVertex>();
+    const RationalPoint exact = exact_position(input_, points_.point(v));
     bool has_doubles = true;
     for (std::size_t i = 0; i < 3; ++i) {
       corner->at[i] = to_nearest_double(exact[i]);
@@ -134,11 +134,11 @@ class Step {
     return corner;
   }
 
-  const CornerPointer& corner(PointId v) {
-    CornerPointer& known = corners_[v];
+  const IncrementalVertexPointer& corner(PointId v) {
+    IncrementalVertexPointer& known = corners_[v];
     if (known != nullptr) return known;
     if (v < patch_.vertex_count()) return known = patch_.corner(v);
-    return known = points_.is_input(v) ? given_corner(carriers_.vertex(v), carriers_.exact(v)) : corner_by_name(v);
+    return known = points_.is_input(v) ? given_corner(input_.vertex(v), input_.exact(v)) : corner_by_name(v);
   }
 
   FaceChange assembled(FacePlanes& planes) {
@@ -172,20 +172,21 @@ class Step {
   }
 
   WorkFace new_face(const ResultTriangle& t, FacePlanes& planes) {
-    const std::array<CornerPointer, 3> corners{corner(t.v[0]), corner(t.v[1]), corner(t.v[2])};
-    const bool are_given = std::all_of(corners.begin(), corners.end(),
-                                       [](const CornerPointer& c) { return c->is_given && c->has_doubles(); });
+    const std::array<IncrementalVertexPointer, 3> corners{corner(t.v[0]), corner(t.v[1]), corner(t.v[2])};
+    const bool are_given = std::all_of(corners.begin(), corners.end(), [](const IncrementalVertexPointer& c) {
+      return c->is_given && c->has_doubles();
+    });
     const bool has_plane = t.face < patch_.face_count() && patch_.face(t.face).plane() != nullptr;
     return {corners, are_given && !has_plane ? nullptr : planes.of(t.face, t.turned)};
   }
 
   /// Each side of the faces that go is one of those that come, as often, or meets its opposite.
   static void ensure_same_boundary(const FaceChange& change) {
-    std::vector<std::pair<std::pair<const Corner*, const Corner*>, int>> sides;
+    std::vector<std::pair<std::pair<const IncrementalVertex*, const IncrementalVertex*>, int>> sides;
     sides.reserve(3 * (change.removed.size() + change.added.size()));
     const auto add = [&](const WorkFace& f, int times) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const Corner *a = f.corners()[i].get(), *b = f.corners()[(i + 1) % 3].get();
+        const IncrementalVertex *a = f.corners()[i].get(), *b = f.corners()[(i + 1) % 3].get();
         const bool forth = std::less<>()(a, b);
         sides.push_back({forth ? std::pair(a, b) : std::pair(b, a), forth ? times : -times});
       }
@@ -205,34 +206,35 @@ class Step {
   const Box region_;
   const Rule rule_;
   const Patch patch_;
-  Carriers carriers_;
+  InputComplex input_;
   PointTable points_;
   Evaluated pieces_;
   std::vector<ResultTriangle> triangles_;
-  std::vector<CornerPointer> corners_;  ///< per point, once it is needed
+  std::vector<IncrementalVertexPointer> corners_;  ///< per point, once it is needed
 };
 
 }  // namespace
 
-FaceChange change_by(const FaceTree& workpiece, Operation operation, const ToolGroup& group, const Monitor& monitor) {
-  return Step(workpiece, operation, group, monitor).change();
+FaceChange change_by(const FaceTree& solid_in_steps, Operation operation, const ToolGroup& group,
+                     const Monitor& monitor) {
+  return Step(solid_in_steps, operation, group, monitor).change();
 }
 
 std::vector<WorkFace> faces_of(const Solid& solid) {
   const ExactMesh& mesh = solid.exact_mesh();
-  std::vector<CornerPointer> corners;
+  std::vector<IncrementalVertexPointer> corners;
   corners.reserve(mesh.mesh.vertices.size());
   for (const Vertex& v : mesh.mesh.vertices) corners.push_back(given_corner(v, nullptr));
   for (const ExactVertex& e : mesh.exact) corners[e.vertex] = given_corner(mesh.mesh.vertices[e.vertex], &e.position);
-  Carriers carriers;
-  carriers.add(mesh.mesh.vertices, mesh.mesh.triangles, mesh.exact);
-  FacePlanes planes(carriers);
+  InputComplex input;
+  input.add(mesh.mesh.vertices, mesh.mesh.triangles, mesh.exact);
+  FacePlanes planes(input);
   std::vector<WorkFace> faces;
   faces.reserve(mesh.mesh.triangles.size());
-  for (std::uint32_t f = 0; f < carriers.face_count(); ++f) {
+  for (std::uint32_t f = 0; f < input.face_count(); ++f) {
     const Triangle& t = mesh.mesh.triangles[f];
     faces.emplace_back(std::array{corners[t[0]], corners[t[1]], corners[t[2]]},
-                       carriers.has_doubles(t) ? nullptr : planes.of(f, false));
+                       input.has_doubles(t) ? nullptr : planes.of(f, false));
   }
   return faces;
 }

@@ -8,11 +8,11 @@
 
 namespace strata {
 
-/// One step: what it changes when the faces of a workpiece are combined with tools, all at once. Exact. Runs in the
-/// current task arena. Throws as `combine` does, and LogicError when the faces that come and go do not have the same
-/// boundary (an operand that is not what was declared).
-/// Law: steps with tools whose boxes are apart change a workpiece independently, if no face is removed by two of them.
-[[nodiscard]] FaceChange change_by(const FaceTree& workpiece, Operation operation, const ToolGroup& group,
+/// One step: what it changes when the faces of a incremental solid are combined with tools, all at once. Exact. Runs in
+/// the current task arena. Throws as `combine` does, and LogicError when the faces that come and go do not have the
+/// same boundary (an operand that is not what was declared). Law: steps with tools whose boxes are apart change a
+/// incremental solid independently, if no face is removed by two of them.
+[[nodiscard]] FaceChange change_by(const FaceTree& solid_in_steps, Operation operation, const ToolGroup& group,
                                    const Monitor& monitor);
 
 /// The faces of a solid.

@@ -43,7 +43,7 @@ std::vector<ToolGroup> group_tools(std::span<const Solid> tools) {
   std::vector<std::pair<std::uint32_t, std::size_t>> order;
   for (std::size_t i = 0; i < tools.size(); ++i) {
     if (boxes[i].empty()) continue;
-    Carriers::Coordinates middle{};
+    InputComplex::Coordinates middle{};
     for (std::size_t k = 0; k < 3; ++k) middle[k] = boxes[i].lower[k] / 2 + boxes[i].upper[k] / 2;
     order.emplace_back(interleaved(Grid(all.lower, all.upper).at(middle)), i);
   }

@@ -71,7 +71,7 @@ class ModelBuilder {
 
   Expression build() {
     const auto [first, last] = what_counts();
-    frames_.push_back({NodeKind::unite, last, {}, {}});
+    frames_.push_back({NodeKind::union_, last, {}, {}});
     for (std::size_t n = first; n < last;) {
       while (frames_.back().end == n) close();
       n = n != root_ && is_dropped(nodes_[n]) ? nodes_[n].end : enter(n);
@@ -84,7 +84,7 @@ class ModelBuilder {
  private:
   /// A node that is not over yet, and what is in it so far.
   struct Frame {
-    NodeKind kind = NodeKind::unite;
+    NodeKind kind = NodeKind::union_;
     std::size_t end = 0;
     std::optional<Transform> map;  ///< of a multmatrix that does not flatten
     std::vector<Part> parts;
@@ -139,9 +139,9 @@ class ModelBuilder {
       case NodeKind::decorate:
         report_.note(node.place, std::string(node.name) + " is passed over");
         break;
-      case NodeKind::unite:
-      case NodeKind::subtract:
-      case NodeKind::intersect:
+      case NodeKind::union_:
+      case NodeKind::difference:
+      case NodeKind::intersection:
         (void)Arguments(node, {}, report_);  // there are none
         break;
       case NodeKind::flat:
@@ -193,8 +193,8 @@ class ModelBuilder {
   }
 
   Part join(Frame frame) const {
-    if (frame.kind == NodeKind::subtract) return difference_of(frame.parts);
-    if (frame.kind == NodeKind::intersect) return intersection_of(frame.parts);
+    if (frame.kind == NodeKind::difference) return difference_of(frame.parts);
+    if (frame.kind == NodeKind::intersection) return intersection_of(frame.parts);
     Part all = union_of(std::move(frame.parts));
     if (frame.kind != NodeKind::multmatrix || !all) return all;
     if (!frame.map) return std::nullopt;

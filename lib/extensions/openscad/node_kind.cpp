@@ -14,12 +14,12 @@ NodeKind kind_of(std::string_view name) {
       {"cylinder", cylinder},
       {"polyhedron", polyhedron},
       {"multmatrix", multmatrix},
-      {"union", unite},
-      {"group", unite},
+      {"union", union_},
+      {"group", union_},
       {"color", decorate},
       {"render", decorate},
-      {"difference", subtract},
-      {"intersection", intersect},
+      {"difference", difference},
+      {"intersection", intersection},
       {"square", flat},
       {"circle", flat},
       {"polygon", flat},
@@ -47,10 +47,10 @@ const char* refusal(NodeKind kind) {
     case NodeKind::cylinder:
     case NodeKind::polyhedron:
     case NodeKind::multmatrix:
-    case NodeKind::unite:
+    case NodeKind::union_:
     case NodeKind::decorate:
-    case NodeKind::subtract:
-    case NodeKind::intersect:
+    case NodeKind::difference:
+    case NodeKind::intersection:
       return nullptr;
     case NodeKind::flat:
       return "is not supported: no shapes in the plane, nor solids made of them";

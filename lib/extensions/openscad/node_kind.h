@@ -10,13 +10,13 @@ enum class NodeKind : std::uint8_t {
   cylinder,
   polyhedron,
   multmatrix,
-  unite,      ///< union, group
-  decorate,   ///< color, render: a union of what is in it
-  subtract,   ///< difference
-  intersect,  ///< intersection
-  flat,       ///< a shape in the plane, or what makes a solid of one
-  file,       ///< reads another file
-  other,      ///< of solids, but in other words than Booleans
+  union_,    ///< union, group
+  decorate,  ///< color, render: a union of what is in it
+  difference,
+  intersection,
+  flat,   ///< a shape in the plane, or what makes a solid of one
+  file,   ///< reads another file
+  other,  ///< of solids, but in other words than Booleans
   unknown
 };
 

@@ -3,7 +3,7 @@
 #include <bit>
 #include <numeric>
 
-#include "extensions/planar/meetings.h"
+#include "extensions/planar/intersections.h"
 #include "extensions/planar/sweep.h"
 
 namespace strata::planar {
@@ -35,7 +35,7 @@ class Names {
 double size_of(const Box& box) { return (box.right - box.left) + (box.high - box.low); }
 
 /// Consecutive segments that make progress, up to eight together: fewer things to sort, and boxes that are little
-/// larger. What stands for a strand is alone.
+/// larger. What stands for a monotone chain is alone.
 std::vector<std::uint32_t> runs_of(const Segments& segments, const std::vector<Box>& boxes) {
   constexpr std::uint32_t longest = 8;
   constexpr double progress = 0.6;  // of the box in what the segments measure
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> runs_of(const Segments& segments, const std::vector<B
     const Box joined = s > 0 ? hull(box, boxes[s]) : boxes[s];
     const double size = size_of(boxes[s]);
     const bool goes_on = s > 0 && s - first.back() < longest && segments.ends[s - 1][1] == segments.ends[s][0] &&
-                         !segments.strands.holds(s - 1) && !segments.strands.holds(s) &&
+                         !segments.chains.holds(s - 1) && !segments.chains.holds(s) &&
                          size_of(joined) >= progress * (total + size);
     if (!goes_on) first.push_back(s);
     box = goes_on ? joined : boxes[s];
@@ -67,7 +67,7 @@ std::unique_ptr<Strips> strips_of(const Segments& segments, const std::vector<Bo
     run_boxes.push_back(box);
     const PlanePoint& from = segments.places.place[segments.ends[first][0]];
     const PlanePoint& to = segments.places.place[segments.ends[first][1]];
-    const bool is_straight = end - first == 1 && !segments.strands.holds(first);
+    const bool is_straight = end - first == 1 && !segments.chains.holds(first);
     ends.push_back({from, is_straight ? to : from});  // only what is straight is cut along its line
   }
   return std::make_unique<Strips>(std::move(run_boxes), std::move(ends));
@@ -86,7 +86,7 @@ class MeetingSearch {
         patience_(patience),
         finder_(segments, strips, found_) {}
 
-  Meetings find(const Monitor& monitor) {
+  Intersections find(const Monitor& monitor) {
     for (std::uint32_t r = 0; r + 1 < first_of_run_.size(); ++r)
       if (!is_monotone(r, 0) && !is_monotone(r, 1)) find_within(r);
     strips_.sort(*this);
@@ -104,7 +104,7 @@ class MeetingSearch {
     points_before_ = segments_.places.size();
   }
   void visit(std::uint32_t q, std::uint32_t r) {
-    if (is_strand(q) || is_strand(r)) return;
+    if (is_chain(q) || is_chain(r)) return;
     for (std::uint32_t s = first_of_run_[q]; s < first_of_run_[q + 1]; ++s) {
       if (!overlap(boxes_[s], strips_.box(r))) continue;
       for (std::uint32_t t = first_of_run_[r]; t < first_of_run_[r + 1]; ++t) {
@@ -128,8 +128,8 @@ class MeetingSearch {
   }
 
  private:
-  /// Strands meet nothing.
-  [[nodiscard]] bool is_strand(std::uint32_t run) const { return segments_.strands.holds(first_of_run_[run]); }
+  /// MonotoneChains meet nothing.
+  [[nodiscard]] bool is_chain(std::uint32_t run) const { return segments_.chains.holds(first_of_run_[run]); }
   /// True when a run of given doubles goes strictly up, or down, in a coordinate: then its segments meet only in the
   /// ends that they share.
   [[nodiscard]] bool is_monotone(std::uint32_t run, std::size_t axis) const {
@@ -158,7 +158,7 @@ class MeetingSearch {
     std::sort(runs.begin(), runs.end());
     runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
     std::vector<SweptSegment> swept;
-    std::erase_if(runs, [&](std::uint32_t r) { return is_strand(r); });
+    std::erase_if(runs, [&](std::uint32_t r) { return is_chain(r); });
     for (const std::uint32_t r : runs)
       for (std::uint32_t s = first_of_run_[r]; s < first_of_run_[r + 1]; ++s)
         swept.push_back({s, segments_.ends[s][0], segments_.ends[s][1]});
@@ -177,8 +177,8 @@ class MeetingSearch {
   const std::vector<std::uint32_t>& first_of_run_;
   Strips& strips_;
   std::size_t patience_;
-  Meetings found_;
-  MeetingFinder finder_;
+  Intersections found_;
+  IntersectionFinder finder_;
   std::uint32_t strip_ = 0;  ///< where the search is
   std::size_t tests_ = 0;    ///< in this strip
   std::size_t places_before_ = 0, repeats_before_ = 0;
@@ -190,12 +190,12 @@ class MeetingSearch {
 /// The points inside every segment, as lists in order along it. Equal ones are united.
 class PointsInside {
  public:
-  PointsInside(const std::vector<Meeting>& meetings, const Segments& segments, Names& names)
-      : first_(segments.ends.size() + 1), point_(meetings.size()) {
-    for (const Meeting& m : meetings) ++first_[m.segment + 1];
+  PointsInside(const std::vector<Meeting>& intersections, const Segments& segments, Names& names)
+      : first_(segments.ends.size() + 1), point_(intersections.size()) {
+    for (const Meeting& m : intersections) ++first_[m.segment + 1];
     for (std::size_t s = 1; s < first_.size(); ++s) first_[s] += first_[s - 1];
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (const Meeting& m : meetings) point_[next[m.segment]++] = m.point;
+    for (const Meeting& m : intersections) point_[next[m.segment]++] = m.point;
     for (std::uint32_t s = 0; s + 1 < first_.size(); ++s) sort(segments.places, s, names);
   }
   [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t s) const {
@@ -248,7 +248,7 @@ Arrangement arrange(Segments segments, const Monitor& monitor, std::size_t patie
   a.first_of_run = runs_of(segments, boxes);
   std::unique_ptr<Strips> strips = strips_of(segments, boxes, a.first_of_run);
   monitor.check();
-  const Meetings found = MeetingSearch(segments, boxes, a.first_of_run, *strips, patience).find(monitor);
+  const Intersections found = MeetingSearch(segments, boxes, a.first_of_run, *strips, patience).find(monitor);
   a.strips = std::move(strips);
   monitor.check();
 
@@ -258,7 +258,7 @@ Arrangement arrange(Segments segments, const Monitor& monitor, std::size_t patie
   a.vertex_of = names.take();
   a.places = std::move(segments.places);
   a.ends = std::move(segments.ends);
-  a.strands = std::move(segments.strands);
+  a.chains = std::move(segments.chains);
   for (auto& e : a.ends) e = {a.vertex_of[e[0]], a.vertex_of[e[1]]};
   a.is_fold.assign(a.places.size(), 0);
   for (const std::uint32_t p : found.folds) a.is_fold[a.vertex_of[p]] = 1;

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "extensions/planar/monotone_chains.h"
 #include "extensions/planar/places.h"
-#include "extensions/planar/strands.h"
 #include "extensions/planar/strips.h"
 #include "strata/options.h"
 
@@ -13,11 +13,12 @@ namespace strata::planar {
 
 /// Segments of the plane, to be split where they meet. Line i of `places` carries segment i and points its way; further
 /// lines are those that meets among the given points refer to. A segment from a point to itself stands for this point
-/// alone. A segment that stands for a strand is a piece as it is: the strand meets no other segment but in its ends.
+/// alone. A segment that stands for a monotone chain is a piece as it is: the monotone chain meets no other segment but
+/// in its ends.
 struct Segments {
   Places places;
   std::vector<std::array<std::uint32_t, 2>> ends;  ///< of segment i: points it goes from and to
-  Strands strands;
+  MonotoneChains chains;
 };
 
 /// Segments split where they meet: vertices, and pieces between them.
@@ -35,7 +36,7 @@ struct Arrangement {
   std::vector<std::uint32_t> first_piece;            ///< of every segment, and the count of pieces
   std::vector<std::array<std::uint32_t, 2>> pieces;  ///< from vertex to vertex
   std::vector<std::uint8_t> is_fold;                 ///< of every vertex: two segments leave it the same way
-  Strands strands;                                   ///< that segments stand for
+  MonotoneChains chains;                             ///< that segments stand for
   std::vector<std::uint32_t> first_of_run;           ///< segments in runs of a few consecutive ones, and their count
   std::unique_ptr<const Strips> strips;              ///< where runs are, for queries
 

@@ -6,7 +6,7 @@
 namespace strata::planar {
 namespace {
 
-Rational turn(const RationalPlacement& p, const RationalPlacement& q, const RationalPlacement& r) {
+Rational orientation(const RationalPlacement& p, const RationalPlacement& q, const RationalPlacement& r) {
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
@@ -18,7 +18,7 @@ class Bridging {
     exact_.resize(region.loops.places.size());
     for (std::uint32_t l = region.first_loop[polygon]; l < region.first_loop[polygon + 1]; ++l)
       for (const std::uint32_t v : region.loops.loop(l))
-        if (!exact_[v]) exact_[v] = exact_place(region.loops.places, v);
+        if (!exact_[v]) exact_[v] = exact_position(region.loops.places, v);
   }
 
   /// Holes come by their least vertices, so whatever is to the left of one has been joined.
@@ -81,8 +81,8 @@ class Bridging {
     for (const std::uint32_t w : walk_) {
       if (height(w) < height(v) || height(w) > height(upper)) continue;
       const RationalPlacement &p = place(v), &q = place(w), &r = place(upper);
-      if (turn(m, p, q) < 0 || turn(p, r, q) < 0 || turn(r, m, q) < 0) continue;
-      const Rational order = turn(p, place(best), q);  // seen from v, up from the left is clockwise
+      if (orientation(m, p, q) < 0 || orientation(p, r, q) < 0 || orientation(r, m, q) < 0) continue;
+      const Rational order = orientation(p, place(best), q);  // seen from v, up from the left is clockwise
       if (order > 0 || (order == 0 && squared(p, q) < squared(p, place(best)))) best = w;
     }
     return best;
@@ -99,8 +99,9 @@ class Bridging {
       last = i;
       const RationalPlacement &before = place(walk_[i > 0 ? i - 1 : walk_.size() - 1]),
                               &after = place(walk_[i + 1 < walk_.size() ? i + 1 : 0]);
-      const bool left_of_out = turn(place(w), after, place(v)) > 0, left_of_in = turn(before, place(w), place(v)) > 0;
-      const bool is_convex = turn(before, place(w), after) > 0;
+      const bool left_of_out = orientation(place(w), after, place(v)) > 0,
+                 left_of_in = orientation(before, place(w), place(v)) > 0;
+      const bool is_convex = orientation(before, place(w), after) > 0;
       if (is_convex ? left_of_out && left_of_in : left_of_out || left_of_in) return i;
     }
     return last;

@@ -79,8 +79,8 @@ class Fan {
   /// Negative when p comes before q, counter-clockwise from straight down, which itself comes late.
   Sign compare_directions(const Direction& p, const Direction& q) const {
     if (p.to_left != q.to_left) return p.to_left ? Sign::positive : Sign::negative;
-    const Sign turn = cross(a_.places, p.line, q.line);
-    return p.against == q.against ? -turn : turn;
+    const Sign orientation = cross(a_.places, p.line, q.line);
+    return p.against == q.against ? -orientation : orientation;
   }
   /// Half-edges in order of their numbers: `kept` is the lower one at both ends of an edge.
   void unite(std::uint32_t kept, std::uint32_t other) {

@@ -54,7 +54,7 @@ class MeetingCollector {
     for (const auto& [ends, through] : edges) {
       if (through.size() < 2) continue;
       add(SelfMeetingKind::edges_overlapping, ends.first, {}, through);
-      found_.back().to = exact_place(arrangement_.places, ends.second);
+      found_.back().to = exact_position(arrangement_.places, ends.second);
     }
   }
   void add_lone_vertices() {
@@ -64,7 +64,7 @@ class MeetingCollector {
   }
   void add(SelfMeetingKind kind, std::uint32_t v, std::vector<std::uint32_t> vertices,
            std::vector<std::uint32_t> edges) {
-    found_.push_back({kind, exact_place(arrangement_.places, v), {}, std::move(vertices), std::move(edges)});
+    found_.push_back({kind, exact_position(arrangement_.places, v), {}, std::move(vertices), std::move(edges)});
   }
   [[nodiscard]] std::uint32_t vertex(std::uint32_t p) const { return arrangement_.vertex_of[gathered_.name_of[0][p]]; }
 
@@ -92,12 +92,12 @@ std::string_view name(SelfMeetingKind kind) {
   return "";
 }
 
-std::vector<SelfMeeting> self_meetings(const Loops& loops) { return MeetingCollector(loops).collect(); }
+std::vector<SelfMeeting> self_intersections(const Loops& loops) { return MeetingCollector(loops).collect(); }
 
 bool is_clean(const Loops& loops) {
   for (std::uint32_t l = 0; l < loops.size(); ++l)
     if (loops.loop(l).size() < 3) return false;
-  return self_meetings(loops).empty();
+  return self_intersections(loops).empty();
 }
 
 std::vector<SelfMeeting> rounding_conflicts(const Region& region) {
@@ -108,7 +108,7 @@ std::vector<SelfMeeting> rounding_conflicts(const Region& region) {
   rounded.vertices = region.loops.vertices;
   rounded.edge_line.assign(rounded.vertices.size(), none);
   rounded.first_vertex = region.loops.first_vertex;
-  std::vector<SelfMeeting> conflicts = self_meetings(rounded);
+  std::vector<SelfMeeting> conflicts = self_intersections(rounded);
   std::erase_if(conflicts, [&](const SelfMeeting& m) {
     const auto is_same = [&](std::uint32_t i) { return rounded.vertices[i] == rounded.vertices[m.vertices.front()]; };
     return m.kind == SelfMeetingKind::vertex_on_vertex && std::all_of(m.vertices.begin(), m.vertices.end(), is_same);
@@ -120,7 +120,7 @@ std::vector<std::string> validate(const Region& region) {
   std::vector<std::string> broken;
   std::vector<std::uint32_t> loop_of;
   for (std::uint32_t l = 0; l < region.loops.size(); ++l) loop_of.resize(region.loops.first_vertex[l + 1], l);
-  for (const SelfMeeting& m : self_meetings(region.loops)) {
+  for (const SelfMeeting& m : self_intersections(region.loops)) {
     std::set<std::uint32_t> touching;
     for (const std::uint32_t v : m.vertices) touching.insert(loop_of[v]);
     if (m.kind != SelfMeetingKind::vertex_on_vertex) {

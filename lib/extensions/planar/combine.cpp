@@ -35,12 +35,12 @@ Region combine(std::span<const Operand> operands, const Combination& combination
   return combine_where(operands, combination, monitor);
 }
 
-Region unite(const Operand& a, const Operand& b) { return combine(std::array{a, b}, Operation::unite); }
-Region intersect(const Operand& a, const Operand& b) { return combine(std::array{a, b}, Operation::intersect); }
-Region subtract(const Operand& a, const Operand& b) { return combine(std::array{a, b}, Operation::subtract); }
+Region union_(const Operand& a, const Operand& b) { return combine(std::array{a, b}, Operation::union_); }
+Region intersection(const Operand& a, const Operand& b) { return combine(std::array{a, b}, Operation::intersection); }
+Region difference(const Operand& a, const Operand& b) { return combine(std::array{a, b}, Operation::difference); }
 Region symmetric_difference(const Operand& a, const Operand& b) {
   return combine(std::array{a, b}, Operation::symmetric_difference);
 }
-Region fill(const Operand& a) { return combine(std::span(&a, 1), Operation::unite); }
+Region fill(const Operand& a) { return combine(std::span(&a, 1), Operation::union_); }
 
 }  // namespace strata::planar

@@ -29,7 +29,7 @@ class ContactFinder {
     }
     add_edges(at, contact);
     for (std::uint32_t v = 0; v < touched_by_.size(); ++v)
-      if (touched_by_[v] == 3 && !at.contains(v)) contact.points.push_back(exact_place(a_.places, v));
+      if (touched_by_[v] == 3 && !at.contains(v)) contact.points.push_back(exact_position(a_.places, v));
     std::sort(contact.edges.begin(), contact.edges.end());
     std::sort(contact.points.begin(), contact.points.end());
     const bool none_found = contact.edges.empty() && contact.points.empty();
@@ -71,7 +71,8 @@ class ContactFinder {
         const auto& pieces = at.at(common_[last].high);
         last = pieces[pieces[0] == last ? 1 : 0];
       }
-      contact.edges.push_back({exact_place(a_.places, common_[i].low), exact_place(a_.places, common_[last].high)});
+      contact.edges.push_back(
+          {exact_position(a_.places, common_[i].low), exact_position(a_.places, common_[last].high)});
     }
   }
 

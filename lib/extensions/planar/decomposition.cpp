@@ -12,10 +12,10 @@ CanonicalDecomposition canonical_decomposition(const Region& region, std::uint32
   const Region alone = polygon_of(region, polygon);  // vertices that only other polygons make are gone
   CanonicalDecomposition d;
   const auto number = [&](std::uint32_t v) {
-    const RationalPlacement p = exact_place(alone.loops.places, v);
+    const RationalPlacement p = exact_position(alone.loops.places, v);
     return static_cast<std::uint32_t>(std::lower_bound(d.vertices.begin(), d.vertices.end(), p) - d.vertices.begin());
   };
-  for (const std::uint32_t v : alone.loops.vertices) d.vertices.push_back(exact_place(alone.loops.places, v));
+  for (const std::uint32_t v : alone.loops.vertices) d.vertices.push_back(exact_position(alone.loops.places, v));
   std::sort(d.vertices.begin(), d.vertices.end());
   d.vertices.erase(std::unique(d.vertices.begin(), d.vertices.end()), d.vertices.end());
   d.degree.assign(d.vertices.size(), 0);

@@ -10,14 +10,15 @@ namespace strata::planar {
 namespace {
 
 /// A corner of a loop in the arrangement's numbers: a vertex, and the segment of the edge that leaves it, which goes
-/// along or against. (The segment's line has the same number.) Where it stands for a strand, that is what leaves.
+/// along or against. (The segment's line has the same number.) Where it stands for a monotone chain, that is what
+/// leaves.
 struct Corner {
   std::uint32_t vertex = 0, line = 0;
   bool against = false;
 };
 
-/// Requires that none of them is a strand.
-Sign turn_at(const Places& places, const Corner& in, const Corner& out) {
+/// Requires that none of them is a monotone chain.
+Sign orientation_at(const Places& places, const Corner& in, const Corner& out) {
   const Sign s = cross(places, in.line, out.line);
   return in.against == out.against ? s : -s;
 }
@@ -78,13 +79,13 @@ class CornerFinder {
       return compare_xy(a_.places, p.vertex, q.vertex) == Sign::negative;
     });
     std::rotate(first, least, all.end());
-    result_.is_outer.push_back(turn_at(a_.places, all.back(), *first) == Sign::positive);
+    result_.is_outer.push_back(orientation_at(a_.places, all.back(), *first) == Sign::positive);
     result_.first.push_back(static_cast<std::uint32_t>(all.size()));
   }
-  /// Strands turn at both ends.
+  /// MonotoneChains turn at both ends.
   [[nodiscard]] bool is_corner(const Corner& before, const Corner& corner) const {
-    return is_shared_[corner.vertex] || a_.strands.holds(before.line) || a_.strands.holds(corner.line) ||
-           turn_at(a_.places, before, corner) != Sign::zero;
+    return is_shared_[corner.vertex] || a_.chains.holds(before.line) || a_.chains.holds(corner.line) ||
+           orientation_at(a_.places, before, corner) != Sign::zero;
   }
 
   const Arrangement& a_;
@@ -183,7 +184,7 @@ class PlacesCopy {
   std::vector<std::uint32_t> point_, line_;
 };
 
-/// Writes loops of corners down as a region's, strands with all their vertices inside them.
+/// Writes loops of corners down as a region's, monotone chains with all their vertices inside them.
 class LoopWriter {
  public:
   LoopWriter(const Arrangement& a, const CornerLoops& corners, Loops& to)
@@ -194,11 +195,11 @@ class LoopWriter {
     for_each_corner(order, [&](const Corner& c, const Corner& next) {
       copy_.need_point(c.vertex);
       if (needs_line(c, next)) copy_.need_line(c.line);
-      if (a_.strands.holds(c.line)) inside += a_.strands.of(c.line).last - a_.strands.of(c.line).first - 1;
+      if (a_.chains.holds(c.line)) inside += a_.chains.of(c.line).last - a_.chains.of(c.line).first - 1;
     });
     to_.places.place.reserve(inside + copy_.points());
     for_each_corner(order, [&](const Corner& c, const Corner&) {
-      if (a_.strands.holds(c.line)) add_inside(c);
+      if (a_.chains.holds(c.line)) add_inside(c);
     });
     to_.vertices.reserve(corners_.corners.size() + to_.places.size());
     to_.edge_line.reserve(corners_.corners.size() + to_.places.size());
@@ -217,15 +218,15 @@ class LoopWriter {
   [[nodiscard]] bool needs_line(const Corner& from, const Corner& to) const {
     return a_.places.is_meet(from.vertex) || a_.places.is_meet(to.vertex);
   }
-  /// The vertices inside a strand where it turns, as the loop comes to them: the first points of the result.
+  /// The vertices inside a monotone chain where it turns, as the loop comes to them: the first points of the result.
   void add_inside(const Corner& corner) {
-    const Strand& s = a_.strands.of(corner.line);
+    const MonotoneChain& s = a_.chains.of(corner.line);
     std::vector<PlanePoint>& place = to_.places.place;
     const std::size_t begin = place.size();
     PlanePoint before = s.point(s.first), at = s.point(s.first + 1);
     for (std::uint32_t i = s.first + 2; i <= s.last; ++i) {
       const PlanePoint after = s.point(i);
-      if (turn(before, at, after) != Sign::zero) place.push_back(at);
+      if (orientation(before, at, after) != Sign::zero) place.push_back(at);
       before = at;
       at = after;
     }
@@ -239,7 +240,7 @@ class LoopWriter {
       for_each_corner({&l, 1}, [&](const Corner& c, const Corner& next) {
         to_.vertices.push_back(copy_.point(c.vertex));
         to_.edge_line.push_back(needs_line(c, next) ? copy_.line(c.line) : none);
-        if (!a_.strands.holds(c.line)) return;
+        if (!a_.chains.holds(c.line)) return;
         for (const std::uint32_t end = next_inside + *count++; next_inside < end;)
           to_.vertices.push_back(next_inside++);
         to_.edge_line.resize(to_.vertices.size(), none);
@@ -252,7 +253,7 @@ class LoopWriter {
   const CornerLoops& corners_;
   Loops& to_;
   PlacesCopy copy_;
-  std::vector<std::uint32_t> inside_;  ///< of every strand, in the order of the result: how many vertices
+  std::vector<std::uint32_t> inside_;  ///< of every monotone chain, in the order of the result: how many vertices
 };
 
 }  // namespace

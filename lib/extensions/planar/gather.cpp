@@ -156,13 +156,13 @@ Gathered gather(std::span<const Operand> operands, bool keep_names) { return Gat
 
 Gathered gather(Thinned thinned) {
   Gathered gathered = gather(thinned.operands);
-  if (thinned.strands.empty()) return gathered;
-  Strands& strands = gathered.segments.strands;
-  strands.strands = std::move(thinned.strands);
-  strands.strand_of.reserve(gathered.edge_of.size());
+  if (thinned.chains.empty()) return gathered;
+  MonotoneChains& chains = gathered.segments.chains;
+  chains.chains = std::move(thinned.chains);
+  chains.chain_of.reserve(gathered.edge_of.size());
   for (std::size_t s = 0; s < gathered.edge_of.size(); ++s) {
-    const auto& strand_of = thinned.strand_of[gathered.operand_of[s]];
-    strands.strand_of.push_back(strand_of.empty() ? none : strand_of[gathered.edge_of[s]]);
+    const auto& chain_of = thinned.chain_of[gathered.operand_of[s]];
+    chains.chain_of.push_back(chain_of.empty() ? none : chain_of[gathered.edge_of[s]]);
   }
   return gathered;
 }

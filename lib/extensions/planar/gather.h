@@ -17,7 +17,7 @@ struct Gathered {
 
 /// Equal doubles, and equal rationals, get one name. `name_of` is filled if asked for. O(n).
 [[nodiscard]] Gathered gather(std::span<const Operand> operands, bool keep_names = false);
-/// The same, with segments that stand for strands.
+/// The same, with segments that stand for monotone chains.
 [[nodiscard]] Gathered gather(Thinned thinned);
 
 }  // namespace strata::planar

@@ -64,12 +64,12 @@ Locator::Data::Data(const Region& region) : loops_(region.loops) {
 
 Sign Locator::Data::compare_height(std::uint32_t vertex, const Query& q) const {
   if (const auto sign = (bounded(loops_.places, vertex, 1) - q.bounded[1]).sign()) return *sign;
-  return sign_of(Rational(exact_place(loops_.places, vertex)[1] - q.exact()[1]));
+  return sign_of(Rational(exact_position(loops_.places, vertex)[1] - q.exact()[1]));
 }
 
 Sign Locator::Data::compare_x(std::uint32_t vertex, const Query& q) const {
   if (const auto sign = (bounded(loops_.places, vertex, 0) - q.bounded[0]).sign()) return *sign;
-  return sign_of(Rational(exact_place(loops_.places, vertex)[0] - q.exact()[0]));
+  return sign_of(Rational(exact_position(loops_.places, vertex)[0] - q.exact()[0]));
 }
 
 /// Side of the point relative to the line of an edge.
@@ -77,10 +77,10 @@ Sign Locator::Data::side(const Query& q, std::uint32_t edge) const {
   const auto [a, b] = lines_[edge];
   const Places& places = loops_.places;
   const Bounded ax = bounded(places, a, 0), ay = bounded(places, a, 1);
-  const Bounded turn =
+  const Bounded orientation =
       (bounded(places, b, 0) - ax) * (q.bounded[1] - ay) - (bounded(places, b, 1) - ay) * (q.bounded[0] - ax);
-  if (const auto sign = turn.sign()) return *sign;
-  const RationalPlacement p = exact_place(places, a), r = exact_place(places, b), x = q.exact();
+  if (const auto sign = orientation.sign()) return *sign;
+  const RationalPlacement p = exact_position(places, a), r = exact_position(places, b), x = q.exact();
   return sign_of(Rational((r[0] - p[0]) * (x[1] - p[1]) - (r[1] - p[1]) * (x[0] - p[0])));
 }
 

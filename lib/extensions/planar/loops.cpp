@@ -67,7 +67,7 @@ class AreaSum {
       doubles_.add(a[0], b[1], 1);
       doubles_.add(-a[1], b[0], 1);
     } else {
-      const RationalPlacement a = exact_place(places_, p), b = exact_place(places_, q);
+      const RationalPlacement a = exact_position(places_, p), b = exact_position(places_, q);
       others_.add(a[0] * b[1] - a[1] * b[0]);
     }
   }

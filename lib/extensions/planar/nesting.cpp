@@ -13,10 +13,11 @@ struct Crossed {
 };
 
 /// True when q lies to the right of p at the ray's height. Pieces do not cross; from a common lower end they part or
-/// coincide. (No two that have one are strands: what is next to a strand comes from below it, or goes level.)
+/// coincide. (No two that have one are monotone chains: what is next to a monotone chain comes from below it, or goes
+/// level.)
 bool is_right_of(const Arrangement& a, const Crossed& p, const Crossed& q) {
   const auto side_of = [&](std::uint32_t v, const Crossed& c) {
-    const Sign s = a.strands.side(a.places, v, c.segment);
+    const Sign s = a.chains.side(a.places, v, c.segment);
     return c.upward ? s : -s;
   };
   if (p.low != q.low) {
@@ -26,8 +27,8 @@ bool is_right_of(const Arrangement& a, const Crossed& p, const Crossed& q) {
       return s == Sign::positive;
     }
   }
-  const Sign turn = cross(a.places, p.segment, q.segment);
-  return (p.upward == q.upward ? turn : -turn) == Sign::negative;
+  const Sign orientation = cross(a.places, p.segment, q.segment);
+  return (p.upward == q.upward ? orientation : -orientation) == Sign::negative;
 }
 
 /// Looks from a component's least vertex to the left, along a ray from (x - e^2, y + e). Segments of the vertex's own
@@ -67,7 +68,7 @@ class LeftwardRay {
   bool meet(std::uint32_t segment) {
     const bool starts_below = is_below(a_.ends[segment][0]);
     if (starts_below == is_below(a_.ends[segment][1])) return false;
-    if (a_.strands.side(a_.places, vertex_, segment) != (starts_below ? Sign::negative : Sign::positive)) return false;
+    if (a_.chains.side(a_.places, vertex_, segment) != (starts_below ? Sign::negative : Sign::positive)) return false;
     const std::uint32_t piece = piece_of(segment, starts_below);
     const auto [from, to] = a_.pieces[piece];
     const Crossed met{piece, segment, starts_below ? from : to, starts_below ? to : from, starts_below};
@@ -121,7 +122,7 @@ void Nesting::sweep() {
       half_edge.push_back(2 * c);
     });
   }
-  SweepLine line(a_.places, pieces, &a_.strands);
+  SweepLine line(a_.places, pieces, &a_.chains);
   below_.assign(a_.places.size(), none);
   SweepLine::Event event;
   const std::vector<SweepLine::End> ends = line.ends_in_order();

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/exact/twofold.h"
+#include "core/exact/double_double.h"
 #include "core/kernel/nearest.h"
 #include "extensions/planar/exact_forms.h"
 
@@ -15,8 +15,8 @@ using Pair = std::array<Real, 2>;
 Bounded given_coordinate(const Places& places, std::uint32_t p, std::size_t axis, const Bounded*) {
   return bounded(places, p, axis);
 }
-Twofold given_coordinate(const Places& places, std::uint32_t p, std::size_t axis, const Twofold*) {
-  return places.is_double(p) ? Twofold(places.place[p][axis]) : nearest_twofold(places.rational(p)[axis]);
+DoubleDouble given_coordinate(const Places& places, std::uint32_t p, std::size_t axis, const DoubleDouble*) {
+  return places.is_double(p) ? DoubleDouble(places.place[p][axis]) : nearest_double_double(places.rational(p)[axis]);
 }
 
 template <class Real>
@@ -92,7 +92,7 @@ std::uint32_t Places::add(RationalPlacement p) {
 std::uint32_t Places::add(const Meet& m) {
   Pair<Bounded> p = meet_of<Bounded>(*this, m);
   if (!is_sharp(*this, m, p)) {
-    const Pair<Twofold> q = meet_of<Twofold>(*this, m);
+    const Pair<DoubleDouble> q = meet_of<DoubleDouble>(*this, m);
     p = {q[0].bounded(), q[1].bounded()};
     if (!is_sharp(*this, m, p)) {
       const RationalPlacement exact = exact_meet(*this, m);
@@ -112,7 +112,7 @@ void Places::drop_meets(std::uint32_t count) {
   meets.resize(meets.size() - dropped);
 }
 
-RationalPlacement exact_place(const Places& places, std::uint32_t point) {
+RationalPlacement exact_position(const Places& places, std::uint32_t point) {
   if (places.is_meet(point)) return exact_meet(places, places.meet(point));
   if (!places.is_double(point)) return places.rational(point);
   return {to_rational(places.place[point][0]), to_rational(places.place[point][1])};
@@ -123,10 +123,10 @@ PlanePoint nearest_place(const Places& places, std::uint32_t point) {
   const PlanePoint& error = places.error[point - places.doubles()];
   if (error[0] == 0 && error[1] == 0) return places.place[point];
   if (places.is_meet(point)) {
-    const Pair<Twofold> p = meet_of<Twofold>(places, places.meet(point));
+    const Pair<DoubleDouble> p = meet_of<DoubleDouble>(places, places.meet(point));
     if (p[0].rounds_to_value() && p[1].rounds_to_value()) return {p[0].value, p[1].value};
   }
-  const RationalPlacement p = exact_place(places, point);
+  const RationalPlacement p = exact_position(places, point);
   return {to_nearest_double(p[0]), to_nearest_double(p[1])};
 }
 

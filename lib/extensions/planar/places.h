@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "core/exact/bounded.h"
-#include "core/kernel/filtered_turn.h"
+#include "core/kernel/filtered_orientation.h"
 #include "strata/planar.h"
 
 namespace strata::planar {

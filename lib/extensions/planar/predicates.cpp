@@ -59,11 +59,11 @@ BoundedPair bounded_pair(const Places& places, std::uint32_t p) {
   return {bounded(places, p, 0), bounded(places, p, 1)};
 }
 
-Bounded turn(const BoundedPair& p, const BoundedPair& q, const BoundedPair& r) {
+Bounded orientation(const BoundedPair& p, const BoundedPair& q, const BoundedPair& r) {
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
-/// By doubles, with the bound of `filtered_turn`: a difference of products of differences, too.
+/// By doubles, with the bound of `filtered_orientation`: a difference of products of differences, too.
 int filtered_cross(const Places& places, const Line& l, const Line& m) {
   const PlanePoint &a = places.place[l.from], &b = places.place[l.to];
   const PlanePoint &c = places.place[m.from], &d = places.place[m.to];
@@ -135,12 +135,12 @@ Sign closer::side(const Places& places, std::uint32_t point, std::uint32_t line)
   if (point == a || point == b) return Sign::zero;
   if (places.is_double(point) && places.is_double(a) && places.is_double(b)) {
     const PlanePoint &p = places.place[a], &q = places.place[b], &r = places.place[point];
-    if (const std::optional<Sign> sign = turn_by_differences(p, q, r)) return *sign;
+    if (const std::optional<Sign> sign = orientation_by_differences(p, q, r)) return *sign;
     return exact::side(places, point, line);
   }
   if (places.is_meet(point) && (places.meet(point).first == line || places.meet(point).second == line))
     return Sign::zero;
-  const auto sign = turn(bounded_pair(places, a), bounded_pair(places, b), bounded_pair(places, point)).sign();
+  const auto sign = orientation(bounded_pair(places, a), bounded_pair(places, b), bounded_pair(places, point)).sign();
   return sign ? *sign : exact::side(places, point, line);
 }
 
@@ -148,7 +148,7 @@ Sign cross(const Places& places, std::uint32_t line, std::uint32_t other) {
   const Line l = places.lines[line], m = places.lines[other];
   if (l == m) return Sign::zero;
   if (std::max({l.from, l.to, m.from, m.to}) < places.doubles())
-    if (const int turn = filtered_cross(places, l, m); turn != 0) return static_cast<Sign>(turn);
+    if (const int orientation = filtered_cross(places, l, m); orientation != 0) return static_cast<Sign>(orientation);
   BoundedPair u, v;
   for (std::size_t i = 0; i < 2; ++i) {
     u[i] = bounded(places, l.to, i) - bounded(places, l.from, i);

@@ -22,8 +22,8 @@ namespace exact {
 [[nodiscard]] inline Sign side(const Places& places, std::uint32_t point, std::uint32_t line) {
   const auto [a, b] = places.lines[line];
   if (std::max({point, a, b}) < places.doubles()) {
-    const int turn = filtered_turn(places.place[a], places.place[b], places.place[point]);
-    if (turn != 0) return static_cast<Sign>(turn);
+    const int orientation = filtered_orientation(places.place[a], places.place[b], places.place[point]);
+    if (orientation != 0) return static_cast<Sign>(orientation);
   }
   return closer::side(places, point, line);
 }

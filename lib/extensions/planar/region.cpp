@@ -44,7 +44,7 @@ std::vector<std::vector<RationalPlacement>> canonical_form(const Region& region)
   std::vector<std::vector<RationalPlacement>> form;
   for (std::uint32_t l = 0; l < region.loops.size(); ++l) {
     auto& loop = form.emplace_back();
-    for (const std::uint32_t v : region.loops.loop(l)) loop.push_back(exact_place(region.loops.places, v));
+    for (const std::uint32_t v : region.loops.loop(l)) loop.push_back(exact_position(region.loops.places, v));
   }
   std::sort(form.begin(), form.end());
   return form;

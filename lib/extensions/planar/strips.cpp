@@ -15,12 +15,12 @@ Strips::Strips(std::vector<Box> boxes, std::vector<std::array<PlanePoint, 2>> en
   if (boxes_.empty()) return;
   choose_heights();
   fill();
-  if (!is_crowded()) return;
-  choose_crowds();
+  if (!overlaps_many()) return;
+  choose_overlapping();
   fill();
 }
 
-void Strips::choose_crowds() {
+void Strips::choose_overlapping() {
   std::vector<double> lows;
   for (const Box& box : boxes_) lows.push_back(box.low);
   std::sort(lows.begin(), lows.end());
@@ -76,7 +76,7 @@ void Strips::fill() {
   first_.push_back(static_cast<std::uint32_t>(segment_.size()));
 }
 
-bool Strips::is_crowded() const {
+bool Strips::overlaps_many() const {
   double squares = 0;
   for (std::uint32_t k = 0; k < count_; ++k) {
     const double entries = first_[k + 1] - first_[k];

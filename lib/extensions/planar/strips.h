@@ -82,9 +82,9 @@ class Strips {
     std::uint32_t segment;
   };
   void choose_heights();
-  void choose_crowds();
+  void choose_overlapping();
   void fill();
-  [[nodiscard]] bool is_crowded() const;
+  [[nodiscard]] bool overlaps_many() const;
   void load(std::uint32_t strip, std::vector<Entry>& entries);
   [[nodiscard]] Box part_in(std::uint32_t segment, double low, double high) const;
 

@@ -8,7 +8,7 @@ namespace {
 
 class Sweep {
  public:
-  Sweep(Places& places, std::span<const SweptSegment> segments, Meetings& found)
+  Sweep(Places& places, std::span<const SweptSegment> segments, Intersections& found)
       : places_(places), segments_(segments), found_(found), line_(places, segments), ends_(line_.ends_in_order()) {}
 
   void run(const Monitor& monitor) {
@@ -89,7 +89,7 @@ class Sweep {
 
   Places& places_;
   std::span<const SweptSegment> segments_;
-  Meetings& found_;
+  Intersections& found_;
   SweepLine line_;
   std::vector<SweepLine::End> ends_;
   std::size_t next_end_ = 0;
@@ -100,7 +100,7 @@ class Sweep {
 
 }  // namespace
 
-void sweep(Places& places, std::span<const SweptSegment> segments, Meetings& found, const Monitor& monitor) {
+void sweep(Places& places, std::span<const SweptSegment> segments, Intersections& found, const Monitor& monitor) {
   Sweep(places, segments, found).run(monitor);
 }
 

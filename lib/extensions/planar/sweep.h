@@ -1,5 +1,5 @@
 #pragma once
-#include "extensions/planar/meetings.h"
+#include "extensions/planar/intersections.h"
 #include "extensions/planar/sweep_line.h"
 #include "strata/options.h"
 
@@ -10,6 +10,6 @@ namespace strata::planar {
 /// once for every segment that they are in; memory O(n + m). Throws Cancelled.
 /// Source: Bentley and Ottmann 1979, with points in place of pairs of segments (de Berg et al., "Computational
 /// Geometry", 2.1); theory.md, section 3.
-void sweep(Places& places, std::span<const SweptSegment> segments, Meetings& found, const Monitor& monitor = {});
+void sweep(Places& places, std::span<const SweptSegment> segments, Intersections& found, const Monitor& monitor = {});
 
 }  // namespace strata::planar

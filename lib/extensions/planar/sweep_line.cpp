@@ -4,10 +4,10 @@
 
 namespace strata::planar {
 
-SweepLine::SweepLine(const Places& places, std::span<const SweptSegment> segments, const Strands* strands)
+SweepLine::SweepLine(const Places& places, std::span<const SweptSegment> segments, const MonotoneChains* chains)
     : places_(places),
       segments_(segments),
-      strands_(strands),
+      chains_(chains),
       is_backwards_(segments.size()),
       next_(segments.size(), none),
       place_of_(segments.size(), none) {
@@ -106,7 +106,7 @@ bool SweepLine::put_in(const Event& event) {
   leaving_.assign(passing_.begin(), passing_.end());
   leaving_.insert(leaving_.end(), event.starting.begin(), event.starting.end());
   std::sort(leaving_.begin(), leaving_.end(), [&](std::uint32_t s, std::uint32_t t) {
-    const Sign order = turn(s, t);
+    const Sign order = orientation(s, t);
     return order != Sign::zero ? order == Sign::positive : s < t;
   });
   bool is_fold = false;
@@ -114,7 +114,7 @@ bool SweepLine::put_in(const Event& event) {
   lowest_ = highest_ = none;
   for (std::size_t i = 0; i < leaving_.size(); ++i) {
     const std::uint32_t s = leaving_[i];
-    if (i > 0 && turn(leaving_[i - 1], s) == Sign::zero) {
+    if (i > 0 && orientation(leaving_[i - 1], s) == Sign::zero) {
       is_fold = true;
       next_[s] = first_[last];
       put(last, s);
@@ -146,7 +146,7 @@ void SweepLine::put(std::uint32_t place, std::uint32_t segment) {
 }
 
 /// Positive when t is above s to the right of a point that they leave.
-Sign SweepLine::turn(std::uint32_t s, std::uint32_t t) const {
+Sign SweepLine::orientation(std::uint32_t s, std::uint32_t t) const {
   const Sign sign = cross(places_, segments_[s].line, segments_[t].line);
   return is_backwards_[s] == is_backwards_[t] ? sign : -sign;
 }

@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "extensions/planar/monotone_chains.h"
 #include "extensions/planar/ordered_list.h"
 #include "extensions/planar/predicates.h"
-#include "extensions/planar/strands.h"
 
 namespace strata::planar {
 
@@ -22,8 +22,8 @@ struct SweptSegment {
 /// Requires that the line stops at every end of a segment and at every crossing.
 class SweepLine {
  public:
-  /// Segments are known by their numbers in `segments`; lines may be those of segments that stand for strands.
-  SweepLine(const Places& places, std::span<const SweptSegment> segments, const Strands* strands = nullptr);
+  /// Segments are known by their numbers in `segments`; lines may be those of segments that stand for monotone chains.
+  SweepLine(const Places& places, std::span<const SweptSegment> segments, const MonotoneChains* chains = nullptr);
 
   /// An end of a segment, at a point.
   struct End {
@@ -41,7 +41,7 @@ class SweepLine {
   /// Positive when a point is above a segment, which reaches as far to both sides as the point.
   [[nodiscard]] Sign side_of(std::uint32_t point, std::uint32_t segment) const {
     const std::uint32_t line = segments_[segment].line;
-    const Sign s = strands_ != nullptr ? strands_->side(places_, point, line) : side(places_, point, line);
+    const Sign s = chains_ != nullptr ? chains_->side(places_, point, line) : side(places_, point, line);
     return is_backwards_[segment] ? -s : s;
   }
 
@@ -70,11 +70,11 @@ class SweepLine {
   void turn_around();
   bool put_in(const Event& event);
   void put(std::uint32_t place, std::uint32_t segment);
-  [[nodiscard]] Sign turn(std::uint32_t s, std::uint32_t t) const;
+  [[nodiscard]] Sign orientation(std::uint32_t s, std::uint32_t t) const;
 
   const Places& places_;
   std::span<const SweptSegment> segments_;
-  const Strands* strands_;
+  const MonotoneChains* chains_;
   std::vector<std::uint8_t> is_backwards_;
   OrderedList bundles_;
   std::vector<std::uint32_t> first_;     ///< of every bundle: a segment

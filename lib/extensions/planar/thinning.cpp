@@ -184,9 +184,9 @@ std::vector<Stretch> quiet_stretches(std::span<const Operand> operands, const st
   for (std::size_t i = 1; i < listed.size(); ++i) {
     if (listed[i - 1].chain != listed[i].chain) continue;
     const std::uint32_t operand = chains[listed[i].chain].operand;
-    Strand s{operands[operand].loops, listed[i - 1].edge + 1, listed[i].edge};
+    MonotoneChain s{operands[operand].loops, listed[i - 1].edge + 1, listed[i].edge};
     const auto turns_at = [&](std::uint32_t v) {
-      return turn(s.point(v - 1), s.point(v), s.point(v + 1)) != Sign::zero;
+      return orientation(s.point(v - 1), s.point(v), s.point(v + 1)) != Sign::zero;
     };
     while (s.first + 1 < s.last && !turns_at(s.first)) ++s.first;
     while (s.first + 1 < s.last && !turns_at(s.last)) --s.last;
@@ -218,19 +218,19 @@ Places places_for(std::vector<std::uint32_t>& vertices, const Places& from) {
   return to;
 }
 
-/// Loops with an edge in place of every quiet stretch. Appends to `strand_of` for every edge the number of its stretch,
+/// Loops with an edge in place of every quiet stretch. Appends to `chain_of` for every edge the number of its stretch,
 /// from `first` on, or none.
 Loops without(const Loops& from, std::span<const Stretch> quiet, std::uint32_t first,
-              std::vector<std::uint32_t>& strand_of) {
+              std::vector<std::uint32_t>& chain_of) {
   Loops to;
   std::size_t next = 0;
   for (std::uint32_t l = 0; l < from.size(); ++l) {
     for (std::uint32_t i = from.first_vertex[l]; i < from.first_vertex[l + 1];) {
-      const bool is_strand = next < quiet.size() && quiet[next].first == i;
+      const bool is_chain = next < quiet.size() && quiet[next].first == i;
       to.vertices.push_back(from.vertices[i]);
       to.edge_line.push_back(from.edge_line[i]);
-      strand_of.push_back(is_strand ? first + static_cast<std::uint32_t>(next) : none);
-      i = is_strand ? quiet[next++].last : i + 1;
+      chain_of.push_back(is_chain ? first + static_cast<std::uint32_t>(next) : none);
+      i = is_chain ? quiet[next++].last : i + 1;
     }
     to.first_vertex.push_back(static_cast<std::uint32_t>(to.vertices.size()));
   }
@@ -255,14 +255,14 @@ Thinned thin(std::span<const Operand> operands, std::uint32_t shortest_chain, st
   Thinned thinned;
   thinned.operands.assign(operands.begin(), operands.end());
   thinned.loops.resize(operands.size());
-  thinned.strand_of.resize(operands.size());
-  for (const Stretch& s : quiet) thinned.strands.push_back({operands[s.operand].loops, s.first, s.last});
+  thinned.chain_of.resize(operands.size());
+  for (const Stretch& s : quiet) thinned.chains.push_back({operands[s.operand].loops, s.first, s.last});
   for (std::uint32_t i = 0; i < operands.size(); ++i) {
     const auto first = std::ranges::lower_bound(quiet, i, {}, &Stretch::operand);
     const auto last = std::ranges::upper_bound(quiet, i, {}, &Stretch::operand);
     if (first == last) continue;
     thinned.loops[i] = without(*operands[i].loops, {first, last}, static_cast<std::uint32_t>(first - quiet.begin()),
-                               thinned.strand_of[i]);
+                               thinned.chain_of[i]);
     thinned.operands[i].loops = &thinned.loops[i];
   }
   return thinned;

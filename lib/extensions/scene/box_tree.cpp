@@ -7,18 +7,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/scene_data.h"
 
 namespace strata {
 namespace {
 
-Box box_of(const Carriers& carriers, std::uint32_t face) {
+Box box_of(const InputComplex& input, std::uint32_t face) {
   Box box;
-  for (const std::uint32_t v : carriers.face(face)) {
-    const Vertex& p = carriers.vertex(v);
+  for (const std::uint32_t v : input.face(face)) {
+    const Vertex& p = input.vertex(v);
     Box at{p, p};
-    if (carriers.exact(v) != nullptr)
+    if (input.exact(v) != nullptr)
       for (std::size_t i = 0; i < 3; ++i) {
         at.lower[i] = std::nextafter(p[i], -HUGE_VAL);
         at.upper[i] = std::nextafter(p[i], HUGE_VAL);
@@ -28,16 +28,16 @@ Box box_of(const Carriers& carriers, std::uint32_t face) {
   return box;
 }
 
-Box box_of_all(const Carriers& carriers) {
+Box box_of_all(const InputComplex& input) {
   const auto add = [&](const tbb::blocked_range<std::uint32_t>& range, Box box) {
-    for (std::uint32_t f = range.begin(); f < range.end(); ++f) box.include(box_of(carriers, f));
+    for (std::uint32_t f = range.begin(); f < range.end(); ++f) box.include(box_of(input, f));
     return box;
   };
   const auto join = [](Box a, const Box& b) {
     a.include(b);
     return a;
   };
-  return tbb::parallel_reduce(tbb::blocked_range<std::uint32_t>(0, carriers.face_count(), 4096), Box{}, add, join);
+  return tbb::parallel_reduce(tbb::blocked_range<std::uint32_t>(0, input.face_count(), 4096), Box{}, add, join);
 }
 
 /// Coordinates from 0 to about 1 in all of a scene, in floats: to build by, not to decide by.
@@ -90,10 +90,10 @@ struct Reference {
 
 class BoxTreeBuilder {
  public:
-  explicit BoxTreeBuilder(const Scene& scene) : carriers_(carriers_of(scene)) {}
+  explicit BoxTreeBuilder(const Scene& scene) : input_(input_complex_of(scene)) {}
 
   void build(BoxTree& tree) {
-    tree.bounds_ = box_of_all(carriers_);
+    tree.bounds_ = box_of_all(input_);
     refer_to_faces(UnitSpace(tree.bounds_));
     if (references_.empty()) return;
     std::vector<Node> nodes;
@@ -125,9 +125,9 @@ class BoxTreeBuilder {
   };
 
   void refer_to_faces(const UnitSpace& space) {
-    references_.resize(carriers_.face_count());
-    tbb::parallel_for(std::uint32_t{0}, carriers_.face_count(), [&](std::uint32_t f) {
-      const Box box = box_of(carriers_, f);
+    references_.resize(input_.face_count());
+    tbb::parallel_for(std::uint32_t{0}, input_.face_count(), [&](std::uint32_t f) {
+      const Box box = box_of(input_, f);
       Reference& r = references_[f];
       r.face = f;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -178,7 +178,7 @@ class BoxTreeBuilder {
 
   [[nodiscard]] Child leaf(std::size_t begin, std::size_t end) const {
     Child child{{}, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin)};
-    for (std::size_t i = begin; i < end; ++i) child.box.include(box_of(carriers_, references_[i].face));
+    for (std::size_t i = begin; i < end; ++i) child.box.include(box_of(input_, references_[i].face));
     return child;
   }
 
@@ -246,7 +246,7 @@ class BoxTreeBuilder {
     return middle;
   }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   std::vector<Reference> references_;
 };
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/ray_slabs.h"
 #include "strata/query.h"
 

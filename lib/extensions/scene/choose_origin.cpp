@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/origin_sample.h"
 #include "extensions/scene/scene_data.h"
 #include "extensions/scene/sight.h"
@@ -16,25 +16,25 @@
 namespace strata {
 namespace {
 
-bool is_finite(const Carriers::Coordinates& p) {
+bool is_finite(const InputComplex::Coordinates& p) {
   return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
 }
 
 /// Is the origin on no plane of a face? Exact.
 bool sees_no_face_flat(const Scene& scene, const Origin& origin) {
-  const Sight sight(carriers_of(scene), origin);
+  const Sight sight(input_complex_of(scene), origin);
   std::atomic<bool> flat = false;
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, scene.face_count(), 1024), [&](const auto& range) {
     for (std::uint32_t f = range.begin(); f < range.end() && !flat.load(std::memory_order_relaxed); ++f)
-      if (sight.turn(carriers_of(scene).face(f)) == Sign::zero) flat = true;
+      if (sight.orientation(input_complex_of(scene).face(f)) == Sign::zero) flat = true;
   });
   return !flat;
 }
 
 /// The place of least cost, the first of several, in the scene's coordinates.
-Carriers::Coordinates best_place(const OriginSample& sample) {
+InputComplex::Coordinates best_place(const OriginSample& sample) {
   std::optional<std::uint64_t> least;
-  Carriers::Coordinates best{};
+  InputComplex::Coordinates best{};
   for (const auto& place : sample.places()) {
     const auto at = sample.in_scene(place);
     if (!is_finite(at)) continue;
@@ -51,11 +51,11 @@ Carriers::Coordinates best_place(const OriginSample& sample) {
 class Steps {
  public:
   /// The lattice is finer than the scene by 2^12, as far as doubles are.
-  Steps(const OriginSample& sample, const Carriers::Coordinates& place)
+  Steps(const OriginSample& sample, const InputComplex::Coordinates& place)
       : unit_(std::max({sample.size_exponent() - 12, sample.exponent() - 53, -1074})) {
     for (std::size_t i = 0; i < 3; ++i) start_[i] = std::nearbyint(std::ldexp(place[i], -unit_));
   }
-  [[nodiscard]] Carriers::Coordinates at(int k) const {
+  [[nodiscard]] InputComplex::Coordinates at(int k) const {
     const double t = k;
     return {std::ldexp(start_[0] + t, unit_), std::ldexp(start_[1] + t * t, unit_),
             std::ldexp(start_[2] + t * t * t, unit_)};
@@ -63,7 +63,7 @@ class Steps {
 
  private:
   int unit_;
-  Carriers::Coordinates start_{};
+  InputComplex::Coordinates start_{};
 };
 
 }  // namespace

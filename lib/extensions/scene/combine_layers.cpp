@@ -11,7 +11,7 @@
 #include "core/csg/broken_operands.h"
 #include "core/csg/resolved_operand.h"
 #include "core/csg/stopwatch.h"
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "core/mesh/prepare.h"
 #include "core/overlap/coincidences.h"
 #include "core/overlap/pairs.h"
@@ -27,33 +27,33 @@ namespace strata {
 namespace {
 
 /// The boundary of what a rule keeps of solids that do not cross themselves, one covering each about one origin.
-Boundary evaluate_about_origin(Carriers& carriers, std::span<const SignedCovering* const> coverings, const Rule& rule,
+Boundary evaluate_about_origin(InputComplex& input, std::span<const SignedCovering* const> coverings, const Rule& rule,
                                PointTable& points, const Monitor& monitor) {
-  const CommonOrigin surroundings(carriers, coverings);
-  const CellTree cells(carriers, {.self = false, .monitor = monitor});  // finds pairs; its origins are not used
-  carriers.identify(find_coincidences(carriers, cells, monitor));
-  const Meetings meetings = find_meetings(carriers, cells, false, points, monitor);
+  const CommonOrigin oracle(input, coverings);
+  const CellTree cells(input, {.self = false, .monitor = monitor});  // finds pairs; its origins are not used
+  input.identify(find_coincidences(input, cells, monitor));
+  const Intersections intersections = find_intersections(input, cells, false, points, monitor);
   Pools pools;
-  std::vector<SplitFace> split = split_faces(carriers, surroundings, rule, meetings, false, points, pools, monitor);
-  const auto whole = judge_whole_faces(carriers, surroundings, nullptr, rule, split, false, monitor);
-  merge_pieces(carriers, points, split, pools, monitor);
-  return gather_boundary(carriers, whole, split, points);
+  std::vector<SplitFace> split = split_faces(input, oracle, rule, intersections, false, points, pools, monitor);
+  const auto whole = judge_whole_faces(input, oracle, nullptr, rule, split, false, monitor);
+  merge_pieces(input, points, split, pools, monitor);
+  return gather_boundary(input, whole, split, points);
 }
 
-void add_solid(Carriers& carriers, const ExactMesh& solid) {
-  carriers.add(solid.mesh.vertices, solid.mesh.triangles, solid.exact);
+void add_solid(InputComplex& input, const ExactMesh& solid) {
+  input.add(solid.mesh.vertices, solid.mesh.triangles, solid.exact);
 }
 
 ExactMesh combine_boundaries(const LayerDecomposition& a, const LayerDecomposition& b, Operation operation,
                              const Monitor& monitor) {
-  Carriers carriers;
-  for (const LayerDecomposition* d : {&a, &b}) add_solid(carriers, d->scene().solid(0));
+  InputComplex input;
+  for (const LayerDecomposition* d : {&a, &b}) add_solid(input, d->scene().solid(0));
   const std::array<const SignedCovering*, 2> coverings{&covering_of(a), &covering_of(b)};
-  PointTable points(carriers);
-  Boundary boundary = evaluate_about_origin(carriers, coverings, Rule(operation, 2), points, monitor);
+  PointTable points(input);
+  Boundary boundary = evaluate_about_origin(input, coverings, Rule(operation, 2), points, monitor);
   ExactMesh result;
-  result.mesh.vertices = round_to_doubles(carriers, points, boundary, monitor);
-  result.exact = exact_places(carriers, points, boundary, result.mesh.vertices, monitor);
+  result.mesh.vertices = round_to_doubles(input, points, boundary, monitor);
+  result.exact = exact_positions(input, points, boundary, result.mesh.vertices, monitor);
   result.mesh.triangles = std::move(boundary.triangles);
   return result;
 }
@@ -106,14 +106,14 @@ void evaluate_in_layers(const Rule& rule, CoveredOperands& operands, const Optio
   operands.cover(monitor);
   watch.lap("cover");
   monitor.report(0.5);
-  Carriers carriers;
-  for (const ExactMesh& solid : operands.solids()) add_solid(carriers, solid);
-  PointTable points(carriers);
-  Boundary boundary = evaluate_about_origin(carriers, operands.coverings(), rule, points, monitor);
+  InputComplex input;
+  for (const ExactMesh& solid : operands.solids()) add_solid(input, solid);
+  PointTable points(input);
+  Boundary boundary = evaluate_about_origin(input, operands.coverings(), rule, points, monitor);
   watch.lap("arrange");
   monitor.report(0.9);
-  result.mesh.vertices = round_to_doubles(carriers, points, boundary, monitor);
-  if (options.exact_vertices) result.exact = exact_places(carriers, points, boundary, result.mesh.vertices, monitor);
+  result.mesh.vertices = round_to_doubles(input, points, boundary, monitor);
+  if (options.exact_vertices) result.exact = exact_positions(input, points, boundary, result.mesh.vertices, monitor);
   result.mesh.triangles = std::move(boundary.triangles);
   result.sources = std::move(boundary.sources);
   operands.restore(result.sources);

@@ -19,10 +19,10 @@ Windings CommonOrigin::above(std::uint32_t face, const Point& q, std::span<const
   // The walk ends at the face. From below it goes through the covering faces to reach the upper side.
   const Origin& origin = coverings_.front()->origin();
   const Sign start =
-      origin.is_point() ? side_of_origin(carriers_, face, origin.at) : side_of_infinity(carriers_, face, origin.at);
+      origin.is_point() ? side_of_origin(input_, face, origin.at) : side_of_infinity(input_, face, origin.at);
   if (start == Sign::positive) return windings;
   for (const std::uint32_t g : covering)
-    windings.add(carriers_.operand_of_face(g), -to_int(same_orientation(carriers_, face, g)));
+    windings.add(input_.operand_of_face(g), -to_int(same_orientation(input_, face, g)));
   return windings;
 }
 
@@ -32,12 +32,11 @@ void CommonOrigin::walk(std::uint32_t operand, const Point& q, std::span<const s
   const SignedCovering& covering = *coverings_[operand];
   const Origin& origin = covering.origin();
   int w = covering.windings_of_origin()[0];
-  const std::uint32_t first = carriers_.first_face(operand);
+  const std::uint32_t first = input_.first_face(operand);
   const auto visit = [&](std::uint32_t local) {
     const std::uint32_t face = first + local;
     if (std::find(through_q.begin(), through_q.end(), face) != through_q.end()) return;  // not crossed
-    w += origin.is_point() ? crossing(carriers_, face, origin.at, q)
-                           : crossing_from_infinity(carriers_, face, origin.at, q);
+    w += origin.is_point() ? crossing(input_, face, origin.at, q) : crossing_from_infinity(input_, face, origin.at, q);
   };
   for (const std::uint32_t f : covering.index().faces_at_origin()) visit(f);
   covering.index().for_each_towards(q.at, visit);

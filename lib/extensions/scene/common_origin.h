@@ -3,18 +3,18 @@
 #include <span>
 #include <vector>
 
-#include "core/winding/surroundings.h"
+#include "core/winding/winding_oracle.h"
 #include "extensions/scene/signed_covering.h"
 
 namespace strata {
 
 /// Winding numbers among several operands, each of one solid with a covering about the same origin: along the way from
 /// the origin, a point meets the faces that the coverings list in its direction.
-class CommonOrigin final : public Surroundings {
+class CommonOrigin final : public WindingOracle {
  public:
-  /// `carriers` have the coverings' solids as operands, in this order. Holds references.
-  CommonOrigin(const Carriers& carriers, std::span<const SignedCovering* const> coverings)
-      : carriers_(carriers), coverings_(coverings.begin(), coverings.end()) {}
+  /// `input complex` have the coverings' solids as operands, in this order. Holds references.
+  CommonOrigin(const InputComplex& input, std::span<const SignedCovering* const> coverings)
+      : input_(input), coverings_(coverings.begin(), coverings.end()) {}
 
   [[nodiscard]] Windings around(const Point& q, std::uint32_t own) const override;
   [[nodiscard]] Windings above(std::uint32_t face, const Point& q,
@@ -23,7 +23,7 @@ class CommonOrigin final : public Surroundings {
  private:
   void walk(std::uint32_t operand, const Point& q, std::span<const std::uint32_t> through_q, Windings& windings) const;
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   std::vector<const SignedCovering*> coverings_;
 };
 

@@ -3,7 +3,7 @@
 namespace strata {
 namespace {
 
-using Vector = Carriers::Coordinates;
+using Vector = InputComplex::Coordinates;
 
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 
 namespace strata {
 
@@ -26,7 +26,8 @@ class ConeFilter {
 
   ConeFilter() = default;
   /// Undecided of everything if the face is seen as too thin or too much from the side.
-  ConeFilter(const Carriers::Coordinates& origin, const std::array<Carriers::Coordinates, 3>& corners, double scale);
+  ConeFilter(const InputComplex::Coordinates& origin, const std::array<InputComplex::Coordinates, 3>& corners,
+             double scale);
 
   [[nodiscard]] Answer ask(const ConeRay& ray) const {
     constexpr float bound = 0x1p-20f;
@@ -53,7 +54,7 @@ class ConeFilter {
 };
 
 /// The way from the origin to q. All zero, of which every cone is uncertain, where doubles overflow or q is the origin.
-[[nodiscard]] inline ConeRay cone_ray(const Carriers::Coordinates& origin, const Carriers::Coordinates& q,
+[[nodiscard]] inline ConeRay cone_ray(const InputComplex::Coordinates& origin, const InputComplex::Coordinates& q,
                                       double scale) {
   const double x = q[0] - origin[0], y = q[1] - origin[1], z = q[2] - origin[2];
   const double largest = std::fmax(std::abs(x), std::fmax(std::abs(y), std::abs(z)));

@@ -11,7 +11,7 @@ bool is_finite(const BoundedPoint& p) {
 
 }  // namespace
 
-DirectionCharts::DirectionCharts(const Origin& origin, const Carriers::Coordinates& base)
+DirectionCharts::DirectionCharts(const Origin& origin, const InputComplex::Coordinates& base)
     : origin_(origin), base_(origin.is_point() ? origin.at : base) {
   if (origin.is_point()) return;
   const auto& d = origin.at;

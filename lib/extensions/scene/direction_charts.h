@@ -2,8 +2,8 @@
 #include <array>
 #include <cstddef>
 
-#include "core/kernel/carriers.h"
 #include "core/kernel/filters.h"
+#include "core/kernel/input_complex.h"
 #include "strata/query.h"
 
 namespace strata {
@@ -20,7 +20,7 @@ using ChartVector = std::array<Bounded, 3>;
 class DirectionCharts {
  public:
   /// Coordinates at an infinite origin are differences from `base`, so that their errors are those of the scene's size.
-  DirectionCharts(const Origin& origin, const Carriers::Coordinates& base);
+  DirectionCharts(const Origin& origin, const InputComplex::Coordinates& base);
 
   [[nodiscard]] std::size_t count() const { return origin_.is_point() ? 6 : 1; }
   [[nodiscard]] bool is_bounded() const { return origin_.is_point(); }
@@ -39,7 +39,7 @@ class DirectionCharts {
   [[nodiscard]] BoundedPoint from_origin(const BoundedPoint& p) const;
 
   Origin origin_;
-  Carriers::Coordinates base_;
+  InputComplex::Coordinates base_;
   std::size_t along_ = 0;           ///< the axis in which the direction is longest
   std::array<Bounded, 2> slope_{};  ///< of the direction in the two other axes, relative to that one
 };

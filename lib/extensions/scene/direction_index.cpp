@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/direction_index_builder.h"
 #include "extensions/scene/scene_data.h"
 
 namespace strata {
 
 DirectionIndex::DirectionIndex(const Scene& scene, const Origin& origin)
-    : charts_of_(origin,
-                 carriers_of(scene).vertex_count() == 0 ? Carriers::Coordinates{} : carriers_of(scene).vertex(0)) {
+    : charts_of_(origin, input_complex_of(scene).vertex_count() == 0 ? InputComplex::Coordinates{}
+                                                                     : input_complex_of(scene).vertex(0)) {
   DirectionIndexBuilder(scene, origin, *this).build();
 }
 

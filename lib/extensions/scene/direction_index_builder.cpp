@@ -47,12 +47,12 @@ void DirectionIndexBuilder::build() {
 }
 
 void DirectionIndexBuilder::find_faces_at_origin() {
-  const Carriers& carriers = carriers_of(scene_);
-  at_origin_.assign(carriers.face_count(), false);
+  const InputComplex& input = input_complex_of(scene_);
+  at_origin_.assign(input.face_count(), false);
   if (!origin_.is_point()) return;
   const Point o = Point::free(origin_.at);
-  for (std::uint32_t f = 0; f < carriers.face_count(); ++f)
-    if (is_on_closed_face(carriers, f, o)) {
+  for (std::uint32_t f = 0; f < input.face_count(); ++f)
+    if (is_on_closed_face(input, f, o)) {
       at_origin_[f] = true;
       index_.at_origin_.push_back(f);
     }
@@ -61,11 +61,11 @@ void DirectionIndexBuilder::find_faces_at_origin() {
 /// Per chart, by increasing face.
 std::vector<std::vector<DirectionIndexBuilder::Span>> DirectionIndexBuilder::find_spans() const {
   const std::size_t charts = index_.charts_of_.count();
-  const Carriers& carriers = carriers_of(scene_);
-  const auto blocks = face_blocks(carriers);
+  const InputComplex& input = input_complex_of(scene_);
+  const auto blocks = face_blocks(input);
   std::vector<std::vector<std::vector<Span>>> parts(blocks.size(), std::vector<std::vector<Span>>(charts));
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
-    const std::uint32_t first = carriers.first_face(blocks[b].operand);
+    const std::uint32_t first = input.first_face(blocks[b].operand);
     for (std::uint32_t f = first + blocks[b].first; f < first + blocks[b].last; ++f)
       for (std::size_t c = 0; c < charts && !at_origin_[f]; ++c)
         if (const auto span = span_in(c, f)) parts[b][c].push_back(*span);
@@ -77,18 +77,19 @@ std::vector<std::vector<DirectionIndexBuilder::Span>> DirectionIndexBuilder::fin
 }
 
 std::array<ChartVector, 3> DirectionIndexBuilder::corners(std::size_t chart, std::uint32_t face) const {
-  const auto v = carriers_of(scene_).face(face);
+  const auto v = input_complex_of(scene_).face(face);
   std::array<ChartVector, 3> p;
   for (std::size_t i = 0; i < 3; ++i)
-    p[i] = index_.charts_of_.at(chart, approximate_vertex<Bounded>(carriers_of(scene_), v[i]));
+    p[i] = index_.charts_of_.at(chart, approximate_vertex<Bounded>(input_complex_of(scene_), v[i]));
   return p;
 }
 
 /// The least depth of the corners, rounded down.
 float DirectionIndexBuilder::nearest(std::size_t chart, std::uint32_t face) const {
   double least = HUGE_VAL;
-  for (const std::uint32_t v : carriers_of(scene_).face(face)) {
-    const double depth = index_.charts_of_.depth(chart, approximate_vertex<Bounded>(carriers_of(scene_), v)).lower();
+  for (const std::uint32_t v : input_complex_of(scene_).face(face)) {
+    const double depth =
+        index_.charts_of_.depth(chart, approximate_vertex<Bounded>(input_complex_of(scene_), v)).lower();
     least = std::isfinite(depth) ? std::min(least, depth) : -HUGE_VAL;
   }
   constexpr float low = -std::numeric_limits<float>::infinity();

@@ -23,19 +23,20 @@ bool rectangles_overlap(const Footprint& a, const Footprint& b) {
 
 class PairTester {
  public:
-  PairTester(const Sight& sight, const DirectionIndex& index, const std::vector<Sign>& turns)
-      : sight_(sight), index_(index), turns_(turns) {}
+  PairTester(const Sight& sight, const DirectionIndex& index, const std::vector<Sign>& orientations)
+      : sight_(sight), index_(index), orientations_(orientations) {}
 
   void test(const DirectionIndex::Leaf& leaf) {
     const auto footprints = index_.footprints(leaf.chart);
     for (std::size_t i = 0; i < leaf.footprints.size(); ++i) {
       const Footprint& a = footprints[leaf.footprints[i]];
-      if (turns_[a.face] == Sign::zero) continue;
-      const Subordination s(sight_, {sight_.carriers().face(a.face), turns_[a.face]});
+      if (orientations_[a.face] == Sign::zero) continue;
+      const Subordination s(sight_, {sight_.input().face(a.face), orientations_[a.face]});
       for (std::size_t j = i + 1; j < leaf.footprints.size(); ++j) {
         const Footprint& b = footprints[leaf.footprints[j]];
-        if (turns_[b.face] == Sign::zero || !rectangles_overlap(a, b) || !is_tested_here(a, b, leaf.square)) continue;
-        add(a.face, b.face, s.to({sight_.carriers().face(b.face), turns_[b.face]}));
+        if (orientations_[b.face] == Sign::zero || !rectangles_overlap(a, b) || !is_tested_here(a, b, leaf.square))
+          continue;
+        add(a.face, b.face, s.to({sight_.input().face(b.face), orientations_[b.face]}));
       }
     }
   }
@@ -64,7 +65,7 @@ class PairTester {
 
   const Sight& sight_;
   const DirectionIndex& index_;
-  const std::vector<Sign>& turns_;
+  const std::vector<Sign>& orientations_;
 };
 
 void sort_and_unite(std::vector<Domination>& pairs) {
@@ -74,9 +75,9 @@ void sort_and_unite(std::vector<Domination>& pairs) {
 
 }  // namespace
 
-Dominance find_dominance(const Sight& sight, const DirectionIndex& index, const std::vector<Sign>& turns,
+Dominance find_dominance(const Sight& sight, const DirectionIndex& index, const std::vector<Sign>& orientations,
                          const Monitor& monitor) {
-  tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(sight, index, turns); });
+  tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(sight, index, orientations); });
   index.for_each_leaf([&](const DirectionIndex::Leaf& leaf) {
     monitor.check();
     testers.local().test(leaf);

@@ -23,7 +23,7 @@ struct Dominance {
 
 /// Tests the faces that share a square of directions. `turns` are those of all faces; flat ones take no part.
 /// O(n log n + pairs that share a square), in parallel; the same for any number of threads.
-[[nodiscard]] Dominance find_dominance(const Sight& sight, const DirectionIndex& index, const std::vector<Sign>& turns,
-                                       const Monitor& monitor);
+[[nodiscard]] Dominance find_dominance(const Sight& sight, const DirectionIndex& index,
+                                       const std::vector<Sign>& orientations, const Monitor& monitor);
 
 }  // namespace strata

@@ -18,7 +18,7 @@ std::uint32_t LayerDecomposition::piece_count() const { return data_->pieces.cou
 std::uint32_t LayerDecomposition::layer(std::uint32_t piece) const { return data_->order.layer[piece]; }
 bool LayerDecomposition::is_replaced(std::uint32_t piece) const { return data_->pieces.is_replaced(piece); }
 std::uint32_t LayerDecomposition::face_of(std::uint32_t piece) const { return data_->pieces.face_of(piece); }
-int LayerDecomposition::sign(std::uint32_t piece) const { return -to_int(data_->covering.turn(face_of(piece))); }
+int LayerDecomposition::sign(std::uint32_t piece) const { return -to_int(data_->covering.orientation(face_of(piece))); }
 std::span<const std::uint32_t> LayerDecomposition::back_to_front() const { return data_->sorted; }
 std::uint32_t LayerDecomposition::cuts_at_crossings() const { return data_->order.cuts_at_crossings; }
 std::uint32_t LayerDecomposition::cuts_of_cycles() const { return data_->order.cuts_of_cycles; }
@@ -29,13 +29,13 @@ LayerDecomposition::LayerDecomposition(Scene scene, const Origin& origin, const 
   const auto data = std::make_shared<Data>(SignedCovering(std::move(scene), origin, true));
   SignedCovering& covering = data->covering;
   monitor.report(0.3);
-  const Sight sight(carriers_of(covering.scene()), origin);
-  Dominance dominance = find_dominance(sight, covering.index(), covering.turns(), monitor);
+  const Sight sight(input_complex_of(covering.scene()), origin);
+  Dominance dominance = find_dominance(sight, covering.index(), covering.orientations(), monitor);
   covering.index().forget_footprints();
   data->pairs_tested = dominance.pairs_tested;
   monitor.report(0.7);
-  std::vector<Sign> turns = covering.turns();
-  data->order = order_in_layers(data->pieces, origin, std::move(dominance), turns, monitor);
+  std::vector<Sign> orientations = covering.orientations();
+  data->order = order_in_layers(data->pieces, origin, std::move(dominance), orientations, monitor);
   monitor.report(0.9);
   const LayerOrder& order = data->order;
   data->first.assign(order.layer_count + 2, 0);
@@ -73,12 +73,12 @@ namespace {
 
 /// Winding numbers at q by a walk from infinity past all faces; none if q lies on the surface.
 std::optional<Windings> walk_past_all(const Scene& scene, const Vertex& q) {
-  const Carriers& carriers = carriers_of(scene);
+  const InputComplex& input = input_complex_of(scene);
   const Point point = Point::free(q);
   Windings windings;
   for (std::uint32_t f = 0; f < scene.face_count(); ++f) {
-    if (is_on_closed_face(carriers, f, point)) return std::nullopt;
-    windings.add(carriers.operand_of_face(f), crossing_from_infinity(carriers, f, {3, -7, 11}, point));
+    if (is_on_closed_face(input, f, point)) return std::nullopt;
+    windings.add(input.operand_of_face(f), crossing_from_infinity(input, f, {3, -7, 11}, point));
   }
   return windings;
 }
@@ -86,12 +86,12 @@ std::optional<Windings> walk_past_all(const Scene& scene, const Vertex& q) {
 /// Doubles spread over the scene by a fixed sequence (Weyl's).
 Vertex sample_point(const Scene& scene, std::size_t n) {
   constexpr std::array<double, 3> step{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
-  const auto& carriers = carriers_of(scene);
+  const auto& input = input_complex_of(scene);
   Vertex q{};
   for (std::size_t i = 0; i < 3; ++i) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (std::uint32_t s = 0; s < scene.solid_count(); ++s)
-      for (const Vertex& v : carriers.points(s)) {
+      for (const Vertex& v : input.points(s)) {
         low = std::min(low, v[i]);
         high = std::max(high, v[i]);
       }

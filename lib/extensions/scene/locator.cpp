@@ -5,7 +5,7 @@
 
 #include "core/cells/cell_tree.h"
 #include "core/cells/walk.h"
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/location.h"
 #include "extensions/scene/scene_data.h"
 #include "extensions/scene/walk_step.h"
@@ -16,7 +16,7 @@ namespace strata {
 struct Locator::Data {
   Data(Scene s, const Monitor& monitor)
       : scene(std::move(s)),
-        cells(carriers_of(scene), {.self = true, .everywhere = true, .leaf_faces = 12, .monitor = monitor}) {}
+        cells(input_complex_of(scene), {.self = true, .everywhere = true, .leaf_faces = 12, .monitor = monitor}) {}
 
   Scene scene;
   CellTree cells;
@@ -25,7 +25,7 @@ struct Locator::Data {
   /// be met.
   template <class Start, class Step>
   void walk(const Vertex& q, const Start& start, const Step& step) const {
-    const Carriers& carriers = carriers_of(scene);
+    const InputComplex& input = input_complex_of(scene);
     const auto target = cells.grid().at(q);
     const Cell& cell = cells.cells()[cells.cell_at(target)];
     start(*cell.windings);
@@ -34,10 +34,9 @@ struct Locator::Data {
     const Point point = Point::free(q);
     for (const CellFace& f : cell.faces)
       if (f.box.overlaps(way))
-        step(f.face,
-             walk_step(
-                 carriers, f.face, q, point, [&](const FilteredPlane& plane) { return plane.side(cell.origin); },
-                 [&] { return crossing(carriers, f.face, cell.origin, point); }));
+        step(f.face, walk_step(
+                         input, f.face, q, point, [&](const FilteredPlane& plane) { return plane.side(cell.origin); },
+                         [&] { return crossing(input, f.face, cell.origin, point); }));
   }
 };
 
@@ -63,7 +62,7 @@ Where Locator::membership(const Vertex& q) const {
         q, [&](const Windings& windings) { w = windings; },
         [&](std::uint32_t face, const WalkStep& step) {
           on = on || step.on;
-          w.add(carriers_of(data_->scene).operand_of_face(face), step.change);
+          w.add(input_complex_of(data_->scene).operand_of_face(face), step.change);
         });
     in = w.begin() != w.end();
   }
@@ -76,7 +75,7 @@ Location Locator::locate(const Vertex& q) const {
   data_->walk(
       q, [&](const Windings& w) { windings = w; },
       [&](std::uint32_t face, const WalkStep& step) {
-        const std::uint32_t solid = carriers_of(data_->scene).operand_of_face(face);
+        const std::uint32_t solid = input_complex_of(data_->scene).operand_of_face(face);
         windings.add(solid, step.change);
         if (step.on) faces.push_back({solid, face});
       });

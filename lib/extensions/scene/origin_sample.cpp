@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/scene_data.h"
 
 namespace strata {
@@ -28,8 +28,8 @@ Vector middle(const std::array<Vector, 3>& f) {
 /// The i-th of numbers below n that are spread evenly and follow no rhythm of the mesh: multiples of the golden
 /// section.
 std::size_t spread(std::size_t i, std::size_t n) {
-  const double turns = static_cast<double>(i) * 0.6180339887498949;
-  return static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(n));
+  const double orientations = static_cast<double>(i) * 0.6180339887498949;
+  return static_cast<std::size_t>((orientations - std::floor(orientations)) * static_cast<double>(n));
 }
 
 /// A face as seen from a place: normals of the planes through the place and its sides, inwards.
@@ -41,9 +41,9 @@ struct Cone {
     const Vector a = face[0] - from, b = face[1] - from, c = face[2] - from;
     sides = {cross(a, b), cross(b, c), cross(c, a)};
     const double volume = dot(a, sides[1]);
-    const double turn = volume == 0 ? std::nan("") : volume < 0 ? -1 : 1;
+    const double orientation = volume == 0 ? std::nan("") : volume < 0 ? -1 : 1;
     for (Vector& side : sides)
-      for (double& x : side) x *= turn;
+      for (double& x : side) x *= orientation;
   }
   [[nodiscard]] bool holds(const Vector& direction) const {
     const bool u = dot(sides[0], direction) >= 0, v = dot(sides[1], direction) >= 0, w = dot(sides[2], direction) >= 0;
@@ -55,12 +55,11 @@ struct Cone {
 
 OriginSample::OriginSample(const Scene& scene) {
   find_frame(scene);
-  const Carriers& carriers = carriers_of(scene);
-  const std::uint64_t all = carriers.face_count(), count = std::min<std::uint64_t>(all, most_faces);
+  const InputComplex& input = input_complex_of(scene);
+  const std::uint64_t all = input.face_count(), count = std::min<std::uint64_t>(all, most_faces);
   for (std::uint64_t i = 0; i < count; ++i) {
-    const auto v = carriers.face(static_cast<std::uint32_t>(i * all / count));
-    faces_.push_back(
-        {in_frame(carriers.vertex(v[0])), in_frame(carriers.vertex(v[1])), in_frame(carriers.vertex(v[2]))});
+    const auto v = input.face(static_cast<std::uint32_t>(i * all / count));
+    faces_.push_back({in_frame(input.vertex(v[0])), in_frame(input.vertex(v[1])), in_frame(input.vertex(v[2]))});
   }
 }
 
@@ -85,7 +84,7 @@ void OriginSample::find_frame(const Scene& scene) {
   }
 }
 
-Vector OriginSample::in_frame(const Carriers::Coordinates& v) const {
+Vector OriginSample::in_frame(const InputComplex::Coordinates& v) const {
   Vector p;
   for (std::size_t i = 0; i < 3; ++i) p[i] = (std::ldexp(v[i], -exponent_) - centre_[i]) / size_;
   return p;

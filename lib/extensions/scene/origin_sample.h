@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "strata/query.h"
 
 namespace strata {
@@ -35,7 +35,7 @@ class OriginSample {
  private:
   using Face = std::array<Vector, 3>;
   void find_frame(const Scene& scene);
-  [[nodiscard]] Vector in_frame(const Carriers::Coordinates& v) const;
+  [[nodiscard]] Vector in_frame(const InputComplex::Coordinates& v) const;
   [[nodiscard]] std::optional<Vector> place_behind(std::size_t face) const;
 
   std::vector<Face> faces_;

@@ -21,7 +21,7 @@ void cut_crossings(Pieces& pieces, Relation& relation, const Monitor& monitor) {
 }
 
 /// Layers of all pieces that are in no ring and before none. `pairs` in any order.
-LayerOrder peel(const Pieces& pieces, const std::vector<Sign>& turns, const std::vector<Domination>& pairs,
+LayerOrder peel(const Pieces& pieces, const std::vector<Sign>& orientations, const std::vector<Domination>& pairs,
                 std::vector<std::uint32_t>& remaining) {
   const std::uint32_t count = pieces.count();
   Lists beyond = dominators_of(count, pairs);
@@ -31,7 +31,7 @@ LayerOrder peel(const Pieces& pieces, const std::vector<Sign>& turns, const std:
   std::vector<std::uint32_t> left(count), wave, next;
   for (std::uint32_t p = 0; p < count; ++p) {
     left[p] = beyond.first[p + 1] - beyond.first[p];
-    if (left[p] == 0 && turns[p] != Sign::zero && !pieces.is_replaced(p)) wave.push_back(p);
+    if (left[p] == 0 && orientations[p] != Sign::zero && !pieces.is_replaced(p)) wave.push_back(p);
   }
   while (!wave.empty()) {
     ++order.layer_count;
@@ -53,19 +53,19 @@ LayerOrder peel(const Pieces& pieces, const std::vector<Sign>& turns, const std:
 
 }  // namespace
 
-LayerOrder order_in_layers(Pieces& pieces, const Origin& origin, Dominance dominance, std::vector<Sign>& turns,
+LayerOrder order_in_layers(Pieces& pieces, const Origin& origin, Dominance dominance, std::vector<Sign>& orientations,
                            const Monitor& monitor) {
   std::vector<std::uint32_t> remaining;
   if (dominance.crossings.empty()) {
-    LayerOrder order = peel(pieces, turns, dominance.dominations, remaining);
+    LayerOrder order = peel(pieces, orientations, dominance.dominations, remaining);
     if (remaining.empty()) return order;
   }
-  Relation relation(pieces, origin, std::move(dominance), turns);
+  Relation relation(pieces, origin, std::move(dominance), orientations);
   cut_crossings(pieces, relation, monitor);
   const std::uint32_t at_crossings = pieces.cuts();
-  (void)peel(pieces, turns, relation.pairs(), remaining);
+  (void)peel(pieces, orientations, relation.pairs(), remaining);
   RingBreaker(pieces, relation, origin, remaining).run(monitor);
-  LayerOrder order = peel(pieces, turns, relation.pairs(), remaining);
+  LayerOrder order = peel(pieces, orientations, relation.pairs(), remaining);
   if (!remaining.empty()) fail("a ring of faces was not broken", pieces.face_of(remaining[0]));
   order.cuts_at_crossings = at_crossings;
   order.cuts_of_cycles = pieces.cuts() - at_crossings;

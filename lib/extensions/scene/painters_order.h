@@ -23,6 +23,6 @@ struct LayerOrder {
 /// gets those of the parts.
 /// O(n + k) for k dominations without rings; every cut breaks one ring. Ends: theory.md, "Cycles".
 [[nodiscard]] LayerOrder order_in_layers(Pieces& pieces, const Origin& origin, Dominance dominance,
-                                         std::vector<Sign>& turns, const Monitor& monitor);
+                                         std::vector<Sign>& orientations, const Monitor& monitor);
 
 }  // namespace strata

@@ -15,7 +15,7 @@ RationalVector cross(const RationalVector& u, const RationalVector& v) {
 
 Rational dot(const RationalVector& u, const RationalVector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
-RationalVector rational(const Carriers::Coordinates& p) {
+RationalVector rational(const InputComplex::Coordinates& p) {
   return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
 }
 
@@ -36,12 +36,12 @@ RationalPoint meet(const RationalPoint& a, const Rational& value_a, const Ration
 }  // namespace
 
 RationalPoint Pieces::position(std::uint32_t vertex) const {
-  if (const RationalPoint* exact = carriers_.exact(vertex)) return *exact;
-  return rational(carriers_.vertex(vertex));
+  if (const RationalPoint* exact = input_.exact(vertex)) return *exact;
+  return rational(input_.vertex(vertex));
 }
 
 RationalPlane Pieces::plane_of(std::uint32_t piece) const {
-  const auto v = carriers_.face(face_of(piece));  // the whole face: its numbers are shorter
+  const auto v = input_.face(face_of(piece));  // the whole face: its numbers are shorter
   const RationalPoint a = position(v[0]);
   return plane_at(a, position(v[1]) - a, position(v[2]) - a);
 }
@@ -86,7 +86,7 @@ bool Pieces::cut(std::uint32_t p, const RationalPlane& plane) {
   replaced_.resize(count(), false);
   replaced_[p] = true;
   ++cuts_;
-  renew_carriers();
+  renew_input();
   return true;
 }
 
@@ -97,19 +97,19 @@ void Pieces::undo(std::uint32_t p, const Mark& before) {
   replaced_[p] = false;
   replaced_.resize(count());
   --cuts_;
-  renew_carriers();
+  renew_input();
 }
 
 std::uint32_t Pieces::add_point(const RationalPoint& p) {
   const auto number = static_cast<std::uint32_t>(points_.size());
   points_.push_back({to_nearest_double(p[0]), to_nearest_double(p[1]), to_nearest_double(p[2])});
   if (rational(points_.back()) != p) exact_.push_back({number, p});
-  return carriers_of(scene_).vertex_count() + number;
+  return input_complex_of(scene_).vertex_count() + number;
 }
 
-void Pieces::renew_carriers() {
-  carriers_ = carriers_of(scene_);
-  carriers_.add(points_, {}, exact_);
+void Pieces::renew_input() {
+  input_ = input_complex_of(scene_);
+  input_.add(points_, {}, exact_);
 }
 
 }  // namespace strata

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/scene_data.h"
 #include "extensions/scene/sight.h"
 #include "strata/query.h"
@@ -20,14 +20,14 @@ struct RationalPlane {
 /// into. A piece that was cut is replaced by its parts. Cuts are exact: new corners are rational points.
 class Pieces {
  public:
-  explicit Pieces(const Scene& scene) : scene_(scene), carriers_(carriers_of(scene)) {}
+  explicit Pieces(const Scene& scene) : scene_(scene), input_(input_complex_of(scene)) {}
   Pieces(const Pieces&) = delete;
   Pieces& operator=(const Pieces&) = delete;
 
-  [[nodiscard]] std::uint32_t face_count() const { return carriers_of(scene_).face_count(); }
+  [[nodiscard]] std::uint32_t face_count() const { return input_complex_of(scene_).face_count(); }
   [[nodiscard]] std::uint32_t count() const { return face_count() + static_cast<std::uint32_t>(parts_.size()); }
   [[nodiscard]] Corners corners(std::uint32_t p) const {
-    return p < face_count() ? carriers_.face(p) : parts_[p - face_count()].corners;
+    return p < face_count() ? input_.face(p) : parts_[p - face_count()].corners;
   }
   /// The face that a piece comes from.
   [[nodiscard]] std::uint32_t face_of(std::uint32_t p) const {
@@ -37,7 +37,7 @@ class Pieces {
   [[nodiscard]] std::uint32_t cuts() const { return cuts_; }
 
   /// The scene's vertices and faces, and the corners made by cuts as vertices of one more operand.
-  [[nodiscard]] const Carriers& carriers() const { return carriers_; }
+  [[nodiscard]] const InputComplex& input() const { return input_; }
 
   [[nodiscard]] RationalPoint position(std::uint32_t vertex) const;
   [[nodiscard]] RationalPlane plane_of(std::uint32_t piece) const;
@@ -61,12 +61,12 @@ class Pieces {
     std::uint32_t face;
   };
   std::uint32_t add_point(const RationalPoint& p);
-  void renew_carriers();
+  void renew_input();
 
   Scene scene_;
-  Carriers carriers_;
+  InputComplex input_;
   std::vector<Part> parts_;
-  std::vector<Carriers::Coordinates> points_;  ///< made by cuts, rounded
+  std::vector<InputComplex::Coordinates> points_;  ///< made by cuts, rounded
   std::vector<ExactVertex> exact_;
   std::vector<bool> replaced_;
   std::uint32_t cuts_ = 0;

@@ -5,7 +5,7 @@
 #include <boost/container/small_vector.hpp>
 #include <cmath>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/box_tree.h"
 #include "extensions/scene/ray_caster_data.h"
 #include "extensions/scene/ray_events.h"
@@ -88,7 +88,7 @@ std::optional<Found> find_first(const RayCaster::Data& data, const RayLine& line
   auto& hits = nearest.finish();
   if (hits.empty()) return std::nullopt;
   if (hits.size() == 1 && hits[0].is_inside)
-    return Found{std::move(hits[0]), hits[0].face, carriers_of(data.scene).operand_of_face(hits[0].face),
+    return Found{std::move(hits[0]), hits[0].face, input_complex_of(data.scene).operand_of_face(hits[0].face),
                  hits[0].change > 0 ? Passage::entering : Passage::leaving};
   std::vector<Found> all = find_all(data, line);
   return std::move(all.front());
@@ -100,7 +100,7 @@ RayCaster::RayCaster(Scene scene) : data_(std::make_shared<const Data>(std::move
 const Scene& RayCaster::scene() const { return data_->scene; }
 
 bool RayCaster::any(const Segment& segment) const {
-  const RayLine line(carriers_of(data_->scene), segment);
+  const RayLine line(input_complex_of(data_->scene), segment);
   bool found = false;
   data_->tree.for_each_along(line.slabs(data_->tree.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {
     for (const std::uint32_t f : faces) line.meet(f, [&](FaceHit&&) { found = true; });
@@ -110,26 +110,26 @@ bool RayCaster::any(const Segment& segment) const {
 }
 
 std::optional<RayHit> RayCaster::first(const Ray& ray) const {
-  const RayLine line(carriers_of(data_->scene), ray);
+  const RayLine line(input_complex_of(data_->scene), ray);
   auto found = find_first(*data_, line);
   return found ? std::optional(exact(line, *found)) : std::nullopt;
 }
 
 std::optional<RoundedHit> RayCaster::first_rounded(const Ray& ray) const {
-  const RayLine line(carriers_of(data_->scene), ray);
+  const RayLine line(input_complex_of(data_->scene), ray);
   auto found = find_first(*data_, line);
   return found ? std::optional(rounded(line, *found)) : std::nullopt;
 }
 
 std::vector<RayHit> RayCaster::all(const Ray& ray) const {
-  const RayLine line(carriers_of(data_->scene), ray);
+  const RayLine line(input_complex_of(data_->scene), ray);
   std::vector<RayHit> hits;
   for (Found& f : find_all(*data_, line)) hits.push_back(exact(line, f));
   return hits;
 }
 
 std::vector<RoundedHit> RayCaster::all_rounded(const Ray& ray) const {
-  const RayLine line(carriers_of(data_->scene), ray);
+  const RayLine line(input_complex_of(data_->scene), ray);
   std::vector<RoundedHit> hits;
   for (Found& f : find_all(*data_, line)) hits.push_back(rounded(line, f));
   return hits;

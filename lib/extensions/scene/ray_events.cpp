@@ -62,7 +62,7 @@ std::vector<RayEvent> events_of(const Scene& scene, const RayLine& line, std::ve
   std::vector<std::size_t> sorted(hits.size());
   std::iota(sorted.begin(), sorted.end(), std::size_t{0});
   std::vector<std::uint32_t> solid(hits.size());
-  for (std::size_t i = 0; i < hits.size(); ++i) solid[i] = carriers_of(scene).operand_of_face(hits[i].face);
+  for (std::size_t i = 0; i < hits.size(); ++i) solid[i] = input_complex_of(scene).operand_of_face(hits[i].face);
   std::sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
     return solid[a] != solid[b] ? solid[a] < solid[b] : compare_parameters(line, hits[a], hits[b]) == Sign::negative;
   });

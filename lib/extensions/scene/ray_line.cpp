@@ -29,16 +29,16 @@ Bounded bounded(const Rational& x) {
 
 }  // namespace
 
-RayLine::RayLine(const Carriers& carriers, const Ray& ray)
-    : carriers_(carriers), from_(ray.from), direction_(ray.direction) {
+RayLine::RayLine(const InputComplex& input, const Ray& ray)
+    : input_(input), from_(ray.from), direction_(ray.direction) {
   if (!is_finite(ray.from) || !is_finite(ray.direction))
     throw std::invalid_argument("a coordinate of a ray is not a finite number");
   if (ray.direction == Vertex{}) throw std::invalid_argument("the direction of a ray is zero");
   find_shear();
 }
 
-RayLine::RayLine(const Carriers& carriers, const Segment& segment)
-    : carriers_(carriers), from_(segment.from), to_(segment.to), is_segment_(true), end_(1) {
+RayLine::RayLine(const InputComplex& input, const Segment& segment)
+    : input_(input), from_(segment.from), to_(segment.to), is_segment_(true), end_(1) {
   if (!is_finite(segment.from) || !is_finite(segment.to))
     throw std::invalid_argument("a coordinate of a segment is not a finite number");
   for (std::size_t i = 0; i < 3; ++i) direction_[i] = to_[i] - from_[i];
@@ -52,16 +52,16 @@ void RayLine::find_shear() {
   axis_ = {(longest + 1) % 3, (longest + 2) % 3, longest};
   // A segment of one point has no slopes: NaN leaves everything open.
   for (std::size_t i = 0; i < 2; ++i) slope_[i] = direction_[axis_[i]] / direction_[longest];
-  vertex_error_ = carriers_.has_rationals() ? Bounded::rounding : 0;
+  vertex_error_ = input_.has_rationals() ? Bounded::rounding : 0;
 }
 
 /// Edge functions of the triangle sheared along the direction (Woop, Benthin and Wald 2013), with a bound on all three.
-RayLine::Look RayLine::look_at(const Carriers::Indices& corners) const {
+RayLine::Look RayLine::look_at(const InputComplex::Indices& corners) const {
   std::array<double, 3> x, y;
   Look look;
   double reach = 0, size = 0, largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vertex& p = carriers_.vertex(corners[i]);
+    const Vertex& p = input_.vertex(corners[i]);
     const double dx = p[axis_[0]] - from_[axis_[0]], dy = p[axis_[1]] - from_[axis_[1]],
                  dz = p[axis_[2]] - from_[axis_[2]];
     x[i] = dx - slope_[0] * dz;
@@ -82,9 +82,9 @@ RayLine::Look RayLine::look_at(const Carriers::Indices& corners) const {
     below += -look.weight[i] > bound;
   }
   if (above > 0 && below > 0) {
-    look.turn = Turn::apart;
+    look.orientation = Turn::apart;
   } else if (above == 3 || below == 3) {
-    look.turn = (above == 3) == (direction_[axis_[2]] > 0) ? Turn::leaves : Turn::enters;
+    look.orientation = (above == 3) == (direction_[axis_[2]] > 0) ? Turn::leaves : Turn::enters;
   }
   look.weight_error = bound;
   look.depth_error = (u * reach + vertex_error_ * largest) * 2 + 0x1p-1000;
@@ -103,14 +103,14 @@ bool RayLine::settle(const Look& look, std::uint32_t face, FaceHit& hit) const {
   const bool is_certain =
       (hit.t.lower() > 0 && (hit.t.upper() < end_ || !is_segment_)) || hit.t.upper() < 0 || hit.t.lower() > end_;
   hit.face = face;
-  hit.change = look.turn == Turn::enters ? 1 : -1;
+  hit.change = look.orientation == Turn::enters ? 1 : -1;
   hit.is_inside = true;
   return is_certain && std::isfinite(hit.t.upper());
 }
 
 RationalPoint RayLine::position(std::uint32_t vertex) const {
-  const RationalPoint* exact = carriers_.exact(vertex);
-  return exact != nullptr ? *exact : rational(carriers_.vertex(vertex));
+  const RationalPoint* exact = input_.exact(vertex);
+  return exact != nullptr ? *exact : rational(input_.vertex(vertex));
 }
 
 RationalPoint RayLine::rational_direction() const {
@@ -118,10 +118,10 @@ RationalPoint RayLine::rational_direction() const {
 }
 
 /// Sign of ((a - from) x (b - from)) . direction.
-Sign RayLine::turn(std::uint32_t a, std::uint32_t b) const {
-  const Point p = make_point(carriers_, PointName::input(a)), q = make_point(carriers_, PointName::input(b));
+Sign RayLine::orientation(std::uint32_t a, std::uint32_t b) const {
+  const Point p = make_point(input_, SymbolicPoint::input(a)), q = make_point(input_, SymbolicPoint::input(b));
   const Point o = Point::free(from_);
-  return is_segment_ ? orient3d(carriers_, o, p, q, Point::free(to_)) : normal_along(carriers_, o, p, q, direction_);
+  return is_segment_ ? orient3d(input_, o, p, q, Point::free(to_)) : normal_along(input_, o, p, q, direction_);
 }
 
 /// The same with from + (e, e^2, e^3): the derivative in `from` is direction x (b - a).
@@ -133,7 +133,7 @@ Sign RayLine::moved_turn(std::uint32_t a, std::uint32_t b) const {
 }
 
 Rational RayLine::crossing_parameter(std::uint32_t face) const {
-  const auto v = carriers_.face(face);
+  const auto v = input_.face(face);
   const RationalPoint a = position(v[0]);
   const RationalPoint normal = cross_product(difference(position(v[1]), a), difference(position(v[2]), a));
   return dot_product(normal, difference(a, rational(from_))) / dot_product(normal, rational_direction());
@@ -158,15 +158,15 @@ RayLine::Hits RayLine::at(std::uint32_t face, const Rational& t, std::int8_t cha
 /// Where no turn is zero the line passes the inside or by; where one or two are, through an edge or a corner, or by;
 /// where all are, it is in the plane: rays.md.
 RayLine::Hits RayLine::meet_exactly(std::uint32_t face) const {
-  const auto v = carriers_.face(face);
+  const auto v = input_.face(face);
   if (is_segment_ && from_ == to_)
-    return is_on_closed_face(carriers_, face, Point::free(from_)) ? at(face, 0, 0, false) : Hits{};
+    return is_on_closed_face(input_, face, Point::free(from_)) ? at(face, 0, 0, false) : Hits{};
   int left = 0, right = 0;
-  std::array<Sign, 3> turns;
+  std::array<Sign, 3> orientations;
   for (std::size_t i = 0; i < 3; ++i) {
-    turns[i] = turn(v[(i + 1) % 3], v[(i + 2) % 3]);
-    left += turns[i] == Sign::positive;
-    right += turns[i] == Sign::negative;
+    orientations[i] = orientation(v[(i + 1) % 3], v[(i + 2) % 3]);
+    left += orientations[i] == Sign::positive;
+    right += orientations[i] == Sign::negative;
     if (left > 0 && right > 0) return {};
   }
   if (left + right == 0) return meet_within(face);
@@ -175,13 +175,13 @@ RayLine::Hits RayLine::meet_exactly(std::uint32_t face) const {
   const Sign all = left > 0 ? Sign::positive : Sign::negative;
   bool is_crossed = true;
   for (std::size_t i = 0; i < 3; ++i)
-    if (turns[i] == Sign::zero) is_crossed = is_crossed && moved_turn(v[(i + 1) % 3], v[(i + 2) % 3]) == all;
+    if (orientations[i] == Sign::zero) is_crossed = is_crossed && moved_turn(v[(i + 1) % 3], v[(i + 2) % 3]) == all;
   return at(face, crossing_parameter(face), is_crossed ? change : std::int8_t{0}, left + right == 3);
 }
 
 /// A line in the plane of a triangle, cut by the triangle's edges as by half-planes.
 RayLine::Hits RayLine::meet_within(std::uint32_t face) const {
-  const auto v = carriers_.face(face);
+  const auto v = input_.face(face);
   const RationalPoint o = rational(from_), d = rational_direction();
   const std::array<RationalPoint, 3> corner{position(v[0]), position(v[1]), position(v[2])};
   const RationalPoint normal = cross_product(difference(corner[1], corner[0]), difference(corner[2], corner[0]));
@@ -214,17 +214,17 @@ RationalPoint RayLine::place_at(const Rational& t) const {
 }
 
 std::pair<double, Vertex> RayLine::rounded(FaceHit& hit) const {
-  if (!hit.exact && !carriers_.has_rationals() && !is_segment_) {
-    const auto v = carriers_.face(hit.face);
-    const auto point = [](const Vertex& p) { return RealPoint<Twofold>{p[0], p[1], p[2]}; };
-    const RealPoint<Twofold> a = point(carriers_.vertex(v[0])), o = point(from_), d = point(direction_);
-    const RealPoint<Twofold> normal =
-        cross<Twofold>(point(carriers_.vertex(v[1])) - a, point(carriers_.vertex(v[2])) - a);
-    const Twofold t = dot<Twofold>(normal, a - o) / dot<Twofold>(normal, d);
+  if (!hit.exact && !input_.has_rationals() && !is_segment_) {
+    const auto v = input_.face(hit.face);
+    const auto point = [](const Vertex& p) { return RealPoint<DoubleDouble>{p[0], p[1], p[2]}; };
+    const RealPoint<DoubleDouble> a = point(input_.vertex(v[0])), o = point(from_), d = point(direction_);
+    const RealPoint<DoubleDouble> normal =
+        cross<DoubleDouble>(point(input_.vertex(v[1])) - a, point(input_.vertex(v[2])) - a);
+    const DoubleDouble t = dot<DoubleDouble>(normal, a - o) / dot<DoubleDouble>(normal, d);
     Vertex place;
     bool is_nearest = t.rounds_to_value();
     for (std::size_t i = 0; i < 3 && is_nearest; ++i) {
-      const Twofold x = d[i].value == 0 ? o[i] : o[i] + t * d[i];
+      const DoubleDouble x = d[i].value == 0 ? o[i] : o[i] + t * d[i];
       is_nearest = x.rounds_to_value();
       place[i] = x.value;
     }

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/exact/twofold.h"
-#include "core/kernel/carriers.h"
+#include "core/exact/double_double.h"
+#include "core/kernel/input_complex.h"
 #include "core/kernel/predicates.h"
 #include "extensions/scene/ray_slabs.h"
 #include "strata/query.h"
@@ -24,11 +24,11 @@ struct FaceHit {
 };
 
 /// A ray or a segment with its straight line, which is asked where it meets closed faces. Exact: theory of the filter,
-/// of the moved line and of stretches in rays.md. Holds a reference to the carriers.
+/// of the moved line and of stretches in rays.md. Holds a reference to the input complex.
 class RayLine {
  public:
-  RayLine(const Carriers& carriers, const Ray& ray);
-  RayLine(const Carriers& carriers, const Segment& segment);
+  RayLine(const InputComplex& input, const Ray& ray);
+  RayLine(const InputComplex& input, const Segment& segment);
 
   /// For a tree whose boxes are in `all`.
   [[nodiscard]] RaySlabs slabs(const Box& all) const { return {from_, direction_, all}; }
@@ -39,10 +39,10 @@ class RayLine {
   /// stretch that begins before 0 and ends after it the point at 0 is a hit that neither begins nor ends.
   template <class Take>
   void meet(std::uint32_t face, const Take& take) const {
-    const Look look = look_at(carriers_.face(face));
-    if (look.turn == Turn::apart) return;
+    const Look look = look_at(input_.face(face));
+    if (look.orientation == Turn::apart) return;
     FaceHit hit;
-    if (look.turn != Turn::open && settle(look, face, hit)) {
+    if (look.orientation != Turn::open && settle(look, face, hit)) {
       if (hit.t.lower() <= end_ && hit.t.upper() >= 0) take(std::move(hit));
       return;
     }
@@ -61,13 +61,13 @@ class RayLine {
   /// line's beginning counter-clockwise (leaves) or clockwise (enters), or doubles do not tell.
   enum class Turn : std::uint8_t { apart, leaves, enters, open };
   struct Look {
-    Turn turn = Turn::open;
+    Turn orientation = Turn::open;
     std::array<double, 3> weight{}, depth{};
     double weight_error = 0, depth_error = 0;
   };
 
   void find_shear();
-  [[nodiscard]] Look look_at(const Carriers::Indices& corners) const;
+  [[nodiscard]] Look look_at(const InputComplex::Indices& corners) const;
   /// A hit whose parameter is certainly in or certainly out of [0, end]. False if this is not certain.
   [[nodiscard]] bool settle(const Look& look, std::uint32_t face, FaceHit& hit) const;
 
@@ -75,13 +75,13 @@ class RayLine {
   [[nodiscard]] Hits meet_exactly(std::uint32_t face) const;
   [[nodiscard]] Hits meet_within(std::uint32_t face) const;
   [[nodiscard]] Hits at(std::uint32_t face, const Rational& t, std::int8_t change, bool is_inside) const;
-  [[nodiscard]] Sign turn(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] Sign orientation(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] Sign moved_turn(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] Rational crossing_parameter(std::uint32_t face) const;
   [[nodiscard]] RationalPoint position(std::uint32_t vertex) const;
   [[nodiscard]] RationalPoint rational_direction() const;
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   Vertex from_;
   Vertex to_{};         ///< of a segment
   Vertex direction_{};  ///< of a segment: to - from, rounded

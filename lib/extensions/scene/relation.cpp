@@ -4,10 +4,10 @@
 
 namespace strata {
 
-Relation::Relation(Pieces& pieces, const Origin& origin, Dominance dominance, std::vector<Sign>& turns)
+Relation::Relation(Pieces& pieces, const Origin& origin, Dominance dominance, std::vector<Sign>& orientations)
     : pieces_(pieces),
-      sight_(pieces.carriers(), origin),
-      turns_(turns),
+      sight_(pieces.input(), origin),
+      orientations_(orientations),
       pairs_(std::move(dominance.dominations)),
       dominators_(dominators_of(pieces.face_count(), pairs_)),
       dominated_(dominated_by(pieces.face_count(), pairs_)) {
@@ -19,7 +19,7 @@ bool Relation::cut(std::uint32_t p, const RationalPlane& plane) {
   const auto above = dominators(p), below = dominated(p), across = live({}, crossing_, p);
   if (!pieces_.cut(p, plane)) return false;
   for (std::uint32_t part = before; part < pieces_.count(); ++part) {
-    turns_.push_back(turns_[p]);
+    orientations_.push_back(orientations_[p]);
     for (const auto& list : {above, below, across})
       for (const std::uint32_t q : list) relate(part, q);
   }
@@ -32,11 +32,11 @@ bool Relation::would_part(std::uint32_t p, const RationalPlane& plane, std::uint
   if (!pieces_.cut(p, plane)) return false;
   bool parted = true;
   for (std::uint32_t part = before; part < pieces_.count(); ++part) {
-    turns_.push_back(turns_[p]);
+    orientations_.push_back(orientations_[p]);
     parted =
         parted && !(overlap(part, t) == TetrahedraOverlap::before && overlap(part, s) == TetrahedraOverlap::behind);
   }
-  turns_.resize(before);
+  orientations_.resize(before);
   pieces_.undo(p, mark);
   return parted;
 }

@@ -16,7 +16,7 @@ namespace strata {
 class Relation {
  public:
   /// `turns` gets those of parts.
-  Relation(Pieces& pieces, const Origin& origin, Dominance dominance, std::vector<Sign>& turns);
+  Relation(Pieces& pieces, const Origin& origin, Dominance dominance, std::vector<Sign>& orientations);
 
   [[nodiscard]] std::vector<std::uint32_t> dominators(std::uint32_t p) const {
     return live(dominators_.of(p), later_dominators_, p);
@@ -44,7 +44,7 @@ class Relation {
  private:
   using Later = std::unordered_map<std::uint32_t, std::vector<std::uint32_t>>;
 
-  [[nodiscard]] SeenTriangle seen(std::uint32_t p) const { return {pieces_.corners(p), turns_[p]}; }
+  [[nodiscard]] SeenTriangle seen(std::uint32_t p) const { return {pieces_.corners(p), orientations_[p]}; }
   void relate(std::uint32_t p, std::uint32_t q);
   void add_pair(std::uint32_t s, std::uint32_t t);
   void add_crossing(std::uint32_t s, std::uint32_t t);
@@ -53,7 +53,7 @@ class Relation {
 
   Pieces& pieces_;
   Sight sight_;
-  std::vector<Sign>& turns_;
+  std::vector<Sign>& orientations_;
   std::vector<Domination> pairs_;
   Lists dominators_, dominated_;  ///< among whole faces
   Later later_dominators_, later_dominated_, crossing_;

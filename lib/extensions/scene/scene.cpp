@@ -32,28 +32,28 @@ void check_arrays(const Mesh& mesh, std::size_t solid) {
                          solid);
 }
 
-void check_faces(const Carriers& carriers) {
-  std::atomic<std::uint32_t> worst{carriers.face_count()};
-  tbb::parallel_for(std::uint32_t{0}, carriers.face_count(), [&](std::uint32_t f) {
-    if (!is_degenerate(carriers, f)) return;
+void check_faces(const InputComplex& input) {
+  std::atomic<std::uint32_t> worst{input.face_count()};
+  tbb::parallel_for(std::uint32_t{0}, input.face_count(), [&](std::uint32_t f) {
+    if (!is_degenerate(input, f)) return;
     std::uint32_t w = worst.load();
     while (f < w && !worst.compare_exchange_weak(w, f)) {
     }
   });
-  if (worst == carriers.face_count()) return;
-  const std::uint32_t solid = carriers.operand_of_face(worst);
-  throw InputError(
-      {defect(DefectKind::degenerate_triangle, "a face has no area", {worst - carriers.first_face(solid)})}, solid);
+  if (worst == input.face_count()) return;
+  const std::uint32_t solid = input.operand_of_face(worst);
+  throw InputError({defect(DefectKind::degenerate_triangle, "a face has no area", {worst - input.first_face(solid)})},
+                   solid);
 }
 
 }  // namespace
 
-std::uint32_t Scene::solid_count() const { return data_->carriers.operand_count(); }
-std::uint32_t Scene::face_count() const { return data_->carriers.face_count(); }
+std::uint32_t Scene::solid_count() const { return data_->input.operand_count(); }
+std::uint32_t Scene::face_count() const { return data_->input.face_count(); }
 const ExactMesh& Scene::solid(std::uint32_t i) const { return data_->solids[i]; }
-std::uint32_t Scene::solid_of(std::uint32_t face) const { return data_->carriers.operand_of_face(face); }
+std::uint32_t Scene::solid_of(std::uint32_t face) const { return data_->input.operand_of_face(face); }
 std::uint32_t Scene::local(std::uint32_t face) const {
-  return face - data_->carriers.first_face(data_->carriers.operand_of_face(face));
+  return face - data_->input.first_face(data_->input.operand_of_face(face));
 }
 
 Scene::Scene(std::vector<ExactMesh> solids) {
@@ -68,8 +68,8 @@ Scene::Scene(std::vector<ExactMesh> solids) {
   }
   if (vertices > 0xfffffffdu || faces > 0xfffffffdu)
     throw std::length_error("a scene of more than 2^32 - 3 vertices or faces");
-  for (const ExactMesh& s : data->solids) data->carriers.add(s.mesh.vertices, s.mesh.triangles, s.exact);
-  check_faces(data->carriers);
+  for (const ExactMesh& s : data->solids) data->input.add(s.mesh.vertices, s.mesh.triangles, s.exact);
+  check_faces(data->input);
   data_ = data;
 }
 

@@ -1,17 +1,17 @@
 #pragma once
 #include <vector>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "strata/query.h"
 
 namespace strata {
 
 struct Scene::Data {
   std::vector<ExactMesh> solids;
-  Carriers carriers;
+  InputComplex input;
 };
 
-/// The vertices and faces of all solids in one numbering; an operand of the carriers is a solid.
-[[nodiscard]] inline const Carriers& carriers_of(const Scene& scene) { return scene.data().carriers; }
+/// The vertices and faces of all solids in one numbering; an operand of the input complex is a solid.
+[[nodiscard]] inline const InputComplex& input_complex_of(const Scene& scene) { return scene.data().input; }
 
 }  // namespace strata

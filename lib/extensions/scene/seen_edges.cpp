@@ -19,10 +19,10 @@ struct Side {
 };
 
 /// The sides of all faces, those of one edge together.
-std::vector<Side> sorted_sides(const Carriers& carriers) {
-  std::vector<Side> sides(std::size_t{3} * carriers.face_count());
-  tbb::parallel_for(std::uint32_t{0}, carriers.face_count(), [&](std::uint32_t f) {
-    const auto v = carriers.face(f);
+std::vector<Side> sorted_sides(const InputComplex& input) {
+  std::vector<Side> sides(std::size_t{3} * input.face_count());
+  tbb::parallel_for(std::uint32_t{0}, input.face_count(), [&](std::uint32_t f) {
+    const auto v = input.face(f);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = v[i], b = v[(i + 1) % 3];
       sides[3 * std::size_t{f} + i] = {std::min(a, b), std::max(a, b), f};
@@ -32,33 +32,33 @@ std::vector<Side> sorted_sides(const Carriers& carriers) {
   return sides;
 }
 
-Vertex unit_normal(const Carriers& carriers, std::uint32_t face) {
-  const auto v = carriers.face(face);
-  const Vertex &a = carriers.vertex(v[0]), &b = carriers.vertex(v[1]), &c = carriers.vertex(v[2]);
+Vertex unit_normal(const InputComplex& input, std::uint32_t face) {
+  const auto v = input.face(face);
+  const Vertex &a = input.vertex(v[0]), &b = input.vertex(v[1]), &c = input.vertex(v[2]);
   const Vertex u{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, w{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
   const double x = u[1] * w[2] - u[2] * w[1], y = u[2] * w[0] - u[0] * w[2], z = u[0] * w[1] - u[1] * w[0];
   const double length = std::hypot(x, y, z);
   return length > 0 ? Vertex{x / length, y / length, z / length} : Vertex{};
 }
 
-bool are_coplanar(const Carriers& carriers, std::uint32_t f, std::uint32_t g) {
-  const auto v = carriers.face(f);
-  for (const std::uint32_t p : carriers.face(g))
-    if (orient3d(carriers, v[0], v[1], v[2], p) != Sign::zero) return false;
+bool are_coplanar(const InputComplex& input, std::uint32_t f, std::uint32_t g) {
+  const auto v = input.face(f);
+  for (const std::uint32_t p : input.face(g))
+    if (orient3d(input, v[0], v[1], v[2], p) != Sign::zero) return false;
   return true;
 }
 
 /// What a drawing shows an edge as, by the faces around it; nothing for edges within a plane or a smooth surface.
 std::optional<EdgeKind> kind_of(const Visibility& visibility, std::span<const Side> sides, double crease_cosine) {
   const SignedCovering& covering = covering_of(visibility.decomposition());
-  const Carriers& carriers = carriers_of(covering.scene());
-  if (sides.size() == 1) return EdgeKind::outline;
-  const auto turn = [&](std::size_t i) { return covering.turn(sides[i].face); };
+  const InputComplex& input = input_complex_of(covering.scene());
+  if (sides.size() == 1) return EdgeKind::loop;
+  const auto orientation = [&](std::size_t i) { return covering.orientation(sides[i].face); };
   if (sides.size() > 2) return EdgeKind::crease;
-  if (are_coplanar(carriers, sides[0].face, sides[1].face)) return std::nullopt;
-  if (turn(0) == Sign::zero && turn(1) == Sign::zero) return std::nullopt;
-  if (turn(0) != turn(1)) return EdgeKind::outline;
-  const Vertex n = unit_normal(carriers, sides[0].face), m = unit_normal(carriers, sides[1].face);
+  if (are_coplanar(input, sides[0].face, sides[1].face)) return std::nullopt;
+  if (orientation(0) == Sign::zero && orientation(1) == Sign::zero) return std::nullopt;
+  if (orientation(0) != orientation(1)) return EdgeKind::loop;
+  const Vertex n = unit_normal(input, sides[0].face), m = unit_normal(input, sides[1].face);
   if (n[0] * m[0] + n[1] * m[1] + n[2] * m[2] < crease_cosine) return EdgeKind::crease;
   return std::nullopt;
 }
@@ -81,7 +81,7 @@ std::vector<Stretch> united(std::vector<Stretch> stretches) {
 
 std::vector<SeenEdge> find_seen_edges(const Visibility& visibility, double crease_angle, const Monitor& monitor) {
   const double crease_cosine = std::cos(crease_angle * 3.14159265358979323846 / 180);
-  const auto sides = sorted_sides(carriers_of(visibility.decomposition().scene()));
+  const auto sides = sorted_sides(input_complex_of(visibility.decomposition().scene()));
   std::vector<std::size_t> first;
   for (std::size_t i = 0; i < sides.size(); ++i)
     if (i == 0 || sides[i].a != sides[i - 1].a || sides[i].b != sides[i - 1].b) first.push_back(i);

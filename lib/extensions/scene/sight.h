@@ -2,36 +2,36 @@
 #include <array>
 #include <cstdint>
 
-#include "core/kernel/carriers.h"
 #include "core/kernel/filtered_plane.h"
+#include "core/kernel/input_complex.h"
 #include "core/kernel/predicates.h"
 #include "strata/query.h"
 
 namespace strata {
 
-/// A triangle by its vertices' numbers in the carriers.
-using Corners = Carriers::Indices;
+/// A triangle by its vertices' numbers in the input complex.
+using Corners = InputComplex::Indices;
 
-/// What is seen from an origin, as exact signs. Vertices are those of the carriers.
+/// What is seen from an origin, as exact signs. Vertices are those of the input complex.
 class Sight {
  public:
-  Sight(const Carriers& carriers, const Origin& origin) : carriers_(carriers), origin_(origin) {}
+  Sight(const InputComplex& input, const Origin& origin) : input_(input), origin_(origin) {}
 
-  [[nodiscard]] const Carriers& carriers() const { return carriers_; }
+  [[nodiscard]] const InputComplex& input() const { return input_; }
   [[nodiscard]] const Origin& origin() const { return origin_; }
 
   /// positive: a, b, c are seen counter-clockwise; zero: the origin is in their plane. orient3d(a, b, c, origin).
-  [[nodiscard]] Sign turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
-  [[nodiscard]] Sign turn(const Corners& f) const { return turn(f[0], f[1], f[2]); }
+  [[nodiscard]] Sign orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+  [[nodiscard]] Sign orientation(const Corners& f) const { return orientation(f[0], f[1], f[2]); }
 
   /// Depth of a vertex against the plane of a triangle that is seen as `turn`: positive when it is beyond it, negative
   /// when it is before it, zero in the plane.
-  [[nodiscard]] Sign depth(const Corners& triangle, Sign turn_of_triangle, std::uint32_t vertex) const;
+  [[nodiscard]] Sign depth(const Corners& triangle, Sign orientation_of_triangle, std::uint32_t vertex) const;
 
  private:
-  [[nodiscard]] Point point(std::uint32_t v) const { return make_point(carriers_, PointName::input(v)); }
+  [[nodiscard]] Point point(std::uint32_t v) const { return make_point(input_, SymbolicPoint::input(v)); }
 
-  const Carriers& carriers_;
+  const InputComplex& input_;
   const Origin& origin_;
 };
 
@@ -41,7 +41,7 @@ class SightLine {
   SightLine(const Sight& sight, std::uint32_t a, std::uint32_t b);
 
   /// Sight::turn(a, b, c)
-  [[nodiscard]] Sign turn(std::uint32_t c) const;
+  [[nodiscard]] Sign orientation(std::uint32_t c) const;
 
  private:
   const Sight& sight_;

@@ -18,7 +18,7 @@ namespace {
 const Origin& checked(const Origin& origin) {
   for (const double x : origin.at)
     if (!std::isfinite(x)) throw std::invalid_argument("the origin's coordinates are not finite");
-  if (!origin.is_point() && origin.at == Carriers::Coordinates{})
+  if (!origin.is_point() && origin.at == InputComplex::Coordinates{})
     throw std::invalid_argument("the direction to an origin at infinity is zero");
   return origin;
 }
@@ -28,39 +28,38 @@ const Origin& checked(const Origin& origin) {
 SignedCovering::SignedCovering(Scene scene, const Origin& origin, bool keep_footprints)
     : scene_(std::move(scene)), origin_(checked(origin)), index_(scene_, origin_) {
   if (!keep_footprints) index_.forget_footprints();
-  const Carriers& carriers = carriers_of(scene_);
-  const Sight sight(carriers, origin_);
-  turns_.resize(carriers.face_count());
-  starts_.resize(carriers.face_count());
-  tbb::parallel_for(std::uint32_t{0}, carriers.face_count(), [&](std::uint32_t f) {
-    turns_[f] = starts_[f] = sight.turn(carriers.face(f));
+  const InputComplex& input = input_complex_of(scene_);
+  const Sight sight(input, origin_);
+  orientations_.resize(input.face_count());
+  starts_.resize(input.face_count());
+  tbb::parallel_for(std::uint32_t{0}, input.face_count(), [&](std::uint32_t f) {
+    orientations_[f] = starts_[f] = sight.orientation(input.face(f));
     if (starts_[f] == Sign::zero)
-      starts_[f] =
-          origin_.is_point() ? side_of_origin(carriers, f, origin_.at) : side_of_infinity(carriers, f, origin_.at);
+      starts_[f] = origin_.is_point() ? side_of_origin(input, f, origin_.at) : side_of_infinity(input, f, origin_.at);
   });
   find_windings_of_origin();
   make_cones();
 }
 
 void SignedCovering::make_cones() {
-  const Carriers& carriers = carriers_of(scene_);
-  if (!origin_.is_point() || carriers.has_rationals()) return;
+  const InputComplex& input = input_complex_of(scene_);
+  if (!origin_.is_point() || input.has_rationals()) return;
   double largest = 0;
   for (std::uint32_t s = 0; s < scene_.solid_count(); ++s)
-    for (const Vertex& v : carriers.points(s))
+    for (const Vertex& v : input.points(s))
       for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::abs(v[i] - origin_.at[i]));
   if (!std::isfinite(largest) || largest == 0) return;
   scale_ = largest;
-  cones_.resize(carriers.face_count());
-  tbb::parallel_for(std::uint32_t{0}, carriers.face_count(), [&](std::uint32_t f) {
-    const auto v = carriers.face(f);
-    cones_[f] = ConeFilter(origin_.at, {carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2])}, scale_);
+  cones_.resize(input.face_count());
+  tbb::parallel_for(std::uint32_t{0}, input.face_count(), [&](std::uint32_t f) {
+    const auto v = input.face(f);
+    cones_[f] = ConeFilter(origin_.at, {input.vertex(v[0]), input.vertex(v[1]), input.vertex(v[2])}, scale_);
   });
 }
 
 int SignedCovering::crossing(std::uint32_t face, const Point& q) const {
-  return origin_.is_point() ? strata::crossing(carriers_of(scene_), face, origin_.at, q)
-                            : crossing_from_infinity(carriers_of(scene_), face, origin_.at, q);
+  return origin_.is_point() ? strata::crossing(input_complex_of(scene_), face, origin_.at, q)
+                            : crossing_from_infinity(input_complex_of(scene_), face, origin_.at, q);
 }
 
 /// Calls `visit` for every face that the walk to q may cross or end on.
@@ -91,7 +90,7 @@ void SignedCovering::find_windings_of_origin() {
   if (!found) throw std::invalid_argument("the scene leaves no double outside of it");
   const Point q = Point::free(far);
   for_each_face_of_walk(
-      far, [&](std::uint32_t f) { at_origin_.add(carriers_of(scene_).operand_of_face(f), -crossing(f, q)); });
+      far, [&](std::uint32_t f) { at_origin_.add(input_complex_of(scene_).operand_of_face(f), -crossing(f, q)); });
 }
 
 /// A look in floats first.
@@ -105,7 +104,7 @@ WalkStep SignedCovering::step(std::uint32_t face, const Vertex& vertex, const Po
         break;
     }
   return walk_step(
-      carriers_of(scene_), face, vertex, q, [&](const FilteredPlane&) { return to_int(starts_[face]); },
+      input_complex_of(scene_), face, vertex, q, [&](const FilteredPlane&) { return to_int(starts_[face]); },
       [&] { return crossing(face, q); });
 }
 
@@ -126,7 +125,7 @@ Where SignedCovering::membership(const Vertex& q) const {
   for_each_face_of_walk(q, [&](std::uint32_t f) {
     const WalkStep s = step(f, q, point, ray);
     on = on || s.on;
-    w.add(carriers_of(scene_).operand_of_face(f), s.change);
+    w.add(input_complex_of(scene_).operand_of_face(f), s.change);
   });
   if (on) return Where::on;
   return w.begin() == w.end() ? Where::out : Where::in;
@@ -139,8 +138,8 @@ Location SignedCovering::locate(const Vertex& q) const {
   std::vector<Contact> faces;
   for_each_face_of_walk(q, [&](std::uint32_t f) {
     const WalkStep s = step(f, q, point, ray);
-    windings.add(carriers_of(scene_).operand_of_face(f), s.change);
-    if (s.on) faces.push_back({carriers_of(scene_).operand_of_face(f), f});
+    windings.add(input_complex_of(scene_).operand_of_face(f), s.change);
+    if (s.on) faces.push_back({input_complex_of(scene_).operand_of_face(f), f});
   });
   return location_of(std::move(windings), std::move(faces));
 }

@@ -31,8 +31,8 @@ class SignedCovering {
   [[nodiscard]] DirectionIndex& index() { return index_; }
 
   /// The turn of a face as seen from the origin: positive when its outer side is seen, zero when it is flat.
-  [[nodiscard]] Sign turn(std::uint32_t face) const { return turns_[face]; }
-  [[nodiscard]] const std::vector<Sign>& turns() const { return turns_; }
+  [[nodiscard]] Sign orientation(std::uint32_t face) const { return orientations_[face]; }
+  [[nodiscard]] const std::vector<Sign>& orientations() const { return orientations_; }
   /// The winding numbers beside the origin, where walks begin.
   [[nodiscard]] const Windings& windings_of_origin() const { return at_origin_; }
 
@@ -47,7 +47,7 @@ class SignedCovering {
 
   /// Memory held, the scene's own arrays left out.
   [[nodiscard]] std::size_t bytes() const {
-    return index_.bytes() + cones_.size() * sizeof(ConeFilter) + (turns_.size() + starts_.size()) * sizeof(Sign);
+    return index_.bytes() + cones_.size() * sizeof(ConeFilter) + (orientations_.size() + starts_.size()) * sizeof(Sign);
   }
 
   /// Change of a solid's winding number at a face on the way from the origin to q: +1, 0 or -1. A face whose plane
@@ -63,7 +63,7 @@ class SignedCovering {
 
   Scene scene_;
   Origin origin_;
-  std::vector<Sign> turns_;
+  std::vector<Sign> orientations_;
   std::vector<Sign> starts_;  ///< side of the origin, perturbed: never zero
   DirectionIndex index_;
   Windings at_origin_;

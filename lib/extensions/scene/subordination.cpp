@@ -15,14 +15,15 @@ enum class Detail { all, whether_ordered };
 
 /// Does an edge of `s` keep `t` out? `open`: with no common ray at all, rims included. Turns are complete if there is
 /// no gap.
-Gap find_turns(const SeenTriangle& s, const SightLines& lines, const SeenTriangle& t, Detail detail, Turns& turns) {
+Gap find_turns(const SeenTriangle& s, const SightLines& lines, const SeenTriangle& t, Detail detail,
+               Turns& orientations) {
   Gap gap = Gap::none;
   for (std::size_t e = 0; e < 3; ++e) {
     bool in = false, on = false;
     for (std::size_t c = 0; c < 3; ++c) {
-      turns[e][c] = lines[e].turn(t.corners[c]);
-      in = in || turns[e][c] == s.turn;
-      on = on || turns[e][c] == Sign::zero;
+      orientations[e][c] = lines[e].orientation(t.corners[c]);
+      in = in || orientations[e][c] == s.orientation;
+      on = on || orientations[e][c] == Sign::zero;
     }
     if (!in && !on) return Gap::open;
     if (!in) gap = Gap::closed;
@@ -34,11 +35,11 @@ Gap find_turns(const SeenTriangle& s, const SightLines& lines, const SeenTriangl
 enum class Within { no, rim, inside };
 
 /// Where a corner of t is seen in s.
-Within within(const SeenTriangle& s, const Turns& turns, std::size_t corner) {
+Within within(const SeenTriangle& s, const Turns& orientations, std::size_t corner) {
   bool rim = false;
   for (std::size_t e = 0; e < 3; ++e) {
-    if (turns[e][corner] == -s.turn) return Within::no;
-    rim = rim || turns[e][corner] == Sign::zero;
+    if (orientations[e][corner] == -s.orientation) return Within::no;
+    rim = rim || orientations[e][corner] == Sign::zero;
   }
   return rim ? Within::rim : Within::inside;
 }
@@ -61,7 +62,7 @@ void add_corners(const Sight& sight, const SeenTriangle& s, const SeenTriangle& 
     const Within w = within(t, turns_of_t, c);
     if (w == Within::no) continue;
     depths.inside = depths.inside || w == Within::inside;
-    const Sign depth = sight.depth(t.corners, t.turn, s.corners[c]);
+    const Sign depth = sight.depth(t.corners, t.orientation, s.corners[c]);
     depths.add(exchanged ? -depth : depth);
   }
 }
@@ -75,7 +76,7 @@ void add_crossings(const Sight& sight, const SeenTriangle& s, const SeenTriangle
       if (of_s[i][j] * of_s[i][j2] != Sign::negative || of_t[j][i] * of_t[j][i2] != Sign::negative) continue;
       if (of_t[j][i] != -of_s[i][j]) continue;  // one crosses the other's opposite
       depths.inside = true;
-      depths.add(of_s[i][j] * orient3d(sight.carriers(), s.corners[i], s.corners[i2], t.corners[j], t.corners[j2]));
+      depths.add(of_s[i][j] * orient3d(sight.input(), s.corners[i], s.corners[i2], t.corners[j], t.corners[j2]));
     }
 }
 
@@ -84,7 +85,7 @@ bool is_parted(const Sight& sight, std::uint32_t a, std::uint32_t b, const SeenT
   const SightLine line(sight, a, b);
   bool s_left = false, s_right = false, t_left = false, t_right = false;
   for (std::size_t c = 0; c < 3; ++c) {
-    const Sign x = line.turn(s.corners[c]), y = line.turn(t.corners[c]);
+    const Sign x = line.orientation(s.corners[c]), y = line.orientation(t.corners[c]);
     s_left = s_left || x == Sign::positive;
     s_right = s_right || x == Sign::negative;
     t_left = t_left || y == Sign::positive;

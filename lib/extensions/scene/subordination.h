@@ -21,7 +21,7 @@ enum class TetrahedraOverlap : std::uint8_t { apart, touching, before, behind, c
 /// A triangle with its turn as seen from the origin, which is not zero: flat tetrahedra hold no rays.
 struct SeenTriangle {
   Corners corners;
-  Sign turn;
+  Sign orientation;
 };
 
 /// Law: exchanging the triangles exchanges before and behind. Exact; at most some fifty signs, few where the triangles

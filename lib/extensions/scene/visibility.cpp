@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/kernel/carriers.h"
+#include "core/kernel/input_complex.h"
 #include "extensions/scene/convex_cutting.h"
 #include "extensions/scene/layer_decomposition_data.h"
 #include "extensions/scene/pieces.h"
@@ -49,7 +49,7 @@ struct Visibility::Data {
 };
 
 Visibility::Data::Data(LayerDecomposition decomposition)
-    : decomposition_(std::move(decomposition)), sight_(pieces_of(decomposition_).carriers(), decomposition_.origin()) {
+    : decomposition_(std::move(decomposition)), sight_(pieces_of(decomposition_).input(), decomposition_.origin()) {
   // The dominators of a piece turned around: for every face the pieces that one of its own dominates.
   const LayerDecomposition& d = decomposition_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
@@ -73,7 +73,7 @@ bool Visibility::Data::hides(std::uint32_t piece, std::uint32_t face, std::uint3
   const Pieces& pieces = pieces_of(decomposition_);
   const Corners q = pieces.corners(piece), f = pieces.corners(face);
   const std::uint32_t c = f[0] != a && f[0] != b ? f[0] : f[1] != a && f[1] != b ? f[1] : f[2];
-  const Sign turn = sight_.turn(q);
+  const Sign orientation = sight_.orientation(q);
   hidden = {0, 1};
   // What a plane that is positive where the piece hides leaves of the stretch; false: nothing.
   const auto clip = [&](Sign at_a, Sign at_b, const auto& at_c, const auto& plane) {
@@ -94,17 +94,18 @@ bool Visibility::Data::hides(std::uint32_t piece, std::uint32_t face, std::uint3
     const SightLine line(sight_, from, to);
     const auto plane = [&] { return pieces.plane_of_sight(decomposition_.origin(), from, to); };
     if (!clip(
-            turn * line.turn(a), turn * line.turn(b), [&] { return turn * line.turn(c); }, plane))
+            orientation * line.orientation(a), orientation * line.orientation(b),
+            [&] { return orientation * line.orientation(c); }, plane))
       return false;
   }
-  const auto depth = [&](std::uint32_t v) { return sight_.depth(q, turn, v); };
+  const auto depth = [&](std::uint32_t v) { return sight_.depth(q, orientation, v); };
   return clip(
              depth(a), depth(b), [&] { return depth(c); }, [&] { return pieces.plane_of(piece); }) &&
          hidden.from < hidden.to;
 }
 
 std::vector<Stretch> Visibility::Data::seen_along(std::uint32_t face, std::uint32_t a, std::uint32_t b) const {
-  if (covering_of(decomposition_).turn(face) == Sign::zero) return {};
+  if (covering_of(decomposition_).orientation(face) == Sign::zero) return {};
   std::vector<Stretch> hidden;
   for (const std::uint32_t p : before(face)) {
     Stretch h;
@@ -119,14 +120,14 @@ std::vector<Stretch> Visibility::Data::seen_along(std::uint32_t face, std::uint3
 bool Visibility::Data::covers(std::uint32_t piece, std::uint32_t face) const {
   const Pieces& pieces = pieces_of(decomposition_);
   const Corners q = pieces.corners(piece);
-  const Sign turn = sight_.turn(q);
+  const Sign orientation = sight_.orientation(q);
   for (std::size_t i = 0; i < 3; ++i) {
     const SightLine line(sight_, q[i], q[(i + 1) % 3]);
     for (const std::uint32_t v : pieces.corners(face))
-      if (turn * line.turn(v) == Sign::negative) return false;
+      if (orientation * line.orientation(v) == Sign::negative) return false;
   }
   for (const std::uint32_t v : pieces.corners(face))
-    if (sight_.depth(q, turn, v) == Sign::negative) return false;
+    if (sight_.depth(q, orientation, v) == Sign::negative) return false;
   return true;
 }
 
@@ -134,7 +135,7 @@ bool Visibility::Data::covers(std::uint32_t piece, std::uint32_t face) const {
 std::vector<RationalPlane> Visibility::Data::shadow(std::uint32_t piece, std::uint32_t face) const {
   const Pieces& pieces = pieces_of(decomposition_);
   const Corners q = pieces.corners(piece);
-  const Sign turn = sight_.turn(q);
+  const Sign orientation = sight_.orientation(q);
   std::vector<RationalPlane> planes;
   const auto add = [&](RationalPlane plane, const RationalPoint& inside) {
     planes.push_back(value_at(plane, inside) < 0 ? opposite(plane) : std::move(plane));
@@ -143,7 +144,7 @@ std::vector<RationalPlane> Visibility::Data::shadow(std::uint32_t piece, std::ui
     add(pieces.plane_of_sight(decomposition_.origin(), q[i], q[(i + 1) % 3]), pieces.position(q[(i + 2) % 3]));
   std::optional<std::uint32_t> before, beyond;
   for (const std::uint32_t v : pieces.corners(face)) {
-    const Sign depth = sight_.depth(q, turn, v);
+    const Sign depth = sight_.depth(q, orientation, v);
     if (depth == Sign::negative) before = v;
     if (depth == Sign::positive) beyond = v;
   }
@@ -152,7 +153,7 @@ std::vector<RationalPlane> Visibility::Data::shadow(std::uint32_t piece, std::ui
 }
 
 std::vector<ExactPolygon> Visibility::Data::seen_region(std::uint32_t face) const {
-  if (covering_of(decomposition_).turn(face) == Sign::zero) return {};
+  if (covering_of(decomposition_).orientation(face) == Sign::zero) return {};
   for (const std::uint32_t p : before(face))
     if (covers(p, face)) return {};
   const Pieces& pieces = pieces_of(decomposition_);

@@ -16,15 +16,15 @@ struct WalkStep {
 /// `side_of_start(plane)`: on which side of the face's plane the walk starts, 0 if that is not known cheaply;
 /// `crossing()`: the change, where q is off the plane. q is given as doubles and as a point.
 template <class SideOfStart, class Crossing>
-[[nodiscard]] WalkStep walk_step(const Carriers& carriers, std::uint32_t face, const Vertex& q, const Point& point,
+[[nodiscard]] WalkStep walk_step(const InputComplex& input, std::uint32_t face, const Vertex& q, const Point& point,
                                  const SideOfStart& side_of_start, const Crossing& crossing) {
-  if (!carriers.has_rationals()) {
-    const auto v = carriers.face(face);
-    const FilteredPlane plane(carriers.vertex(v[0]), carriers.vertex(v[1]), carriers.vertex(v[2]));
+  if (!input.has_rationals()) {
+    const auto v = input.face(face);
+    const FilteredPlane plane(input.vertex(v[0]), input.vertex(v[1]), input.vertex(v[2]));
     const int side = plane.side(q);
     if (side != 0) return {side == side_of_start(plane) ? 0 : crossing(), false};
   }
-  if (side_of_face(carriers, face, point) == Sign::zero) return {0, holds_point_of_plane(carriers, face, point)};
+  if (side_of_face(input, face, point) == Sign::zero) return {0, holds_point_of_plane(input, face, point)};
   return {crossing(), false};
 }
 

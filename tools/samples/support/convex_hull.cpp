@@ -57,8 +57,8 @@ Indices planar_hull(const std::vector<RationalPoint>& points, const Indices& on,
       }
       const RationalPoint to_next = difference(points[next], points[corner]);
       const RationalPoint to_i = difference(points[i], points[corner]);
-      const int turn = dot(normal, cross(to_next, to_i)).sign();
-      if (turn < 0 || (turn == 0 && dot(to_i, to_i) > dot(to_next, to_next))) next = i;
+      const int orientation = dot(normal, cross(to_next, to_i)).sign();
+      if (orientation < 0 || (orientation == 0 && dot(to_i, to_i) > dot(to_next, to_next))) next = i;
     }
     corner = next;
   } while (corner != first);

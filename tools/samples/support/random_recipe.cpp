@@ -125,8 +125,14 @@ class Grower {
 
   std::uint32_t grow_joint(std::size_t leaves, std::size_t depth) {
     // Chains are as good as bushes; intersections are seldom, or nothing would be left.
-    static constexpr std::array kinds{Kind::unite,    Kind::unite,    Kind::unite,   Kind::intersect,
-                                      Kind::subtract, Kind::subtract, Kind::exclude, Kind::exclude};
+    static constexpr std::array kinds{Kind::union_,
+                                      Kind::union_,
+                                      Kind::union_,
+                                      Kind::intersection,
+                                      Kind::difference,
+                                      Kind::difference,
+                                      Kind::symmetric_difference,
+                                      Kind::symmetric_difference};
     const std::size_t part = random_.once_in(2) ? 1 + random_.below(2) : 1 + random_.below(leaves);
     const std::size_t small = std::min(part, leaves - 1);
     std::uint32_t first = grow(leaves - small, depth - 1);

@@ -11,13 +11,13 @@ using Kind = Recipe::Kind;
 
 bool is_bounded(Kind kind, bool a, bool b) {
   switch (kind) {
-    case Kind::unite:
+    case Kind::union_:
       return a && b;
-    case Kind::intersect:
+    case Kind::intersection:
       return a || b;
-    case Kind::subtract:
+    case Kind::difference:
       return a || !b;
-    case Kind::exclude:
+    case Kind::symmetric_difference:
       return a == b;
     case Kind::solid:
     case Kind::complement:
@@ -29,13 +29,13 @@ bool is_bounded(Kind kind, bool a, bool b) {
 
 const char* sign_of(Kind kind) {
   switch (kind) {
-    case Kind::unite:
+    case Kind::union_:
       return " | ";
-    case Kind::intersect:
+    case Kind::intersection:
       return " & ";
-    case Kind::subtract:
+    case Kind::difference:
       return " - ";
-    case Kind::exclude:
+    case Kind::symmetric_difference:
       return " ^ ";
     case Kind::solid:
     case Kind::complement:

@@ -12,7 +12,7 @@
 namespace strata::test {
 
 struct Recipe {
-  enum class Kind : std::uint8_t { solid, unite, intersect, subtract, exclude, complement, map };
+  enum class Kind : std::uint8_t { solid, union_, intersection, difference, symmetric_difference, complement, map };
 
   struct Step {
     Kind kind = Kind::solid;
@@ -26,8 +26,8 @@ struct Recipe {
 };
 
 [[nodiscard]] inline bool joins_two(Recipe::Kind kind) {
-  return kind == Recipe::Kind::unite || kind == Recipe::Kind::intersect || kind == Recipe::Kind::subtract ||
-         kind == Recipe::Kind::exclude;
+  return kind == Recipe::Kind::union_ || kind == Recipe::Kind::intersection || kind == Recipe::Kind::difference ||
+         kind == Recipe::Kind::symmetric_difference;
 }
 
 /// The value of the last step: `solid(number)`, `join(kind, value, value)`, `complement(value)`, `map(value, Affine)`.

@@ -13,7 +13,7 @@
 #include "core/io/file.h"
 #include "fuzz/membership.h"
 #include "fuzz/step_text.h"
-#include "json_place.h"
+#include "json_location.h"
 #include "scratch.h"
 #include "strata/bsp.h"
 #include "strata/incremental.h"
@@ -164,14 +164,15 @@ class Laws {
       throw Broken("threads", fmt::format("{}: two threads write another mesh than one", whole_));
   }
 
-  void workpiece() {
+  void solid_in_steps() {
     if (!engine_.is_exact()) return;
-    const strata::Workpiece a(strata::Solid::trusted(value(a_)));
+    const strata::IncrementalSolid a(strata::Solid::trusted(value(a_)));
     const strata::Solid b = strata::Solid::trusted(value(b_));
     for (const strata::Operation operation : strata::all_operations)
       ensure_same("workpiece", fmt::format("{} of a workpiece", name(operation)),
                   step(a, operation, b).solid().exact_mesh(), "at once", value(joint(sign(operation))), case_.operands);
-    const strata::Workpiece twice = step(step(a, strata::Operation::exclude, b), strata::Operation::exclude, b);
+    const strata::IncrementalSolid twice =
+        step(step(a, strata::Operation::symmetric_difference, b), strata::Operation::symmetric_difference, b);
     ensure_same("workpiece", "a workpiece after two equal xors", twice.solid().exact_mesh(), a_, value(a_),
                 case_.operands);
   }
@@ -216,9 +217,9 @@ class Laws {
 
  private:
   /// Errors of the library are findings.
-  static strata::Workpiece step(const strata::Workpiece& workpiece, strata::Operation operation,
-                                const strata::Solid& tool) try {
-    return workpiece.with(operation, tool, one_thread());
+  static strata::IncrementalSolid step(const strata::IncrementalSolid& solid_in_steps, strata::Operation operation,
+                                       const strata::Solid& tool) try {
+    return solid_in_steps.with(operation, tool, one_thread());
   } catch (const strata::LogicError& error) {
     throw Broken("error", error.what());
   } catch (const strata::InputError& error) {
@@ -293,7 +294,7 @@ class Laws {
 
   void compare_with(const std::filesystem::path& file) {
     const Json json = parse_json(strata::io::FileBytes(strata::io::File(file)).view(), file.string());
-    const JsonPlace root(json, file.string());
+    const JsonLocation root(json, file.string());
     const std::string volume = root.at("volume").text();
     const ExactMesh& mesh = value(whole_);
     if (!engine_.is_exact()) {
@@ -329,7 +330,7 @@ constexpr std::array<std::pair<const char*, Law>, 17> all_laws{{{"embedded", &La
                                                                 {"translation", &Laws::translation},
                                                                 {"membership", &Laws::membership},
                                                                 {"threads", &Laws::threads},
-                                                                {"workpiece", &Laws::workpiece},
+                                                                {"workpiece", &Laws::solid_in_steps},
                                                                 {"partitions", &Laws::partitions},
                                                                 {"reload", &Laws::reload}}};
 

@@ -24,10 +24,10 @@ struct Oracle {
 /// the solid for mapped operands.
 /// membership: points off the operands are in or out of the result as the expression says (exact engines).
 /// threads: the same bytes from two threads (exact engines).
-/// workpiece: steps on a Workpiece are the same solids, and two xors with b undo each other (exact engines).
-/// partitions: merging binary space partitions makes the same solid, and so does a tree built anew (exact engines).
-/// reload: the same after a and b were written to files and read again (exact engines).
-/// oracle: the oracle has the same volume and canonical form, where it is asked and the case is small.
+/// incremental solid: steps on a IncrementalSolid are the same solids, and two xors with b undo each other (exact
+/// engines). partitions: merging binary space partitions makes the same solid, and so does a tree built anew (exact
+/// engines). reload: the same after a and b were written to files and read again (exact engines). oracle: the oracle
+/// has the same volume and canonical form, where it is asked and the case is small.
 [[nodiscard]] const std::vector<std::string>& check_names();
 
 /// Makes all checks, or only one. Throws Broken for the first that does not hold, NoQuestion where the operands are no

@@ -32,13 +32,13 @@ std::vector<Vertex> middles(const verify::Case& c) {
 
 bool joined(strata::Operation operation, bool a, bool b) {
   switch (operation) {
-    case strata::Operation::unite:
+    case strata::Operation::union_:
       return a || b;
-    case strata::Operation::intersect:
+    case strata::Operation::intersection:
       return a && b;
-    case strata::Operation::subtract:
+    case strata::Operation::difference:
       return a && !b;
-    case strata::Operation::exclude:
+    case strata::Operation::symmetric_difference:
       return a != b;
   }
   throw std::invalid_argument("no operation");

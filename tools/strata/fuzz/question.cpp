@@ -115,7 +115,7 @@ std::pair<std::vector<ExactMesh>, std::string> solids_of(Random& random) {
 /// Two solids in one operation: the plain question, which half of the rounds ask.
 Recipe plain(Random& random, std::vector<ExactMesh> solids) {
   using Kind = Recipe::Kind;
-  static constexpr std::array kinds{Kind::unite, Kind::intersect, Kind::subtract, Kind::exclude};
+  static constexpr std::array kinds{Kind::union_, Kind::intersection, Kind::difference, Kind::symmetric_difference};
   Recipe recipe;
   solids.resize(2);
   recipe.solids = std::move(solids);

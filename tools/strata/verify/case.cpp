@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using strata::InputClass;
 
-CaseOperand read_operand(const std::string& name, const JsonPlace& place, const fs::path& folder) {
+CaseOperand read_operand(const std::string& name, const JsonLocation& place, const fs::path& folder) {
   if (place.value().is_object()) return {name, {}, {generate(place), {}}};
   const std::string file = place.text();
   const fs::path path = folder / file;
@@ -35,12 +35,12 @@ CaseOperand read_operand(const std::string& name, const JsonPlace& place, const 
 }
 
 /// What is generated is bounded: a short line may ask for much.
-std::vector<CaseOperand> read_operands(const JsonPlace& place, const fs::path& folder) {
+std::vector<CaseOperand> read_operands(const JsonLocation& place, const fs::path& folder) {
   constexpr std::size_t most = 1'000'000;
   std::vector<CaseOperand> operands;
   std::size_t generated = 0;
   for (const auto& [name, value] : place.value().items()) {
-    const JsonPlace own = place.at(name);
+    const JsonLocation own = place.at(name);
     operands.push_back(read_operand(name, own, folder));
     if (operands.back().file.empty()) generated += operands.back().mesh.mesh.triangles.size();
     if (generated > most) own.fail(fmt::format("more than {} triangles are generated", most));
@@ -48,7 +48,7 @@ std::vector<CaseOperand> read_operands(const JsonPlace& place, const fs::path& f
   return operands;
 }
 
-std::optional<strata::Rational> rational_in(const JsonPlace& place, const char* key) {
+std::optional<strata::Rational> rational_in(const JsonLocation& place, const char* key) {
   const auto member = place.find(key);
   if (!member) return {};
   const auto value = parse_rational(member->text());
@@ -56,20 +56,20 @@ std::optional<strata::Rational> rational_in(const JsonPlace& place, const char* 
   return value;
 }
 
-std::optional<std::int64_t> integer_in(const JsonPlace& place, const char* key) {
+std::optional<std::int64_t> integer_in(const JsonLocation& place, const char* key) {
   const auto member = place.find(key);
   if (!member) return {};
   return integer(*member, INT64_MIN, INT64_MAX);
 }
 
-Known read_known(const JsonPlace& place) {
+Known read_known(const JsonLocation& place) {
   place.expect_keys({"volume", "area", "components", "euler", "facets", "edges", "vertices"});
   return {rational_in(place, "volume"), rational_in(place, "area"),  integer_in(place, "components"),
           integer_in(place, "euler"),   integer_in(place, "facets"), integer_in(place, "edges"),
           integer_in(place, "vertices")};
 }
 
-Steps read_steps(const JsonPlace& place) {
+Steps read_steps(const JsonLocation& place) {
   try {
     return steps_of(place.text());
   } catch (const strata::ParseError& error) {
@@ -79,7 +79,7 @@ Steps read_steps(const JsonPlace& place) {
   }
 }
 
-void check_names(const Case& c, const JsonPlace& root) {
+void check_names(const Case& c, const JsonLocation& root) {
   const auto has = [](const auto& list, const auto& matches) { return std::any_of(list.begin(), list.end(), matches); };
   for (const std::string& used : c.steps.names)
     if (!has(c.operands, [&](const CaseOperand& o) { return o.name == used; }))
@@ -103,7 +103,7 @@ Case read_case(const fs::path& folder) {
 Case parse_case(std::string_view text, const fs::path& folder) {
   const std::string file = (folder / "case.json").string();
   const Json json = parse_json(text, file);
-  const JsonPlace root(json, file);
+  const JsonLocation root(json, file);
   root.expect_keys({"operands", "expression", "tags", "why", "input", "known"});
   Case c;
   c.slug = folder.filename().string();
@@ -111,10 +111,10 @@ Case parse_case(std::string_view text, const fs::path& folder) {
   c.expression = root.at("expression").text();
   c.steps = read_steps(root.at("expression"));
   c.why = root.at("why").text();
-  for (const JsonPlace& tag : root.at("tags").items()) c.tags.push_back(tag.text());
+  for (const JsonLocation& tag : root.at("tags").items()) c.tags.push_back(tag.text());
   if (const auto input = root.find("input")) c.input = read_choice(*input, "input class", strata::all_input_classes);
   if (const auto known = root.find("known")) c.known = read_known(*known);
-  const JsonPlace operands = root.at("operands");
+  const JsonLocation operands = root.at("operands");
   if (!operands.value().is_object()) operands.fail_expected("an object");
   c.operands = read_operands(operands, folder);
   check_names(c, root);

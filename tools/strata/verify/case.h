@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "json_place.h"
+#include "json_location.h"
 #include "strata/mesh.h"
 #include "strata/options.h"
 #include "verify/expectation.h"

@@ -74,7 +74,7 @@ Verdict certify_case(const Case& c, const RunOptions& options, Finding& finding)
 /// What the oracle wrote, compared with what is expected.
 Verdict compare(const Case& c, const fs::path& file) {
   const Json json = parse_json(strata::io::FileBytes(strata::io::File(file)).view(), file.string());
-  const JsonPlace root(json, file.string());
+  const JsonLocation root(json, file.string());
   const auto text = [&](const char* key) { return root.at(key).text(); };
   const Json wanted = to_json(*c.expected);
   for (const char* key : {"volume", "hash"})

@@ -15,19 +15,19 @@ namespace {
 
 using strata::Rational;
 
-Rational rational_at(const JsonPlace& root, const char* key) {
-  const JsonPlace place = root.at(key);
+Rational rational_at(const JsonLocation& root, const char* key) {
+  const JsonLocation place = root.at(key);
   const auto value = parse_rational(place.text());
   if (!value) place.fail_expected("a number as a string");
   return *value;
 }
 
-std::uint64_t count_at(const JsonPlace& root, const char* key) {
+std::uint64_t count_at(const JsonLocation& root, const char* key) {
   return static_cast<std::uint64_t>(integer(root.at(key), 0, std::numeric_limits<std::int64_t>::max()));
 }
 
-std::uint64_t hash_at(const JsonPlace& root) {
-  const JsonPlace place = root.at("hash");
+std::uint64_t hash_at(const JsonLocation& root) {
+  const JsonLocation place = root.at("hash");
   const std::string text = place.text();
   std::uint64_t hash = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), hash, 16);
@@ -48,7 +48,7 @@ Expectation read_expectation(const std::filesystem::path& path) {
 
 Expectation parse_expectation(std::string_view text, const std::string& file) {
   const Json json = parse_json(text, file);
-  const JsonPlace root(json, file);
+  const JsonLocation root(json, file);
   root.expect_keys({"volume", "volume_near", "area", "edge_length", "vertices", "edges", "facets", "components",
                     "euler", "non_manifold_edges", "non_manifold_vertices", "split", "hash", "origin"});
   Expectation e;
@@ -60,11 +60,11 @@ Expectation parse_expectation(std::string_view text, const std::string& file) {
   e.components = count_at(root, "components");
   e.euler =
       integer(root.at("euler"), std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max());
-  const JsonPlace split = root.at("split");
+  const JsonLocation split = root.at("split");
   split.expect_keys({"edges", "vertices", "parts"});
   e.touching = {count_at(root, "non_manifold_edges"), count_at(root, "non_manifold_vertices"), count_at(split, "edges"),
                 count_at(split, "vertices"), count_at(split, "parts")};
-  for (const JsonPlace& who : root.at("origin").items()) e.origin.push_back(who.text());
+  for (const JsonLocation& who : root.at("origin").items()) e.origin.push_back(who.text());
   return e;
 }
 

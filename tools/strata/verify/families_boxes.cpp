@@ -38,9 +38,9 @@ void add_box(Mesh& mesh, const Vertex& lower, const Vertex& upper) {
   for (const Triangle& t : faces) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
-Cell counts(const JsonPlace& place) {
+Cell counts(const JsonLocation& place) {
   constexpr int most = 400, most_cells = 80'000;
-  const std::vector<JsonPlace> items = place.items();
+  const std::vector<JsonLocation> items = place.items();
   if (items.size() != 3) place.fail_expected("three integers");
   Cell cell{};
   for (std::size_t i = 0; i < 3; ++i) cell[i] = static_cast<int>(integer(items[i], 1, most));
@@ -52,8 +52,8 @@ Cell counts(const JsonPlace& place) {
 /// Which cells of a block are filled; false outside of it.
 class Pattern {
  public:
-  explicit Pattern(const JsonPlace& line) : count_(counts(line.at("count"))) {
-    const JsonPlace place = line.at("pattern");
+  explicit Pattern(const JsonLocation& line) : count_(counts(line.at("count"))) {
+    const JsonLocation place = line.at("pattern");
     constexpr std::array makers = {&Pattern::full, &Pattern::checkerboard, &Pattern::menger, &Pattern::holes,
                                    &Pattern::frame};
     filled_ = makers[place.choice("pattern", {"full", "checkerboard", "menger", "holes", "frame"})];
@@ -127,24 +127,24 @@ void for_each_cell(const Cell& count, const std::function<void(const Cell&)>& vi
 
 }  // namespace
 
-Mesh make_box(const JsonPlace& line) {
+Mesh make_box(const JsonLocation& line) {
   line.expect_keys({"generate", "lower", "upper"});
   Mesh mesh;
   add_box(mesh, point(line.at("lower")), point(line.at("upper")));
   return mesh;
 }
 
-Mesh make_boxes(const JsonPlace& line) {
+Mesh make_boxes(const JsonLocation& line) {
   line.expect_keys({"generate", "boxes"});
   Mesh mesh;
-  for (const JsonPlace& place : line.at("boxes").items()) {
+  for (const JsonLocation& place : line.at("boxes").items()) {
     const std::vector<double> b = numbers(place, 6);
     add_box(mesh, {b[0], b[1], b[2]}, {b[3], b[4], b[5]});
   }
   return mesh;
 }
 
-Mesh make_grid(const JsonPlace& line) {
+Mesh make_grid(const JsonLocation& line) {
   line.expect_keys({"generate", "count", "lower", "pitch", "size"});
   const Vertex lower = point(line.at("lower")), pitch = point(line.at("pitch")), size = point(line.at("size"));
   Mesh mesh;
@@ -159,7 +159,7 @@ Mesh make_grid(const JsonPlace& line) {
   return mesh;
 }
 
-Mesh make_cells(const JsonPlace& line) {
+Mesh make_cells(const JsonLocation& line) {
   line.expect_keys({"generate", "count", "pattern", "lower", "size"});
   const Pattern pattern(line);
   CellMesh mesh(point(line.at("lower")), point(line.at("size")));

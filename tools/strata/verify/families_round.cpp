@@ -68,9 +68,10 @@ double next_unit(std::uint64_t& state) {
 
 /// The point of the unit circle at which `turn` (0 to 1) of it is passed, nearly: quarters by the rational
 /// parametrization, so that no function of a library is involved.
-std::array<double, 2> on_unit_circle(double turn) {
-  const int quarter = static_cast<int>(turn * 4);
-  const double s = turn * 4 - quarter, t = s * (0.8284271247461901 + s * 0.1715728752538099);  // about tan(s pi / 4)
+std::array<double, 2> on_unit_circle(double orientation) {
+  const int quarter = static_cast<int>(orientation * 4);
+  const double s = orientation * 4 - quarter,
+               t = s * (0.8284271247461901 + s * 0.1715728752538099);  // about tan(s pi / 4)
   const double c = (1 - t * t) / (1 + t * t), d = 2 * t / (1 + t * t);
   const std::array<std::array<double, 2>, 4> places = {{{c, d}, {-d, c}, {-c, -d}, {d, -c}}};
   return places[static_cast<std::size_t>(quarter % 4)];
@@ -78,12 +79,12 @@ std::array<double, 2> on_unit_circle(double turn) {
 
 }  // namespace
 
-Mesh make_tetrahedron(const JsonPlace& line) {
+Mesh make_tetrahedron(const JsonLocation& line) {
   line.expect_keys({"generate", "corners"});
-  const std::vector<JsonPlace> corners = line.at("corners").items();
+  const std::vector<JsonLocation> corners = line.at("corners").items();
   if (corners.size() != 4) line.at("corners").fail_expected("four points");
   Mesh mesh;
-  for (const JsonPlace& place : corners) mesh.vertices.push_back(point(place));
+  for (const JsonLocation& place : corners) mesh.vertices.push_back(point(place));
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   const auto& v = mesh.vertices;
   if (dot(cross(minus(v[1], v[0]), minus(v[2], v[0])), minus(v[3], v[0])) < 0)
@@ -91,7 +92,7 @@ Mesh make_tetrahedron(const JsonPlace& line) {
   return mesh;
 }
 
-Mesh make_octahedron(const JsonPlace& line) {
+Mesh make_octahedron(const JsonLocation& line) {
   line.expect_keys({"generate", "centre", "radius"});
   const Vertex centre = point(line.at("centre"));
   const double radius = number(line.at("radius"));
@@ -115,7 +116,7 @@ double rounded_to_float(double x) {
 
 }  // namespace
 
-Mesh make_sphere(const JsonPlace& line) {
+Mesh make_sphere(const JsonLocation& line) {
   line.expect_keys({"generate", "centre", "radius", "level", "noise", "seed", "float"});
   const Vertex centre = point(line.at("centre"));
   const double radius = number(line.at("radius"));
@@ -135,7 +136,7 @@ Mesh make_sphere(const JsonPlace& line) {
   return mesh;
 }
 
-Mesh make_prism(const JsonPlace& line) {
+Mesh make_prism(const JsonLocation& line) {
   line.expect_keys({"generate", "sides", "radius", "centre", "bottom", "top"});
   const auto n = static_cast<std::uint32_t>(integer(line.at("sides"), 3, 100'000));
   const double radius = number(line.at("radius"));

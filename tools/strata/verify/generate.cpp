@@ -6,7 +6,7 @@
 
 namespace verify {
 
-strata::Mesh generate(const JsonPlace& line) {
+strata::Mesh generate(const JsonLocation& line) {
   constexpr std::array makers = {make_box,         make_boxes,      make_grid,   make_cells,
                                  make_tetrahedron, make_octahedron, make_sphere, make_prism};
   const std::size_t family =

@@ -4,12 +4,12 @@
 
 namespace verify {
 
-double number(const JsonPlace& place) {
+double number(const JsonLocation& place) {
   if (!place.value().is_number()) place.fail_expected("a number");
   return place.value().get<double>();
 }
 
-std::int64_t integer(const JsonPlace& place, std::int64_t least, std::int64_t most) {
+std::int64_t integer(const JsonLocation& place, std::int64_t least, std::int64_t most) {
   if (!place.value().is_number_integer()) place.fail_expected("an integer");
   // What is not negative has an unsigned type, and may be beyond the signed one.
   const bool is_too_large = place.value().is_number_unsigned() && place.value().get<std::uint64_t>() > INT64_MAX;
@@ -19,14 +19,14 @@ std::int64_t integer(const JsonPlace& place, std::int64_t least, std::int64_t mo
   return value;
 }
 
-std::vector<double> numbers(const JsonPlace& place, std::size_t count) {
+std::vector<double> numbers(const JsonLocation& place, std::size_t count) {
   std::vector<double> list;
-  for (const JsonPlace& item : place.items()) list.push_back(number(item));
+  for (const JsonLocation& item : place.items()) list.push_back(number(item));
   if (list.size() != count) place.fail(fmt::format("expected {} numbers, found {}", count, list.size()));
   return list;
 }
 
-std::array<double, 3> point(const JsonPlace& place) {
+std::array<double, 3> point(const JsonLocation& place) {
   const std::vector<double> list = numbers(place, 3);
   return {list[0], list[1], list[2]};
 }

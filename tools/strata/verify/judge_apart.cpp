@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// The verdict in a report about one finding.
 Verdict read_verdict(const fs::path& report) {
   const Json json = parse_json(strata::io::FileBytes(strata::io::File(report)).view(), report.string());
-  const JsonPlace finding = JsonPlace(json, report.string()).at("findings").items().at(0);
+  const JsonLocation finding = JsonLocation(json, report.string()).at("findings").items().at(0);
   return {read_choice(finding.at("outcome"), "outcome", all_outcomes), finding.at("reason").value().get<std::string>()};
 }
 

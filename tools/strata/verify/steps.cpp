@@ -28,16 +28,16 @@ constexpr std::size_t is_name = std::size_t{1} << 62;
 Value operator~(const Value& a) { return {a.steps, a.number, !a.is_complement}; }
 
 Value operator&(const Value& a, const Value& b) {
-  if (a.is_complement && b.is_complement) return a.step(Operation::unite, a.number, b.number, true);
-  if (b.is_complement) return a.step(Operation::subtract, a.number, b.number, false);
-  if (a.is_complement) return a.step(Operation::subtract, b.number, a.number, false);
-  return a.step(Operation::intersect, a.number, b.number, false);
+  if (a.is_complement && b.is_complement) return a.step(Operation::union_, a.number, b.number, true);
+  if (b.is_complement) return a.step(Operation::difference, a.number, b.number, false);
+  if (a.is_complement) return a.step(Operation::difference, b.number, a.number, false);
+  return a.step(Operation::intersection, a.number, b.number, false);
 }
 
 Value operator|(const Value& a, const Value& b) { return ~(~a & ~b); }
 Value operator-(const Value& a, const Value& b) { return a & ~b; }
 Value operator^(const Value& a, const Value& b) {
-  return a.step(Operation::exclude, a.number, b.number, a.is_complement != b.is_complement);
+  return a.step(Operation::symmetric_difference, a.number, b.number, a.is_complement != b.is_complement);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace verify {
 
 /// One call of an engine that takes two operands. Values are numbered: first the names, then the results of the steps.
 struct Step {
-  strata::Operation operation = strata::Operation::unite;
+  strata::Operation operation = strata::Operation::union_;
   std::size_t first = 0, second = 0;
 };
 

@@ -36,7 +36,7 @@ class Points {
       text.push_back(separator);
       append_number(text, nearest[1]);
     } else {
-      const RationalPlacement exact = exact_place(places_, v);
+      const RationalPlacement exact = exact_position(places_, v);
       io::append_coordinate(text, exact[0], nearest[0] + 0.0);
       text.push_back(separator);
       io::append_coordinate(text, exact[1], nearest[1] + 0.0);
