@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/kernel/disjoint_sets.h"
-#include "extensions/convex/boundary_loop.h"
+#include "extensions/convex/approximate_convex_set.h"
 #include "extensions/convex/directions.h"
 
 namespace strata::convex {

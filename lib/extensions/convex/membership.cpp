@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/kernel/disjoint_sets.h"
-#include "extensions/convex/boundary_loop.h"
+#include "extensions/convex/approximate_convex_set.h"
 #include "strata/convex.h"
 
 namespace strata::convex {
@@ -114,22 +114,22 @@ Side side_of_solid(const ExactMesh& solid, const BoxIndex& triangles, const Near
 }
 
 /// Both sides of a triangle.
-BoundaryLoop outline_of(const Mesh& mesh, const Triangle& t) {
+ApproximateConvexSet approximate(const Mesh& mesh, const Triangle& t) {
   const Vertex &p = mesh.vertices[t[0]], &q = mesh.vertices[t[1]], &r = mesh.vertices[t[2]];
-  BoundaryLoop loop({p, q, r});
-  loop.add_facet(p, q, r);
-  loop.add_facet(p, r, q);
-  return loop;
+  ApproximateConvexSet set({p, q, r});
+  set.add_facet(p, q, r);
+  set.add_facet(p, r, q);
+  return set;
 }
 
-BoundaryLoop outline_of(const Polytope& polytope) {
-  BoundaryLoop loop(polytope.vertices);
+ApproximateConvexSet approximate(const Polytope& polytope) {
+  ApproximateConvexSet set(polytope.vertices);
   for (const auto& loop : polytope.facets) {
     const Vertex &p = polytope.vertices[loop[0]], &q = polytope.vertices[loop[1]], &r = polytope.vertices[loop[2]];
-    loop.add_facet(p, q, r);
-    if (polytope.dimension < 3) loop.add_facet(p, r, q);
+    set.add_facet(p, q, r);
+    if (polytope.dimension < 3) set.add_facet(p, r, q);
   }
-  return loop;
+  return set;
 }
 
 }  // namespace
@@ -184,7 +184,7 @@ SumMembership::SumMembership(const ExactMesh& a, const Surface& of_a, const Exac
   if (b != nullptr) {
     triangles_of_b_ = index_of(b->mesh);
   } else {
-    outline_of_b_ = outline_of(*whole_b);
+    set_b_ = approximate(*whole_b);
     for (const Vertex& v : whole_b->vertices) bounds_of_b_.include(bounds_of(v));
   }
 }
@@ -211,11 +211,11 @@ Side SumMembership::side(const NearPoint& point) const {
 
 Side SumMembership::side_of_boundaries(const NearPoint& point) const {
   const Vertex near = nearest(point.p);
-  if (b_ == nullptr) return side_of_sums(point, near, bounds_of_b_, *outline_of_b_, [&] { return *whole_b_; });
+  if (b_ == nullptr) return side_of_sums(point, near, bounds_of_b_, *set_b_, [&] { return *whole_b_; });
   bool unknown = false;
   for (std::size_t j = 0; j < b_->mesh.triangles.size(); ++j) {
     const Triangle& t = b_->mesh.triangles[j];
-    const Side side = side_of_sums(point, near, triangles_of_b_.boxes()[j], outline_of(b_->mesh, t),
+    const Side side = side_of_sums(point, near, triangles_of_b_.boxes()[j], approximate(b_->mesh, t),
                                    [&] { return triangle_polytope(*b_, t); });
     if (side == Side::in) return Side::in;
     unknown |= side == Side::unknown;
@@ -225,13 +225,13 @@ Side SumMembership::side_of_boundaries(const NearPoint& point) const {
 
 template <class PieceOfB>
 Side SumMembership::side_of_sums(const NearPoint& point, const Vertex& near, const Box& bounds_of_b,
-                                 const BoundaryLoop& outline_of_b, const PieceOfB& piece_of_b) const {
+                                 const ApproximateConvexSet& set_b, const PieceOfB& piece_of_b) const {
   std::optional<Polytope> of_b;  // when it is needed
   bool unknown = false;
   const bool is_out =
       triangles_of_a_.for_each_overlapping(minus(bounds_of(near), bounds_of_b), [&](std::uint32_t number) {
         const Triangle& t = a_.mesh.triangles[number];
-        if (sum_misses(outline_of(a_.mesh, t), outline_of_b, near)) return true;
+        if (sum_misses(approximate(a_.mesh, t), set_b, near)) return true;
         if (!of_b) of_b = piece_of_b();
         const Side side = side_of(sum(triangle_polytope(a_, t), *of_b), point);
         unknown |= side == Side::unknown;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/kernel/box.h"
-#include "extensions/convex/boundary_loop.h"
+#include "extensions/convex/approximate_convex_set.h"
 #include "extensions/convex/box_index.h"
 #include "extensions/convex/surface.h"
 #include "strata/convex.h"
@@ -44,14 +44,14 @@ class SumMembership {
   [[nodiscard]] Side side_of_boundaries(const NearPoint& point) const;
   template <class PieceOfB>
   [[nodiscard]] Side side_of_sums(const NearPoint& point, const Vertex& near, const Box& bounds_of_b,
-                                  const BoundaryLoop& outline_of_b, const PieceOfB& piece_of_b) const;
+                                  const ApproximateConvexSet& set_b, const PieceOfB& piece_of_b) const;
 
   const ExactMesh& a_;
   const ExactMesh* b_;
   const Polytope* whole_b_;
   BoxIndex triangles_of_a_, triangles_of_b_;
   Box bounds_of_b_;                                                  ///< of a polytope
-  std::optional<BoundaryLoop> outline_of_b_;                         ///< of a polytope
+  std::optional<ApproximateConvexSet> set_b_;                        ///< of a polytope
   std::vector<std::vector<RationalPoint>> parts_of_a_, parts_of_b_;  ///< vertices of every shell
 };
 

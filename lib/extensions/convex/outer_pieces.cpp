@@ -187,7 +187,7 @@ class Remainder {
   }
   void replace(SplitFace& face, Pool& pool) {
     if (triangles_.size() == face.triangles.size()) return;
-    find_outline();
+    find_boundary();
     face.points = pool.keep(points_);
     face.triangles = pool.keep(triangles_);
   }
@@ -195,7 +195,7 @@ class Remainder {
  private:
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  void find_outline() {
+  void find_boundary() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
     for (const PieceTriangle& t : triangles_)
       for (std::size_t i = 0; i < 3; ++i) sides.emplace_back(t.v[i], t.v[(i + 1) % 3]);

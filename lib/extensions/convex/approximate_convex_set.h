@@ -15,7 +15,7 @@ namespace strata::convex {
 [[nodiscard]] std::optional<Sign> rounded_side(const Vertex& p, const Vertex& q, const Vertex& r, const Vertex& x);
 
 /// A convex set as doubles see it: points that it is the hull of, and half-spaces that hold it.
-class BoundaryLoop {
+class ApproximateConvexSet {
  public:
   /// All x with direction . x <= reach. Any direction will do.
   struct HalfSpace {
@@ -24,12 +24,12 @@ class BoundaryLoop {
   };
 
   /// The hull of points, given by nearest doubles. Its half-spaces are those of the corners of facets, nearly.
-  explicit BoundaryLoop(std::vector<Vertex> points) : points_(std::move(points)) {}
+  explicit ApproximateConvexSet(std::vector<Vertex> points) : points_(std::move(points)) {}
   /// Adds nothing where that overflows.
   void add_facet(const Vertex& p, const Vertex& q, const Vertex& r);
 
   /// Is no point of the exact a + b rounded to x? Certain where the answer is yes.
-  friend bool sum_misses(const BoundaryLoop& a, const BoundaryLoop& b, const Vertex& x);
+  friend bool sum_misses(const ApproximateConvexSet& a, const ApproximateConvexSet& b, const Vertex& x);
 
  private:
   std::vector<Vertex> points_;

@@ -1,4 +1,4 @@
-#include "extensions/convex/boundary_loop.h"
+#include "extensions/convex/approximate_convex_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,9 @@ Bounded along(const Vertex& direction, const Vertex& rounded_point) {
 }
 
 /// Does one of the half-spaces of a, moved by any point of b, not hold x?
-bool is_beyond(std::span<const BoundaryLoop::HalfSpace> of_a, std::span<const Vertex> points_of_b, const Vertex& x) {
-  return std::any_of(of_a.begin(), of_a.end(), [&](const BoundaryLoop::HalfSpace& h) {
+bool is_beyond(std::span<const ApproximateConvexSet::HalfSpace> of_a, std::span<const Vertex> points_of_b,
+               const Vertex& x) {
+  return std::any_of(of_a.begin(), of_a.end(), [&](const ApproximateConvexSet::HalfSpace& h) {
     const Bounded place = along(h.direction, x) - h.reach;
     return std::all_of(points_of_b.begin(), points_of_b.end(),
                        [&](const Vertex& b) { return (place - along(h.direction, b)).sign() == Sign::positive; });
@@ -40,7 +41,7 @@ std::optional<Sign> rounded_side(const Vertex& p, const Vertex& q, const Vertex&
   return height.sign();
 }
 
-void BoundaryLoop::add_facet(const Vertex& p, const Vertex& q, const Vertex& r) {
+void ApproximateConvexSet::add_facet(const Vertex& p, const Vertex& q, const Vertex& r) {
   const Vertex u{q[0] - p[0], q[1] - p[1], q[2] - p[2]}, v{r[0] - p[0], r[1] - p[1], r[2] - p[2]};
   HalfSpace h{{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]},
               -std::numeric_limits<double>::infinity()};
@@ -52,7 +53,7 @@ void BoundaryLoop::add_facet(const Vertex& p, const Vertex& q, const Vertex& r) 
   half_spaces_.push_back(h);
 }
 
-bool sum_misses(const BoundaryLoop& a, const BoundaryLoop& b, const Vertex& x) {
+bool sum_misses(const ApproximateConvexSet& a, const ApproximateConvexSet& b, const Vertex& x) {
   return is_beyond(a.half_spaces_, b.points_, x) || is_beyond(b.half_spaces_, a.points_, x);
 }
 
