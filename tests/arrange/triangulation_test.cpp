@@ -155,7 +155,7 @@ TEST_CASE("paths of a surface that crosses a face are cut at once; rings are not
     const Mesh ball =
         test::icosphere({64 * random.unit(), 64 * random.unit(), random.unit()}, 1 + 20 * random.unit(), 1);
     plate.input.add(ball.vertices, ball.triangles);
-    Intersections intersections;
+    PairIntersections intersections;
     const FilteredFace face(plate.input, 0);
     for (std::uint32_t g = 1; g < plate.input.face_count(); ++g)
       meet_faces(plate.input, face, FilteredFace(plate.input, g), intersections);

@@ -19,7 +19,7 @@ std::optional<SoleFaces> proof(const Corners& g) {
     input.add(points[first], face);
     input.add(points[1 - first], face);
     const FilteredFace one(input, 0), other(input, 1);
-    Intersections intersections;
+    PairIntersections intersections;
     REQUIRE(meet_faces(input, one, other, intersections));
     return prove_interference(input, one, other, intersections);
   };

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "extensions/convex/boundary_loop.h"
+#include "extensions/convex/approximate_convex_set.h"
 #include "extensions/convex/convex_solid.h"
 #include "extensions/convex/membership.h"
 #include "strata/check.h"
@@ -189,11 +189,11 @@ TEST_CASE("doubles never miss a point of a triangle, however large", "[convex][p
                                   vertex(size - 20 - static_cast<int>(random.below(28)))};
     Vertex on_side = t[0];
     for (double& x : on_side) x = std::ldexp(x, -down);
-    BoundaryLoop triangle({t[0], t[1], t[2]});
+    ApproximateConvexSet triangle({t[0], t[1], t[2]});
     triangle.add_facet(t[0], t[1], t[2]);
     triangle.add_facet(t[0], t[2], t[1]);
     for (const Vertex& v : {t[0], t[1], t[2], on_side})
-      REQUIRE_FALSE(sum_misses(triangle, BoundaryLoop({Vertex{0, 0, 0}}), v));
+      REQUIRE_FALSE(sum_misses(triangle, ApproximateConvexSet({Vertex{0, 0, 0}}), v));
   }
 }
 

@@ -28,7 +28,7 @@ std::vector<ToolGroup> alone(const std::vector<Solid>& tools) {
 std::vector<InputComplex::Coordinates> places(const FaceTree& tree) {
   std::vector<InputComplex::Coordinates> all;
   tree.for_each([&](const WorkFace& f) {
-    for (const CornerPointer& c : f.corners()) all.push_back(c->at);
+    for (const IncrementalVertexPointer& c : f.corners()) all.push_back(c->at);
   });
   return all;
 }

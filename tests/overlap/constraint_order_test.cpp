@@ -11,11 +11,11 @@ using namespace strata;
 namespace {
 
 /// Lists of constraints: each pair of faces in one cell, several times in a row.
-std::vector<Intersections> random_cells(test::Random& random, std::uint32_t face_count, int pairs) {
-  std::vector<Intersections> cells(static_cast<std::size_t>(random.between(1, 20)));
+std::vector<PairIntersections> random_cells(test::Random& random, std::uint32_t face_count, int pairs) {
+  std::vector<PairIntersections> cells(static_cast<std::size_t>(random.between(1, 20)));
   const std::uint32_t used = random.once_in(2) ? face_count : std::min(face_count, 3U);
   for (std::uint32_t n = 0; n < static_cast<std::uint32_t>(pairs); ++n) {
-    Intersections& cell = cells[random.below(cells.size())];
+    PairIntersections& cell = cells[random.below(cells.size())];
     const auto face = face_count - 1 - static_cast<std::uint32_t>(random.below(used));
     Constraint c;
     c.face = face;

@@ -42,7 +42,7 @@ bool share_corners_only(const Corners& f, const Corners& g) {
   InputComplex input;
   input.add(f, face);
   input.add(g, face);
-  Intersections intersections;
+  PairIntersections intersections;
   if (!meet_faces(input, FilteredFace(input, 0), FilteredFace(input, 1), intersections)) return true;
   const auto is_common = [&](PointId id) {
     const SymbolicPoint name =

@@ -15,7 +15,7 @@ struct Pair {
   std::array<std::array<double, 3>, 3> f, g;
   std::array<InputComplex::Indices, 1> face{{{0, 1, 2}}};
   InputComplex input;
-  Intersections intersections;
+  PairIntersections intersections;
   bool meet = false;
 
   Pair(const std::array<std::array<double, 3>, 3>& a, const std::array<std::array<double, 3>, 3>& b) : f(a), g(b) {

@@ -29,7 +29,7 @@ void check_pairs(const InputComplex& input, const CellTree& tree) {
       if (!box(f).overlaps(box(g))) continue;
       const int times = owners[{f, g}];
       REQUIRE(times <= 1);
-      Intersections intersections;
+      PairIntersections intersections;
       if (times == 1) {
         ++owned;
       } else {

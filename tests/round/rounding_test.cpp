@@ -43,11 +43,12 @@ TEST_CASE("constructed points round to the nearest doubles, ties included", "[ro
     const auto name = random.once_in(2) ? SymbolicPoint::edge_face(0, 1, 1) : SymbolicPoint::three_faces(0, 1, 2);
     if (!meet_in_one_point(points, name)) continue;
     PointTable table(input);
-    const Boundary boundary{{}, table.add(std::vector{name}, {}), {}, {}};
-    const auto rounded = round_to_doubles(input, table, boundary, {});
+    std::vector<PointId> constructed = table.add(std::vector{name}, {});
+    const Boundary boundary{{}, std::move(constructed), {}, {}, std::move(table)};
+    const auto rounded = round_to_doubles(input, boundary, {});
     const RationalPoint exact = exact_position(input, make_point(input, name));
     for (std::size_t i = 0; i < 3; ++i) REQUIRE(rounded[0][i] == to_nearest_double(exact[i]));
-    const auto places = exact_positions(input, table, boundary, rounded, {});
+    const auto places = exact_positions(input, boundary, rounded, {});
     const bool is_double = to_rational(rounded[0][0]) == exact[0] && to_rational(rounded[0][1]) == exact[1] &&
                            to_rational(rounded[0][2]) == exact[2];
     REQUIRE(places.size() == (is_double ? 0 : 1));

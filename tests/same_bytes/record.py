@@ -22,6 +22,7 @@ DATA = HERE.parents[1] / "data"
 SPOT, GEAR, BRACKET, TORUS, SPHERE = (DATA / n for n in
                                       ("spot.obj", "gear.off", "bracket.off", "torus.off", "sphere.off"))
 UNSTABLE = {"seconds", "counts", "peak_bytes", "strata"}
+RENAMED = {"symmetric-difference": "xor"}  # words that were changed on purpose since the hashes were recorded
 
 
 def ball(path, rings, shift):
@@ -73,7 +74,7 @@ def make_inputs(folder):
 def operations():
     """Name and arguments; OUT.x stands for a file to be kept."""
     ops = {}
-    for verb in ("union", "intersection", "difference", "xor"):
+    for verb in ("union", "intersection", "difference", "symmetric-difference"):
         ops[f"{verb} balls"] = [verb, "a.off", "b.off", "-o", "OUT.off", "--report", "OUT.json"]
         ops[f"{verb} cubes that touch"] = [verb, "cube.off", "beside.off", "-o", "OUT.xoff"]
         ops[f"{verb} bsp"] = [verb, "small.off", "inside.off", "-o", "OUT.off", "--engine", "bsp"]
@@ -121,7 +122,9 @@ def operations():
 def stable(value):
     if isinstance(value, dict):
         return {k: stable(v) for k, v in value.items() if k not in UNSTABLE}
-    return [stable(v) for v in value] if isinstance(value, list) else value
+    if isinstance(value, list):
+        return [stable(v) for v in value]
+    return RENAMED.get(value, value) if isinstance(value, str) else value
 
 
 def digest(name, data, folder):

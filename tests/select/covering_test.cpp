@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <optional>
 
-#include "core/overlap/coincidences.h"
-#include "core/overlap/pairs.h"
+#include "core/overlap/candidates.h"
+#include "core/overlap/intersect.h"
 #include "core/winding/local_windings.h"
 #include "strata/options.h"
 #include "support/shapes.h"
@@ -20,11 +20,11 @@ namespace {
 class Scene {
  public:
   explicit Scene(std::vector<Mesh> meshes)
-      : meshes_(std::move(meshes)), input_(input_complex_of(meshes_)), cells_(input_, {}), layers_(input_, cells_) {
-    input_.identify(find_coincidences(input_, cells_, monitor_));
-    PointTable points(input_);
-    constraints_ = find_intersections(input_, cells_, false, points, monitor_).constraints;
-  }
+      : meshes_(std::move(meshes)),
+        candidates_(find_candidates(input_complex_of(meshes_), monitor_)),
+        input_(candidates_.input()),
+        layers_(input_, candidates_.cells()),
+        constraints_(intersect(candidates_, monitor_).constraints) {}
 
   void check(Operation operation) {
     const Rule rule(operation, input_.operand_count());
@@ -100,8 +100,8 @@ class Scene {
 
   std::vector<Mesh> meshes_;
   Monitor monitor_;
-  InputComplex input_;
-  CellTree cells_;
+  Candidates candidates_;
+  const InputComplex& input_;
   LocalWindings layers_;
   std::vector<Constraint> constraints_;
 };

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "core/cells/cell_tree.h"
 #include "core/csg/arena.h"
 #include "core/mesh/defect_list.h"
 #include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
-#include "core/overlap/pairs.h"
+#include "core/overlap/candidates.h"
+#include "core/overlap/intersect.h"
 #include "core/winding/local_windings.h"
 
 namespace strata {
@@ -24,28 +24,35 @@ std::vector<Triangle> on_first_vertices(ExactMeshView mesh) {
   return triangles;
 }
 
-/// Where faces of a mesh meet but for shared edges and vertices, and its shells that do not enclose what is inside
-/// them. Requires a closed mesh without degenerate triangles. `source` gives the caller's face numbers; empty: the
+/// A mesh as an input complex whose faces are all compared. `triangles` must outlive it.
+InputComplex complex_of(ExactMeshView mesh, const std::vector<Triangle>& triangles) {
+  InputComplex complex(SelfIntersections::possible);
+  complex.add(mesh.mesh.vertices, triangles, mesh.exact);
+  return complex;
+}
+
+/// Finds where faces of a mesh meet elsewhere than along shared edges and vertices, and shells whose interior is not
+/// inside. Requires a closed mesh without degenerate triangles. `source` gives the caller's face numbers; empty: the
 /// same.
 class Inspection {
  public:
   Inspection(ExactMeshView mesh, const std::vector<std::uint32_t>& source, const Monitor& monitor)
-      : triangles_(on_first_vertices(mesh)), source_(source), monitor_(monitor) {
-    input_.add(mesh.mesh.vertices, triangles_, mesh.exact);
-  }
+      : triangles_(on_first_vertices(mesh)),
+        candidates_(find_candidates(complex_of(mesh, triangles_), monitor)),
+        input_(candidates_.input()),
+        source_(source),
+        monitor_(monitor) {}
 
-  [[nodiscard]] std::vector<Defect> find() {
-    const CellTree cells(input_, {.self = true, .monitor = monitor_});
-    PointTable points(input_);
-    std::vector<Defect> defects = intersections(find_intersections(input_, cells, true, points, monitor_), points);
-    if (defects.empty()) defects = wrong_shells(cells);
+  [[nodiscard]] std::vector<Defect> find() const {
+    std::vector<Defect> defects = self_intersections(intersect(candidates_, monitor_));
+    if (defects.empty()) defects = wrong_shells();
     return defects;
   }
 
  private:
   [[nodiscard]] std::uint32_t source(std::uint32_t f) const { return source_.empty() ? f : source_[f]; }
 
-  [[nodiscard]] std::vector<Defect> intersections(const Intersections& intersections, const PointTable& points) const {
+  [[nodiscard]] std::vector<Defect> self_intersections(const Intersections& intersections) const {
     DefectList list(DefectKind::self_intersection, Severity::error,
                     "declare the input as overlapping, which resolves intersections exactly");
     std::uint32_t f = 0, g = 0;
@@ -53,7 +60,7 @@ class Inspection {
       if (c.other < c.face || (list.count() > 0 && c.face == f && c.other == g)) continue;
       f = c.face;
       g = c.other;
-      const Point p = points.point(c.tail);
+      const Point p = intersections.points.point(c.tail);
       list.add(Vertex{p.at[0].value, p.at[1].value, p.at[2].value}, {source(f), source(g)}, [&] {
         return "faces " + std::to_string(source(f)) + " and " + std::to_string(source(g)) +
                (c.kind == ConstraintKind::coplanar ? " overlap in one plane"
@@ -66,12 +73,12 @@ class Inspection {
   }
 
   /// Without self-intersections a face is right when just above it the winding number is 0.
-  [[nodiscard]] std::vector<Defect> wrong_shells(const CellTree& cells) const {
-    const LocalWindings layers(input_, cells);
+  [[nodiscard]] std::vector<Defect> wrong_shells() const {
+    const LocalWindings windings(input_, candidates_.cells());
     std::vector<std::int32_t> above(triangles_.size());
     tbb::parallel_for(std::uint32_t{0}, input_.face_count(), [&](std::uint32_t f) {
       monitor_.check();
-      above[f] = layers.above(f, make_point(input_, SymbolicPoint::weighted(f, 1)), {&f, 1})[0];
+      above[f] = windings.above(f, make_point(input_, SymbolicPoint::weighted(f, 1)), {&f, 1})[0];
     });
     DefectList list(DefectKind::inside_out, Severity::error,
                     "reverse the faces of the shell, or declare the input as repair");
@@ -88,8 +95,9 @@ class Inspection {
     return defects;
   }
 
-  InputComplex input_;
   std::vector<Triangle> triangles_;
+  Candidates candidates_;
+  const InputComplex& input_;
   const std::vector<std::uint32_t>& source_;
   const Monitor& monitor_;
 };
@@ -128,12 +136,8 @@ bool is_embedded(ExactMeshView mesh, const Options& options) {
           d.kind == DefectKind::non_finite_coordinate || d.kind == DefectKind::index_out_of_range)
         return false;
     const Monitor monitor(options.cancel);
-    InputComplex input;
     const std::vector<Triangle> triangles = on_first_vertices(mesh);
-    input.add(mesh.mesh.vertices, triangles, mesh.exact);
-    const CellTree cells(input, {.self = true, .monitor = monitor});
-    PointTable points(input);
-    return find_intersections(input, cells, true, points, monitor).pairs_meeting == 0;
+    return intersect(find_candidates(complex_of(mesh, triangles), monitor), monitor).pairs_meeting == 0;
   });
 }
 

@@ -29,7 +29,7 @@ Solid::Data data_of(BooleanResult result) {
 Solid::Data accept(Mesh mesh, InputClass input) {
   switch (input) {
     case InputClass::solid: {
-      Prepared p = prepare_closed(mesh, false);
+      Prepared p = prepare({MeshView(mesh), {}}, input);
       if (!p.mesh) {
         const std::size_t faces = mesh.triangles.size();
         return {{std::move(mesh), {}}, own_faces(faces), std::move(p.notes)};
@@ -52,7 +52,7 @@ Solid::Data accept(ExactMesh mesh, InputClass input) {
   if (mesh.exact.empty()) return accept(std::move(mesh.mesh), input);
   switch (input) {
     case InputClass::solid: {
-      Prepared p = prepare_exact(mesh);
+      Prepared p = prepare(mesh, input);
       if (p.mesh) mesh.mesh = std::move(*p.mesh);
       const std::size_t faces = mesh.mesh.triangles.size();
       return {std::move(mesh), own_faces(faces), std::move(p.notes)};

@@ -35,6 +35,12 @@ struct VertexPosition {
   [[nodiscard]] bool has_doubles() const { return rational == nullptr && meet == nullptr; }
 };
 
+/// May faces of one operand meet each other elsewhere than along shared edges and vertices?
+enum class SelfIntersections : bool {
+  none,     ///< no: the winding numbers of every operand are 0 and 1, and only faces of different operands are compared
+  possible  ///< perhaps: all faces are compared, and winding numbers are arbitrary
+};
+
 /// The input of one evaluation: points and faces of all operands under one global numbering.
 /// Everything that is ever constructed is named by these numbers (see SymbolicPoint); nothing is copied.
 /// Holds views: the arrays must outlive it. Reading is thread-safe.
@@ -42,6 +48,10 @@ class InputComplex {
  public:
   using Coordinates = std::array<double, 3>;
   using Indices = std::array<std::uint32_t, 3>;
+
+  explicit InputComplex(SelfIntersections self = SelfIntersections::none) : self_(self) {}
+
+  [[nodiscard]] bool may_self_intersect() const { return self_ == SelfIntersections::possible; }
 
   /// Appends the points and faces of one operand. `exact` lists the points that are rationals, by increasing index;
   /// `points` then holds their nearest doubles. Indices in `faces` are local to the operand. `bounds`: a box of the
@@ -169,6 +179,7 @@ class InputComplex {
   std::uint32_t face_end_ = 0;
   bool has_rationals_ = false;
   bool has_planes_ = false;
+  SelfIntersections self_;
 };
 
 }  // namespace strata

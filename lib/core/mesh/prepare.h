@@ -7,6 +7,7 @@
 #include "core/kernel/box.h"
 #include "strata/errors.h"
 #include "strata/mesh.h"
+#include "strata/options.h"
 
 namespace strata {
 
@@ -57,6 +58,11 @@ struct Prepared {
 /// welds equal vertices, drops degenerate and duplicate faces (opposite pairs cancel), orients components
 /// consistently and outwards; every step is a note. Throws InputError when edges stay open.
 [[nodiscard]] Prepared prepare_soup(MeshView mesh, std::size_t operand = 0);
+
+/// Accepts a mesh as what the caller declares it to be, by the function above that is meant for it: `prepare_exact` if
+/// it has vertices that are not doubles, whatever its class; else `prepare_closed` for `solid` and `overlapping`, and
+/// `prepare_soup` for `repair`. Throws as these do.
+[[nodiscard]] Prepared prepare(ExactMeshView mesh, InputClass input, std::size_t operand = 0);
 
 /// Diagnosis of everything that can be told without intersecting faces: all defects but self-intersection and
 /// inside-out shells. Lists the first few of each kind with coordinates and face numbers, and counts the rest.

@@ -2,7 +2,7 @@
 
 namespace strata {
 
-PointId Intersections::number(const InputComplex& input, const SymbolicPoint& name) {
+PointId PairIntersections::number(const InputComplex& input, const SymbolicPoint& name) {
   if (name.kind == SymbolicPoint::Kind::input) return name.id[0];
   constexpr std::size_t last_few = 8;
   const std::size_t size = constructed.size();

@@ -45,14 +45,14 @@ struct EqualVertices {
   friend auto operator<=>(const EqualVertices&, const EqualVertices&) = default;
 };
 
-/// Everything found between pairs of faces.
-struct Intersections {
-  /// Number of a point; a constructed one is listed, unless it is one of the last that were.
+/// What was found between some pairs of faces, collected pair by pair.
+struct PairIntersections {
+  /// The number of a point: its own if it is an input vertex, else the vertex count plus its index in `constructed`. A
+  /// constructed point is appended to that list unless it is among the last entries.
   [[nodiscard]] PointId number(const InputComplex& input, const SymbolicPoint& name);
 
   std::vector<Constraint> constraints;
-  std::vector<SymbolicPoint>
-      constructed;  ///< until they are in a PointTable, constructed points are numbered by this list
+  std::vector<SymbolicPoint> constructed;
   std::vector<EqualVertices> equal;
   std::uint64_t pairs_tested = 0;   ///< pairs whose boxes overlap
   std::uint64_t pairs_meeting = 0;  ///< pairs that share a point

@@ -49,9 +49,10 @@ class FaceRuns {
 
 }  // namespace
 
-std::vector<ConstraintPosition> order_by_face(const std::vector<Intersections>& per_cell, std::uint32_t face_count) {
+std::vector<ConstraintPosition> order_by_face(const std::vector<PairIntersections>& per_cell,
+                                              std::uint32_t face_count) {
   std::size_t count = 0;
-  for (const Intersections& m : per_cell) count += m.constraints.size();
+  for (const PairIntersections& m : per_cell) count += m.constraints.size();
   FaceRuns runs(count, face_count);
   tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t c) {
     for (const Constraint& x : per_cell[c].constraints) runs.add(x.face);

@@ -21,7 +21,7 @@ struct ConstraintPosition {
 /// The constraints of all cells, by face and other face, those of a pair in the order in which they were found.
 /// Requires that those of a pair are in one cell. O(n log m) for n constraints, m of them on neighbouring faces; in
 /// parallel.
-[[nodiscard]] std::vector<ConstraintPosition> order_by_face(const std::vector<Intersections>& per_cell,
+[[nodiscard]] std::vector<ConstraintPosition> order_by_face(const std::vector<PairIntersections>& per_cell,
                                                             std::uint32_t face_count);
 
 }  // namespace strata

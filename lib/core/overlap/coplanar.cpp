@@ -66,7 +66,7 @@ class CoplanarMeeting {
         seen_g_(input, g, projection_),
         orientation_(seen_g_.orientation()) {}
 
-  bool find(Intersections& intersections) {
+  bool find(PairIntersections& intersections) {
     for (std::size_t e = 0; e < 3; ++e) {
       for (std::size_t p = 0; p < 3; ++p) g_vertex_side_[p][e] = seen_f_.side(e, seen_g_, p);
       if (is_beyond(e)) return false;
@@ -172,13 +172,13 @@ class CoplanarMeeting {
       return;
     }
   }
-  void note_equal(Intersections& intersections, const Ends& ends) const {
+  void note_equal(PairIntersections& intersections, const Ends& ends) const {
     for (const SharedPoint& p : ends)
       if (p.on_f.kind == Feature::Kind::vertex && p.on_g.kind == Feature::Kind::vertex && !is_shared(p))
         intersections.equal.push_back({vf_[p.on_f.index], vg_[p.on_g.index]});
   }
 
-  void append_to_f(Intersections& intersections, int k, Ends ends) const {
+  void append_to_f(PairIntersections& intersections, int k, Ends ends) const {
     if (ends.empty()) return;
     const auto a = static_cast<std::size_t>(k), b = (a + 1) % 3;
     if (ends.size() == 2) order(ends, seen_g_, a, place_on_g(ends[0], k), place_on_g(ends[1], k));
@@ -193,7 +193,7 @@ class CoplanarMeeting {
     intersections.constraints.push_back(
         {f_, g_, kind, ConstraintLine::along_edge(vg_[a], vg_[b]), number(ends.front()), number(ends.back())});
   }
-  void append_to_g(Intersections& intersections, int i, Ends ends) const {
+  void append_to_g(PairIntersections& intersections, int i, Ends ends) const {
     if (ends.empty()) return;
     const auto a = static_cast<std::size_t>(i), b = (a + 1) % 3;
     if (ends.size() == 2) order(ends, seen_f_, a, place_on_f(ends[0], i), place_on_f(ends[1], i));
@@ -221,12 +221,12 @@ class CoplanarMeeting {
 }  // namespace
 
 bool meet_coplanar_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
-                         Intersections& intersections) {
+                         PairIntersections& intersections) {
   return CoplanarMeeting(input, f, g).find(intersections);
 }
 
 bool meet_same_face(std::uint32_t f, const InputComplex::Indices& vf, std::uint32_t g, const InputComplex::Indices& vg,
-                    Intersections& intersections) {
+                    PairIntersections& intersections) {
   const auto nowhere = ConstraintLine{};
   intersections.constraints.push_back({f, g, ConstraintKind::coplanar, nowhere, vf[0], vf[0]});
   intersections.constraints.push_back({g, f, ConstraintKind::coplanar, nowhere, vg[0], vg[0]});

@@ -9,10 +9,10 @@ namespace strata {
 
 /// meet_faces for two faces in one plane: every edge of either, clipped to the other, becomes a constraint there.
 bool meet_coplanar_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
-                         Intersections& intersections);
+                         PairIntersections& intersections);
 
 /// meet_faces for two faces with the same three vertices: either covers the other.
 bool meet_same_face(std::uint32_t f, const InputComplex::Indices& vf, std::uint32_t g, const InputComplex::Indices& vg,
-                    Intersections& intersections);
+                    PairIntersections& intersections);
 
 }  // namespace strata

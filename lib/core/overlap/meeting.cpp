@@ -76,7 +76,7 @@ class TransversalMeeting {
         of_f_(of_f),
         of_g_(of_g) {}
 
-  bool find(Intersections& intersections) {
+  bool find(PairIntersections& intersections) {
     // Both sections lie on one line; directed along n_f x n_g, g's is as it comes and f's the other way round.
     const Section on_g = section(of_g_), on_f = section(of_f_);
     const auto tail = later(on_f.head, on_g.tail);
@@ -120,7 +120,7 @@ class TransversalMeeting {
            vf_[p.on_f.index] == vg_[p.on_g.index];
   }
 
-  void append(Intersections& intersections, const SharedPoint& tail, const SharedPoint& head) const {
+  void append(PairIntersections& intersections, const SharedPoint& tail, const SharedPoint& head) const {
     note_equal(intersections, tail);
     note_equal(intersections, head);
     const auto on_f = [&](const SharedPoint& p) { return intersections.number(input_, name_of(p, f_, vf_, g_, vg_)); };
@@ -142,7 +142,7 @@ class TransversalMeeting {
     intersections.constraints.push_back({g_, f_, kind(of_f_), line(f_), head_g, tail_g});
   }
 
-  void note_equal(Intersections& intersections, const SharedPoint& p) const {
+  void note_equal(PairIntersections& intersections, const SharedPoint& p) const {
     if (p.on_f.kind != Feature::Kind::vertex || p.on_g.kind != Feature::Kind::vertex || is_shared(p)) return;
     intersections.equal.push_back({vf_[p.on_f.index], vg_[p.on_g.index]});
   }
@@ -182,7 +182,8 @@ bool is_coplanar(const InputComplex& input, const FilteredFace& f, const Filtere
 
 }  // namespace
 
-bool meet_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g, Intersections& intersections) {
+bool meet_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
+                PairIntersections& intersections) {
   Signs of_g = f.sides_of(g);
   if (f.is_beside(g, of_g)) return false;
   Signs of_f = g.sides_of(f);

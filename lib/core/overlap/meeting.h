@@ -13,6 +13,7 @@ namespace strata {
 /// mesh share by index are no meeting. Requires faces of positive area. At most 6 + 9 orient3d signs for faces in
 /// general position. Table of cases: theory.md. Returns true when the faces share a point (other than shared vertices
 /// and edges).
-bool meet_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g, Intersections& intersections);
+bool meet_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
+                PairIntersections& intersections);
 
 }  // namespace strata

@@ -96,7 +96,7 @@ std::vector<PointId> PointTable::add(std::span<const SymbolicPoint> names, const
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), 256), [&](const auto& range) {
     monitor.check();
     for (std::size_t i = range.begin(); i != range.end(); ++i)
-      constructed_[known + i] = make_point(input_, names[fresh[i]]);
+      constructed_[known + i] = make_point(*input_, names[fresh[i]]);
   });
   return numbers;
 }
@@ -114,7 +114,7 @@ std::vector<std::pair<PointId, PointId>> PointTable::equal_positions(std::vector
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ids.size(), 256), [&](const auto& range) {
     monitor.check();
     for (std::size_t i = range.begin(); i != range.end(); ++i)
-      places[i] = {nearest_doubles(input_, point(ids[i])), ids[i]};
+      places[i] = {nearest_doubles(*input_, point(ids[i])), ids[i]};
   });
   tbb::parallel_sort(places.begin(), places.end());
   std::vector<std::pair<PointId, PointId>> same;
@@ -126,7 +126,7 @@ std::vector<std::pair<PointId, PointId>> PointTable::equal_positions(std::vector
       for (std::size_t i = first + 1; i < last; ++i) {
         const Point p = point(places[i].id);
         for (std::size_t k = first; k < i; ++k) {
-          if (!equal(input_, point(places[k].id), p)) continue;
+          if (!equal(*input_, point(places[k].id), p)) continue;
           same.emplace_back(places[k].id, places[i].id);
           break;
         }
@@ -134,7 +134,7 @@ std::vector<std::pair<PointId, PointId>> PointTable::equal_positions(std::vector
     } else {  // as where doubles are far apart: near zero
       std::vector<std::pair<RationalPoint, PointId>> exact;
       for (std::size_t i = first; i < last; ++i)
-        exact.emplace_back(exact_position(input_, point(places[i].id)), places[i].id);
+        exact.emplace_back(exact_position(*input_, point(places[i].id)), places[i].id);
       std::sort(exact.begin(), exact.end());
       for (std::size_t i = 1; i < exact.size(); ++i)
         if (exact[i].first == exact[i - 1].first) same.emplace_back(exact[i - 1].second, exact[i].second);

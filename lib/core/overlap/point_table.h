@@ -12,11 +12,11 @@ namespace strata {
 /// The number of a point: input vertices have their own, constructed points follow.
 using PointId = std::uint32_t;
 
-/// All points of an evaluation, each constructed one found once. Reading is thread-safe.
+/// All points of an evaluation, each constructed one once. Reading is thread-safe. The input must outlive it.
 class PointTable {
  public:
   /// Knows the input vertices.
-  explicit PointTable(const InputComplex& input) : input_(input) {}
+  explicit PointTable(const InputComplex& input) : input_(&input) {}
 
   /// Numbers of named points; names that are new are numbered in the order of their first occurrence, and their
   /// coordinates found. O(n + size), in parallel; the same for any number of threads.
@@ -33,19 +33,19 @@ class PointTable {
   /// One more than the last number.
   [[nodiscard]] PointId end() const { return first() + static_cast<PointId>(constructed_.size()); }
   /// The number of the first constructed point.
-  [[nodiscard]] PointId first() const { return input_.vertex_count(); }
+  [[nodiscard]] PointId first() const { return input_->vertex_count(); }
   [[nodiscard]] bool is_input(PointId id) const { return id < first(); }
   [[nodiscard]] SymbolicPoint name(PointId id) const {
     return is_input(id) ? SymbolicPoint::input(id) : constructed(id).name;
   }
   [[nodiscard]] Point point(PointId id) const {
-    return is_input(id) ? make_point(input_, SymbolicPoint::input(id)) : constructed(id);
+    return is_input(id) ? make_point(*input_, SymbolicPoint::input(id)) : constructed(id);
   }
   /// Requires a constructed point.
   [[nodiscard]] const Point& constructed(PointId id) const { return constructed_[id - first()]; }
 
  private:
-  const InputComplex& input_;
+  const InputComplex* input_;
   std::vector<Point> constructed_;
   std::vector<PointId> same_;  ///< if any were identified
 };

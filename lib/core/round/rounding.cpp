@@ -20,35 +20,34 @@ void for_each_index(std::size_t count, const Monitor& monitor, const Body& body)
 
 }  // namespace
 
-std::vector<Vertex> round_to_doubles(const InputComplex& input, const PointTable& points, const Boundary& boundary,
-                                     const Monitor& monitor) {
+std::vector<Vertex> round_to_doubles(const InputComplex& input, const Boundary& boundary, const Monitor& monitor) {
   std::vector<Vertex> rounded;
   resize_fresh(rounded, boundary.inputs.size() + boundary.constructed.size());
   for_each_index(boundary.inputs.size(), monitor,
                  [&](std::size_t i) { rounded[i] = input.vertex(boundary.inputs[i]); });
   for_each_index(boundary.constructed.size(), monitor, [&](std::size_t i) {
-    rounded[boundary.inputs.size() + i] = nearest_doubles(input, points.constructed(boundary.constructed[i]));
+    rounded[boundary.inputs.size() + i] = nearest_doubles(input, boundary.points.constructed(boundary.constructed[i]));
   });
   return rounded;
 }
 
-std::vector<ExactVertex> exact_positions(const InputComplex& input, const PointTable& points, const Boundary& boundary,
+std::vector<ExactVertex> exact_positions(const InputComplex& input, const Boundary& boundary,
                                          const std::vector<Vertex>& rounded, const Monitor& monitor) {
-  std::vector<std::optional<RationalPoint>> places(rounded.size());
+  std::vector<std::optional<RationalPoint>> positions(rounded.size());
   for_each_index(rounded.size(), monitor, [&](std::size_t i) {
     const bool is_input = i < boundary.inputs.size();
     if (is_input && input.has_doubles(boundary.inputs[i])) return;
     const PointId id = is_input ? boundary.inputs[i] : boundary.constructed[i - boundary.inputs.size()];
-    RationalPoint exact = exact_position(input, points.point(id));
+    RationalPoint exact = exact_position(input, boundary.points.point(id));
     for (std::size_t k = 0; k < 3; ++k)
       if (exact[k] != to_rational(rounded[i][k])) {
-        places[i] = std::move(exact);
+        positions[i] = std::move(exact);
         return;
       }
   });
   std::vector<ExactVertex> result;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (places[i]) result.push_back({static_cast<std::uint32_t>(i), std::move(*places[i])});
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (positions[i]) result.push_back({static_cast<std::uint32_t>(i), std::move(*positions[i])});
   return result;
 }
 

@@ -11,19 +11,18 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-FaceSplitter::FaceSplitter(const InputComplex& input, const WindingOracle& oracle, const Rule& rule, bool self,
-                           const PointTable& points)
+FaceSplitter::FaceSplitter(const InputComplex& input, const Classifier& classifier, const PointTable& points)
     : input_(input),
-      oracle_(oracle),
+      oracle_(classifier.oracle),
       known_corners_(input.vertex_count()),
-      early_out_(input, rule),
-      covering_(input, rule),
-      rule_(rule),
-      self_(self),
+      early_out_(input, classifier.rule),
+      covering_(input, classifier.rule),
+      rule_(classifier.rule),
+      self_(input.may_self_intersect()),
       points_(points),
       triangulation_(input, points) {}
 
-void FaceSplitter::split(std::span<const Constraint> constraints, SplitFace& result, EqualNames& equal, Pool& pool) {
+SubdividedFace FaceSplitter::split(std::span<const Constraint> constraints, NewPoints& found, Pool& pool) {
   face_ = constraints.front().face;
   operand_ = input_.operand_of_face(face_);
   corners_ = input_.face(face_);
@@ -38,34 +37,36 @@ void FaceSplitter::split(std::span<const Constraint> constraints, SplitFace& res
     collect_whole();
   } else if (!early_out_.is_settled() && (self_ || !covering_.hides_face())) {
     const std::optional<FreeCorner> corner = ask_free_corner();
-    if (!corner || !early_out_.is_settled(corner->windings)) collect_pieces(corner, equal);
+    if (!corner || !early_out_.is_settled(corner->windings)) collect_pieces(corner, found);
   }
+  SubdividedFace result;
   result.face = face_;
   result.may_merge = !same && (self_ || input_.operand_count() > 2 ||
                                std::any_of(constraints.begin(), constraints.end(),
                                            [](const Constraint& c) { return c.kind != ConstraintKind::crossing; }));
   result.points = pool.keep(kept_.points);
   result.triangles = pool.keep(kept_.triangles);
-  result.constructed = pool.keep(kept_.constructed);
+  found.constructed = pool.keep(kept_.constructed);
+  return result;
 }
 
-void FaceSplitter::collect_pieces(const std::optional<FreeCorner>& corner, EqualNames& equal) {
+void FaceSplitter::collect_pieces(const std::optional<FreeCorner>& corner, NewPoints& found) {
   const bool simple = triangulate();
   spread(corner ? Start{triangle_at_corner(corner->index), {corner->windings, {}}} : start_inside());
   remember_corners();
   judge();
   collect();
-  if (rule_.looks_around() && !kept_.triangles.empty()) connect_names(simple, equal);
+  if (rule_.looks_around() && !kept_.triangles.empty()) connect_names(simple, found);
 }
 
-/// Tells other names of the points that stay. `simple`: the constraints are simple paths.
-void FaceSplitter::connect_names(bool simple, EqualNames& equal) {
-  // Where lines of one operand may know a point by different names, simple paths may, too.
+/// Lists other names of the points that bound the result. `simple`: the constraints are simple paths.
+void FaceSplitter::connect_names(bool simple, NewPoints& found) {
+  // Where lines of one operand may have different names for a point, simple paths may, too.
   const bool same_operand = self_ || input_.has_identified();
   if (self_ || (input_.operand_count() > 2 && (same_operand || !simple)))
     triangulation_.connect_names(same_operand, kept_index_);
   for (const auto& [vertex, name] : triangulation_.other_names())
-    if (kept_index_[at(vertex)] >= 0) equal.emplace_back(name, triangulation_.points()[vertex].name);
+    if (kept_index_[at(vertex)] >= 0) found.equal.emplace_back(name, triangulation_.points()[vertex].name);
 }
 
 /// All operands that the face meets, its own included, in order.
@@ -97,7 +98,7 @@ void FaceSplitter::collect_whole() {
   if (verdict == Verdict::drop) return;
   PieceTriangle piece;
   piece.turned = verdict == Verdict::keep_reversed;
-  piece.loop = 7;
+  piece.boundary = 7;
   for (const std::uint32_t v : corners_) kept_.points.push_back(v);
   piece.v = piece.turned ? std::array<std::uint32_t, 3>{2, 1, 0} : std::array<std::uint32_t, 3>{0, 1, 2};
   kept_.triangles.push_back(piece);
@@ -276,7 +277,7 @@ void FaceSplitter::collect() {
       }
       piece.v[i] = static_cast<std::uint32_t>(kept_index_[at(v)]);
       const auto bit = static_cast<std::uint8_t>(1u << i);
-      if (verdict_of(triangles[t].n[side]) != verdict) piece.loop |= bit;
+      if (verdict_of(triangles[t].n[side]) != verdict) piece.boundary |= bit;
       if (triangles[t].c[side] >= 0) piece.carried |= bit;
     }
     kept_.triangles.push_back(piece);

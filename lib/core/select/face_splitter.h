@@ -8,25 +8,28 @@
 #include <vector>
 
 #include "core/arrange/triangulation.h"
+#include "core/select/classifier.h"
 #include "core/select/covering.h"
 #include "core/select/early_out.h"
-#include "core/select/split_faces.h"
+#include "core/select/subdivide.h"
 #include "core/winding/corner_cache.h"
-#include "core/winding/winding_oracle.h"
 
 namespace strata {
 
-/// Pairs of names found to be one point.
-using EqualNames = std::vector<std::pair<SymbolicPoint, SymbolicPoint>>;
+/// Points found while a face is subdivided, before they are in the table of points.
+struct NewPoints {
+  std::span<SymbolicPoint> constructed;                          ///< numbered from the end of the table; in a pool
+  std::vector<std::pair<SymbolicPoint, SymbolicPoint>> equal{};  ///< pairs of names of one point
+};
 
-/// Splits and judges one face; kept for the next one, so that its memory is reused. For one thread.
+/// Subdivides one face and labels its pieces; used for one face after the other, so that memory is reused. For one
+/// thread.
 class FaceSplitter {
  public:
-  FaceSplitter(const InputComplex& input, const WindingOracle& oracle, const Rule& rule, bool self,
-               const PointTable& points);
+  FaceSplitter(const InputComplex& input, const Classifier& classifier, const PointTable& points);
 
-  /// Tells what stays of the face with these constraints, which are all it has, and adds names found to be one point.
-  void split(std::span<const Constraint> constraints, SplitFace& result, EqualNames& equal, Pool& pool);
+  /// The pieces of the face with these constraints, which are all it has.
+  [[nodiscard]] SubdividedFace split(std::span<const Constraint> constraints, NewPoints& found, Pool& pool);
 
  private:
   /// What is known about one region of the face.
@@ -66,8 +69,8 @@ class FaceSplitter {
   void find_free_corners();
   [[nodiscard]] bool is_one_of_the_same() const;
   void collect_whole();
-  void collect_pieces(const std::optional<FreeCorner>& corner, EqualNames& equal);
-  void connect_names(bool simple, EqualNames& equal);
+  void collect_pieces(const std::optional<FreeCorner>& corner, NewPoints& found);
+  void connect_names(bool simple, NewPoints& found);
 
   bool triangulate();
   void spread(Start from);

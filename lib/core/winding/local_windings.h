@@ -21,6 +21,8 @@ class LocalWindings final : public WindingOracle {
   [[nodiscard]] Windings above(std::uint32_t face, const Point& q,
                                std::span<const std::uint32_t> covering) const override;
 
+  [[nodiscard]] const CellTree* cells() const override { return &cells_; }
+
   /// Grid coordinates of a point, by its nearest doubles.
   [[nodiscard]] std::array<std::int32_t, 3> grid_of(const Point& q) const;
 

@@ -7,6 +7,8 @@
 
 namespace strata {
 
+class CellTree;
+
 /// Tells winding numbers at points of faces: from many local origins (LocalWindings) or from one for all
 /// (CommonOrigin).
 class WindingOracle {
@@ -21,6 +23,9 @@ class WindingOracle {
   /// faces coplanar with it that contain q, itself included; q is on no other face.
   [[nodiscard]] virtual Windings above(std::uint32_t face, const Point& q,
                                        std::span<const std::uint32_t> covering) const = 0;
+
+  /// The cells whose origins know the winding numbers, or null.
+  [[nodiscard]] virtual const CellTree* cells() const { return nullptr; }
 
  protected:
   WindingOracle() = default;

@@ -6,9 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/cells/cell_tree.h"
 #include "core/kernel/predicates.h"
-#include "core/overlap/pairs.h"
+#include "core/overlap/intersect.h"
 #include "extensions/complex/face_cutter.h"
 
 namespace strata::complex {
@@ -60,6 +59,12 @@ std::vector<std::pair<PointId, Index>> by_place(const InputComplex& input, const
   return result;
 }
 
+InputComplex complex_of(const GivenFaces& faces) {
+  InputComplex complex(SelfIntersections::possible);
+  complex.add(faces.mesh.mesh.vertices, faces.mesh.mesh.triangles, faces.mesh.exact);
+  return complex;
+}
+
 }  // namespace
 
 GivenFaces::GivenFaces(std::span<const Soup> operands) : vertex_cell(operands.size()) {
@@ -91,11 +96,11 @@ GivenFaces::GivenFaces(std::span<const Soup> operands) : vertex_cell(operands.si
   for (const auto& [v, k, cell] : cells) vertex_cell[k][v] = cell;
 }
 
-Arrangement::Arrangement(const GivenFaces& faces, const Monitor& monitor) : points(input) {
-  input.add(faces.mesh.mesh.vertices, faces.mesh.mesh.triangles, faces.mesh.exact);
+Arrangement::Arrangement(const GivenFaces& faces, const Monitor& monitor)
+    : candidates(find_candidates(complex_of(faces), monitor)), input(candidates.input()), points(input) {
   is_reversed = turned_faces(input);
-  const CellTree cells(input, {.self = true, .monitor = monitor});
-  const Intersections intersections = find_intersections(input, cells, true, points, monitor);
+  Intersections intersections = intersect(candidates, monitor);
+  points = std::move(intersections.points);
   FaceCutter cutter(input, points, is_reversed);
   const std::span<const Constraint> constraints = intersections.constraints;
   std::size_t first = 0;

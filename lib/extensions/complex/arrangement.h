@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/kernel/input_complex.h"
+#include "core/overlap/candidates.h"
 #include "core/overlap/point_table.h"
 #include "extensions/complex/soup.h"
 #include "strata/options.h"
@@ -38,7 +39,8 @@ struct SidePart {
 struct Arrangement {
   Arrangement(const GivenFaces& faces, const Monitor& monitor);
 
-  InputComplex input;
+  Candidates candidates;
+  const InputComplex& input;
   PointTable points;
   std::vector<PointId> vertices;         ///< in lexicographic order of places
   std::vector<std::uint32_t> vertex_of;  ///< of given vertices, in `vertices`

@@ -4,7 +4,7 @@
 
 namespace strata::contact {
 
-CommonPoints common_points(const InputComplex& input, const Intersections& intersections) {
+CommonPoints common_points(const InputComplex& input, const PairIntersections& intersections) {
   CommonPoints names;
   const auto add = [&](PointId id) {
     const auto is_known = [id](const EqualVertices& e) { return e.b == id; };

@@ -12,15 +12,15 @@ using CommonPoints = boost::container::static_vector<SymbolicPoint, 32>;
 
 /// What two faces, and no others, have in common, from what `meet_faces` says about them. Where two vertices meet, the
 /// name is that of the first face.
-[[nodiscard]] CommonPoints common_points(const InputComplex& input, const Intersections& intersections);
+[[nodiscard]] CommonPoints common_points(const InputComplex& input, const PairIntersections& intersections);
 
 /// True when these faces lie in one plane.
-[[nodiscard]] inline bool are_coplanar(const Intersections& intersections) {
+[[nodiscard]] inline bool are_coplanar(const PairIntersections& intersections) {
   return !intersections.constraints.empty() && intersections.constraints.front().kind == ConstraintKind::coplanar;
 }
 
 /// True when what two faces share has an area.
-[[nodiscard]] inline bool share_area(const InputComplex& input, const Intersections& intersections) {
+[[nodiscard]] inline bool share_area(const InputComplex& input, const PairIntersections& intersections) {
   return are_coplanar(intersections) && common_points(input, intersections).size() >= 3;
 }
 

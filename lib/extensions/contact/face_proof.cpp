@@ -19,7 +19,7 @@ bool has_vertex_below(const InputComplex& input, const FilteredFace& plane, cons
 }  // namespace
 
 std::optional<SoleFaces> prove_interference(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
-                                            const Intersections& intersections) {
+                                            const PairIntersections& intersections) {
   const auto when = [](bool holds, SoleFaces sole) { return holds ? std::optional(sole) : std::nullopt; };
   if (are_coplanar(intersections))
     return when(same_orientation(input, f.face, g.face) == Sign::positive && share_area(input, intersections),

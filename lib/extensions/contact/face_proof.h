@@ -19,6 +19,7 @@ struct SoleFaces {
 /// looking the same way: the interiors of their solids meet around a point inside of what the faces share, if there the
 /// solids have no other faces than is told. Nothing for other faces. theory.md, section 2.
 [[nodiscard]] std::optional<SoleFaces> prove_interference(const InputComplex& input, const FilteredFace& f,
-                                                          const FilteredFace& g, const Intersections& intersections);
+                                                          const FilteredFace& g,
+                                                          const PairIntersections& intersections);
 
 }  // namespace strata::contact

@@ -23,7 +23,7 @@ void InteriorSides::note_vertex(std::uint32_t vertex) {
   }
 }
 
-void InteriorSides::note(const Intersections& intersections) {
+void InteriorSides::note(const PairIntersections& intersections) {
   const InputComplex& input = parts_.input();
   for (const Constraint& c : intersections.constraints) {
     if (c.kind == ConstraintKind::coplanar) continue;

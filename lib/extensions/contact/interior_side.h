@@ -19,7 +19,7 @@ class InteriorSides {
   InteriorSides(const Parts& parts, std::uint32_t a, std::uint32_t b);
 
   /// What two faces share, the first of a and the second of b. Requires that they do not prove interference.
-  void note(const Intersections& intersections);
+  void note(const PairIntersections& intersections);
   /// Faces with the same corners, which look opposite ways.
   void note_coincident_faces(std::uint32_t f, std::uint32_t g);
 

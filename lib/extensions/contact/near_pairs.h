@@ -72,7 +72,7 @@ template <class Skip, class Visit>
 bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Skip& skip, const Visit& visit) {
   const InputComplex& input = parts.input();
   const PartTree &tree_a = parts.tree(a), &tree_b = parts.tree(b);
-  Intersections intersections;
+  PairIntersections intersections;
   return for_each_near_leaves(tree_a, tree_b, [&](const PartTree::Node& m, const PartTree::Node& n) {
     LeafFaces of_a(input, a, tree_a, m, n.box);
     if (of_a.size() == 0) return true;

@@ -26,7 +26,7 @@ class Inquiry {
   /// Nothing where faces would prove interference if their parts had no other faces there, and no others do prove it.
   std::optional<Relation> find() {
     const auto skip = [this](std::uint32_t f, std::uint32_t g) { return coincident_ && coincident_->tell(f, g); };
-    const auto visit = [this](const FilteredFace& f, const FilteredFace& g, const Intersections& m) {
+    const auto visit = [this](const FilteredFace& f, const FilteredFace& g, const PairIntersections& m) {
       look_at(f, g, m);
       return !is_decided_;
     };
@@ -39,7 +39,7 @@ class Inquiry {
   }
 
  private:
-  void look_at(const FilteredFace& f, const FilteredFace& g, const Intersections& intersections) {
+  void look_at(const FilteredFace& f, const FilteredFace& g, const PairIntersections& intersections) {
     relation_ = Relation::contact;
     is_decided_ = are_beside_;
     if (is_decided_) return;

@@ -27,23 +27,25 @@ SharedPieces shared_pieces(const Parts& parts, std::uint32_t a, std::uint32_t b)
   const InputComplex& input = parts.input();
   SharedPieces pieces{Places(input), {}, {}, {}, {}};
   std::set<std::uint32_t> corners;
-  for_each_meeting(parts, a, b, [&](const FilteredFace& f, const FilteredFace&, const Intersections& intersections) {
-    SharedPieces::Polygon shared;
-    for (const SymbolicPoint& name : common_points(input, intersections)) shared.push_back(pieces.places.number(name));
-    std::sort(shared.begin(), shared.end());
-    shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
-    if (shared.size() == 1) {
-      pieces.points.insert(shared[0]);
-    } else if (shared.size() == 2) {
-      pieces.segments.insert(segment(shared[0], shared[1]));
-    } else {
-      sort_around(input, pieces.places, f.face, shared);
-      for (std::size_t i = 0; i < shared.size(); ++i)
-        pieces.sides.insert(segment(shared[i], shared[(i + 1) % shared.size()]));
-      pieces.polygons.push_back(std::move(shared));
-    }
-    return true;
-  });
+  for_each_meeting(parts, a, b,
+                   [&](const FilteredFace& f, const FilteredFace&, const PairIntersections& intersections) {
+                     SharedPieces::Polygon shared;
+                     for (const SymbolicPoint& name : common_points(input, intersections))
+                       shared.push_back(pieces.places.number(name));
+                     std::sort(shared.begin(), shared.end());
+                     shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
+                     if (shared.size() == 1) {
+                       pieces.points.insert(shared[0]);
+                     } else if (shared.size() == 2) {
+                       pieces.segments.insert(segment(shared[0], shared[1]));
+                     } else {
+                       sort_around(input, pieces.places, f.face, shared);
+                       for (std::size_t i = 0; i < shared.size(); ++i)
+                         pieces.sides.insert(segment(shared[i], shared[(i + 1) % shared.size()]));
+                       pieces.polygons.push_back(std::move(shared));
+                     }
+                     return true;
+                   });
   for (const auto& [p, q] : pieces.sides) corners.insert({p, q});
   std::erase_if(pieces.segments, [&](const auto& s) { return pieces.sides.contains(s); });
   for (const auto& [p, q] : pieces.segments) corners.insert({p, q});

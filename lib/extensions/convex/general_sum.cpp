@@ -4,11 +4,15 @@
 #include <utility>
 
 #include "core/csg/arena.h"
-#include "core/csg/evaluate.h"
 #include "core/exact/failure.h"
 #include "core/mesh/prepare.h"
+#include "core/overlap/candidates.h"
+#include "core/overlap/intersect.h"
 #include "core/round/rounding.h"
-#include "core/select/merge.h"
+#include "core/select/extract.h"
+#include "core/select/label.h"
+#include "core/select/subdivide.h"
+#include "core/winding/local_windings.h"
 #include "extensions/convex/membership.h"
 #include "extensions/convex/outer_pieces.h"
 #include "extensions/convex/touching_faces.h"
@@ -42,22 +46,26 @@ NearPoint place_in_front(const InputComplex& input, const PointTable& points, co
 }
 
 ExactMesh outer_boundary(const ExactMesh& touching, const Operands& operands, const Monitor& monitor) {
-  InputComplex input;
-  input.add(touching.mesh.vertices, touching.mesh.triangles, touching.exact);
-  PointTable points(input);
-  Profile profile;
-  Evaluated pieces = arrange_pieces(input, Rule::every_sheet(), true, points, monitor, profile);
+  InputComplex complex(SelfIntersections::possible);
+  complex.add(touching.mesh.vertices, touching.mesh.triangles, touching.exact);
+  const Candidates candidates = find_candidates(std::move(complex), monitor);
+  const InputComplex& input = candidates.input();
+  const LocalWindings windings(input, candidates.cells());
+  const Rule rule = Rule::every_sheet();
+  const Classifier classifier{rule, windings};
+  Subdivision subdivision = subdivide(input, intersect(candidates, monitor), classifier, monitor);
+  std::vector<Verdict> verdicts = label(input, subdivision, classifier, monitor);
   const SumMembership membership(operands.a.mesh, operands.a.surface, operands.solid_b, operands.of_b,
                                  operands.polytope_b);
+  const PointTable& points = subdivision.points;
   keep_outer_pieces(
-      input, points, pieces,
+      input, verdicts, subdivision,
       [&](const PieceOfFace& piece, int k) { return membership.side(place_in_front(input, points, piece, k)); },
       monitor);
-  merge_pieces(input, points, pieces.split, pieces.pools, monitor);
-  Boundary boundary = gather_boundary(input, pieces.whole, pieces.split, points);
+  Boundary boundary = extract(input, verdicts, std::move(subdivision), monitor);
   ExactMesh sum;
-  sum.mesh.vertices = round_to_doubles(input, points, boundary, monitor);
-  sum.exact = exact_positions(input, points, boundary, sum.mesh.vertices, monitor);
+  sum.mesh.vertices = round_to_doubles(input, boundary, monitor);
+  sum.exact = exact_positions(input, boundary, sum.mesh.vertices, monitor);
   sum.mesh.triangles = std::move(boundary.triangles);
   if (!chain_is_closed(sum.mesh)) throw LogicError("the boundary of a sum is not closed");
   return sum;

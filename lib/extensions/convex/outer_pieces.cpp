@@ -107,15 +107,16 @@ class Patches {
 };
 
 /// All that an arrangement holds: whole faces, then pieces of the others.
-std::vector<PieceOfFace> list_pieces(const InputComplex& input, const PointTable& points, const Evaluated& pieces) {
+std::vector<PieceOfFace> list_pieces(const InputComplex& input, const std::vector<Verdict>& verdicts,
+                                     const Subdivision& subdivision) {
   std::vector<PieceOfFace> all;
-  for (std::uint32_t f = 0; f < pieces.whole.size(); ++f) {
-    if (pieces.whole[f] == Verdict::drop) continue;
+  for (std::uint32_t f = 0; f < verdicts.size(); ++f) {
+    if (verdicts[f] == Verdict::drop) continue;
     auto corners = input.face(f);
-    for (PointId& p : corners) p = points.representative(p);
+    for (PointId& p : corners) p = subdivision.points.representative(p);
     all.push_back({f, corners});
   }
-  for (const SplitFace& s : pieces.split)
+  for (const SubdividedFace& s : subdivision.faces)
     for (const PieceTriangle& t : s.triangles)
       all.push_back({s.face, {s.points[t.v[0]], s.points[t.v[1]], s.points[t.v[2]]}});
   return all;
@@ -174,7 +175,7 @@ class Remainder {
     points_.clear();
     triangles_.clear();
   }
-  void keep(const SplitFace& face, const PieceTriangle& t) {
+  void keep(const SubdividedFace& face, const PieceTriangle& t) {
     index_.resize(face.points.size(), none);
     PieceTriangle& kept = triangles_.emplace_back(t);
     for (std::uint32_t& v : kept.v) {
@@ -185,7 +186,7 @@ class Remainder {
       v = index_[v];
     }
   }
-  void replace(SplitFace& face, Pool& pool) {
+  void replace(SubdividedFace& face, Pool& pool) {
     if (triangles_.size() == face.triangles.size()) return;
     find_boundary();
     face.points = pool.keep(points_);
@@ -203,7 +204,7 @@ class Remainder {
     for (PieceTriangle& t : triangles_)
       for (std::size_t i = 0; i < 3; ++i)
         if (!std::binary_search(sides.begin(), sides.end(), std::pair(t.v[(i + 1) % 3], t.v[i])))
-          t.loop |= static_cast<std::uint8_t>(1u << i);
+          t.boundary |= static_cast<std::uint8_t>(1u << i);
   }
 
   std::vector<std::uint32_t> index_;  ///< per point of the face
@@ -212,27 +213,27 @@ class Remainder {
 };
 
 /// Requires pieces as they were listed.
-void drop_gone(Evaluated& pieces, Patches& patches) {
+void drop_gone(std::vector<Verdict>& verdicts, Subdivision& subdivision, Patches& patches) {
   std::uint32_t next = 0;
-  for (Verdict& v : pieces.whole)
+  for (Verdict& v : verdicts)
     if (v != Verdict::drop && patches.is_gone(next++)) v = Verdict::drop;
   Remainder remainder;
-  for (SplitFace& face : pieces.split) {
+  for (SubdividedFace& face : subdivision.faces) {
     remainder.clear();
     for (const PieceTriangle& t : face.triangles)
       if (!patches.is_gone(next++)) remainder.keep(face, t);
-    remainder.replace(face, pieces.pools.local());
+    remainder.replace(face, subdivision.pools.local());
   }
 }
 
 }  // namespace
 
-void keep_outer_pieces(const InputComplex& input, const PointTable& points, Evaluated& pieces,
+void keep_outer_pieces(const InputComplex& input, std::vector<Verdict>& verdicts, Subdivision& subdivision,
                        const SideInFront& in_front, const Monitor& monitor) {
-  const std::vector<PieceOfFace> all = list_pieces(input, points, pieces);
+  const std::vector<PieceOfFace> all = list_pieces(input, verdicts, subdivision);
   Patches patches(all);
   auto unknown = patches.unknown();
-  if (const std::size_t outside = farthest(unknown, all, points); outside < unknown.size()) {
+  if (const std::size_t outside = farthest(unknown, all, subdivision.points); outside < unknown.size()) {
     patches.keep(unknown[outside].front());
     unknown.erase(unknown.begin() + static_cast<std::ptrdiff_t>(outside));
   }
@@ -248,7 +249,7 @@ void keep_outer_pieces(const InputComplex& input, const PointTable& points, Eval
     patches.spread();
     unknown = patches.unknown();
   }
-  drop_gone(pieces, patches);
+  drop_gone(verdicts, subdivision, patches);
 }
 
 }  // namespace strata::convex

@@ -2,10 +2,11 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
-#include "core/csg/evaluate.h"
 #include "core/kernel/input_complex.h"
 #include "core/overlap/point_table.h"
+#include "core/select/subdivide.h"
 #include "extensions/convex/membership.h"
 #include "strata/options.h"
 
@@ -26,7 +27,7 @@ using SideInFront = std::function<Side(const PieceOfFace&, int)>;
 /// goes, and two alone at an edge stay both or go both: one question per patch that is connected in this way.
 /// O(n log n), and as much as there are edges of three pieces and more for each time that pieces leave others alone.
 /// Throws Cancelled.
-void keep_outer_pieces(const InputComplex& input, const PointTable& points, Evaluated& pieces,
+void keep_outer_pieces(const InputComplex& input, std::vector<Verdict>& verdicts, Subdivision& subdivision,
                        const SideInFront& in_front, const Monitor& monitor);
 
 }  // namespace strata::convex

@@ -4,9 +4,14 @@
 #include <functional>
 #include <utility>
 
-#include "core/csg/evaluate.h"
 #include "core/exact/failure.h"
 #include "core/kernel/nearest.h"
+#include "core/overlap/candidates.h"
+#include "core/overlap/intersect.h"
+#include "core/select/label.h"
+#include "core/select/merge_pieces.h"
+#include "core/select/subdivide.h"
+#include "core/winding/local_windings.h"
 #include "extensions/incremental/face_planes.h"
 #include "extensions/incremental/patch.h"
 #include "extensions/incremental/redundant_corners.h"
@@ -43,12 +48,12 @@ class Step {
         region_(group.box),
         rule_(operation, static_cast<std::uint32_t>(group.tools.size() + 1)),
         patch_(tree, region_),
-        points_(input_) {
-    patch_.add_to(input_);
-    for (const Solid& tool : group.tools)
-      input_.add(tool.mesh().vertices, tool.mesh().triangles, tool.exact_mesh().exact);
-    Profile profile;
-    pieces_ = evaluate_pieces(input_, rule_, false, points_, monitor, profile);
+        candidates_(find_candidates(complex_of(patch_, group), monitor)),
+        input_(candidates_.input()),
+        windings_(input_, candidates_.cells()),
+        subdivision_(subdivide(input_, intersect(candidates_, monitor), {rule_, windings_}, monitor)),
+        verdicts_(label(input_, subdivision_, {rule_, windings_}, monitor)) {
+    merge_pieces(input_, subdivision_, monitor);
   }
 
   FaceChange change() {
@@ -56,36 +61,46 @@ class Step {
     FacePlanes planes(input_);
     for (std::uint32_t f = 0; f < patch_.face_count(); ++f)
       if (patch_.face(f).plane() != nullptr) planes.know(f, patch_.face(f).plane());
-    const std::vector<PointId> candidates = find_candidates();
+    const std::vector<PointId> candidates = find_changed_points();
     const std::vector<MeetingPlanes> intersections =
-        remove_redundant_corners(input_, points_, planes, candidates, triangles_);
-    corners_.resize(points_.end());
+        remove_redundant_corners(input_, points(), planes, candidates, triangles_);
+    corners_.resize(points().end());
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      if (intersections[i][0] != nullptr && !points_.is_input(candidates[i]))
+      if (intersections[i][0] != nullptr && !points().is_input(candidates[i]))
         corners_[candidates[i]] = constructed_corner(intersections[i]);
     return assembled(planes);
   }
 
  private:
+  [[nodiscard]] const PointTable& points() const { return subdivision_.points; }
+
+  static InputComplex complex_of(const Patch& patch, const ToolGroup& group) {
+    InputComplex complex;
+    patch.add_to(complex);
+    for (const Solid& tool : group.tools)
+      complex.add(tool.mesh().vertices, tool.mesh().triangles, tool.exact_mesh().exact);
+    return complex;
+  }
+
   void gather() {
     for (std::uint32_t f = 0; f < input_.face_count(); ++f) {
-      const Verdict verdict = pieces_.whole[f];
+      const Verdict verdict = verdicts_[f];
       if (verdict == Verdict::drop) continue;
       InputComplex::Indices v = input_.face(f);
-      for (std::uint32_t& x : v) x = points_.representative(x);
+      for (std::uint32_t& x : v) x = points().representative(x);
       const bool turned = verdict == Verdict::keep_reversed;
       if (turned) std::swap(v[0], v[2]);
       triangles_.push_back({v, f, turned, f < patch_.face_count() && !turned});
     }
-    for (const SplitFace& face : pieces_.split)
+    for (const SubdividedFace& face : subdivision_.faces)
       for (const PieceTriangle& t : face.triangles)
         triangles_.push_back(
             {{face.points[t.v[0]], face.points[t.v[1]], face.points[t.v[2]]}, face.face, t.turned, false});
   }
 
   /// Corners that were constructed, now or before, where something has changed. Nothing changes outside the region.
-  [[nodiscard]] std::vector<PointId> find_candidates() const {
-    std::vector<bool> is_touched(points_.end());
+  [[nodiscard]] std::vector<PointId> find_changed_points() const {
+    std::vector<bool> is_touched(points().end());
     std::vector<bool> stays(patch_.face_count());
     for (const ResultTriangle& t : triangles_) {
       if (t.untouched) stays[t.face] = true;
@@ -94,14 +109,14 @@ class Step {
     }
     for (std::uint32_t f = 0; f < patch_.face_count(); ++f)
       if (!stays[f])
-        for (const std::uint32_t v : input_.face(f)) is_touched[points_.representative(v)] = true;
+        for (const std::uint32_t v : input_.face(f)) is_touched[points().representative(v)] = true;
     std::vector<PointId> candidates;
-    for (PointId v = 0; v < points_.end(); ++v)
+    for (PointId v = 0; v < points().end(); ++v)
       if (is_touched[v] && is_candidate(v)) candidates.push_back(v);
     return candidates;
   }
   [[nodiscard]] bool is_candidate(PointId v) const {
-    if (!points_.is_input(v)) return true;
+    if (!points().is_input(v)) return true;
     if (v >= patch_.vertex_count()) return false;
     const IncrementalVertex& corner = *patch_.corner(v);
     return !corner.is_given && holds(region_, corner.at);
@@ -123,7 +138,7 @@ class Step {
   /// A corner that no three planes of the result tell: where sheets touch without sharing their edges.
   [[nodiscard]] IncrementalVertexPointer corner_by_name(PointId v) const {
     auto corner = std::make_shared<IncrementalVertex>();
-    const RationalPoint exact = exact_position(input_, points_.point(v));
+    const RationalPoint exact = exact_position(input_, points().point(v));
     bool has_doubles = true;
     for (std::size_t i = 0; i < 3; ++i) {
       corner->at[i] = to_nearest_double(exact[i]);
@@ -138,7 +153,7 @@ class Step {
     IncrementalVertexPointer& known = corners_[v];
     if (known != nullptr) return known;
     if (v < patch_.vertex_count()) return known = patch_.corner(v);
-    return known = points_.is_input(v) ? given_corner(input_.vertex(v), input_.exact(v)) : corner_by_name(v);
+    return known = points().is_input(v) ? given_corner(input_.vertex(v), input_.exact(v)) : corner_by_name(v);
   }
 
   FaceChange assembled(FacePlanes& planes) {
@@ -206,9 +221,11 @@ class Step {
   const Box region_;
   const Rule rule_;
   const Patch patch_;
-  InputComplex input_;
-  PointTable points_;
-  Evaluated pieces_;
+  const Candidates candidates_;
+  const InputComplex& input_;
+  const LocalWindings windings_;
+  Subdivision subdivision_;
+  const std::vector<Verdict> verdicts_;  ///< of the faces that meet no other
   std::vector<ResultTriangle> triangles_;
   std::vector<IncrementalVertexPointer> corners_;  ///< per point, once it is needed
 };

@@ -6,19 +6,18 @@
 #include <utility>
 #include <vector>
 
-#include "core/cells/cell_tree.h"
 #include "core/csg/arena.h"
 #include "core/csg/broken_operands.h"
 #include "core/csg/resolved_operand.h"
 #include "core/csg/stopwatch.h"
 #include "core/kernel/input_complex.h"
 #include "core/mesh/prepare.h"
-#include "core/overlap/coincidences.h"
-#include "core/overlap/pairs.h"
+#include "core/overlap/candidates.h"
+#include "core/overlap/intersect.h"
 #include "core/round/rounding.h"
-#include "core/select/merge.h"
-#include "core/select/split_faces.h"
-#include "core/select/whole_faces.h"
+#include "core/select/extract.h"
+#include "core/select/label.h"
+#include "core/select/subdivide.h"
 #include "extensions/scene/common_origin.h"
 #include "extensions/scene/layer_decomposition_data.h"
 #include "strata/query.h"
@@ -26,35 +25,47 @@
 namespace strata {
 namespace {
 
-/// The boundary of what a rule keeps of solids that do not cross themselves, one covering each about one origin.
-Boundary evaluate_about_origin(InputComplex& input, std::span<const SignedCovering* const> coverings, const Rule& rule,
-                               PointTable& points, const Monitor& monitor) {
-  const CommonOrigin oracle(input, coverings);
-  const CellTree cells(input, {.self = false, .monitor = monitor});  // finds pairs; its origins are not used
-  input.identify(find_coincidences(input, cells, monitor));
-  const Intersections intersections = find_intersections(input, cells, false, points, monitor);
-  Pools pools;
-  std::vector<SplitFace> split = split_faces(input, oracle, rule, intersections, false, points, pools, monitor);
-  const auto whole = judge_whole_faces(input, oracle, nullptr, rule, split, false, monitor);
-  merge_pieces(input, points, split, pools, monitor);
-  return gather_boundary(input, whole, split, points);
-}
+/// A Boolean of solids that do not intersect themselves, with one covering each about one origin. The stages are those
+/// of `boolean`; winding numbers come from the coverings, and cells only find the pairs of faces that may meet.
+class BooleanAboutOrigin {
+ public:
+  BooleanAboutOrigin(std::span<const ExactMesh* const> solids, std::span<const SignedCovering* const> coverings,
+                     const Rule& rule, const Monitor& monitor)
+      : candidates_(find_candidates(complex_of(solids), monitor)),
+        boundary_(boundary_of(candidates_, coverings, rule, monitor)) {}
 
-void add_solid(InputComplex& input, const ExactMesh& solid) {
-  input.add(solid.mesh.vertices, solid.mesh.triangles, solid.exact);
-}
+  [[nodiscard]] const InputComplex& input() const { return candidates_.input(); }
+  [[nodiscard]] Boundary& boundary() { return boundary_; }
+
+ private:
+  static InputComplex complex_of(std::span<const ExactMesh* const> solids) {
+    InputComplex complex;
+    for (const ExactMesh* s : solids) complex.add(s->mesh.vertices, s->mesh.triangles, s->exact);
+    return complex;
+  }
+  static Boundary boundary_of(const Candidates& candidates, std::span<const SignedCovering* const> coverings,
+                              const Rule& rule, const Monitor& monitor) {
+    const InputComplex& input = candidates.input();
+    const CommonOrigin oracle(input, coverings);
+    const Classifier classifier{rule, oracle};
+    Subdivision subdivision = subdivide(input, intersect(candidates, monitor), classifier, monitor);
+    const std::vector<Verdict> verdicts = label(input, subdivision, classifier, monitor);
+    return extract(input, verdicts, std::move(subdivision), monitor);
+  }
+
+  Candidates candidates_;
+  Boundary boundary_;
+};
 
 ExactMesh combine_boundaries(const LayerDecomposition& a, const LayerDecomposition& b, Operation operation,
                              const Monitor& monitor) {
-  InputComplex input;
-  for (const LayerDecomposition* d : {&a, &b}) add_solid(input, d->scene().solid(0));
+  const std::array<const ExactMesh*, 2> solids{&a.scene().solid(0), &b.scene().solid(0)};
   const std::array<const SignedCovering*, 2> coverings{&covering_of(a), &covering_of(b)};
-  PointTable points(input);
-  Boundary boundary = evaluate_about_origin(input, coverings, Rule(operation, 2), points, monitor);
+  BooleanAboutOrigin made(solids, coverings, Rule(operation, 2), monitor);
   ExactMesh result;
-  result.mesh.vertices = round_to_doubles(input, points, boundary, monitor);
-  result.exact = exact_positions(input, points, boundary, result.mesh.vertices, monitor);
-  result.mesh.triangles = std::move(boundary.triangles);
+  result.mesh.vertices = round_to_doubles(made.input(), made.boundary(), monitor);
+  result.exact = exact_positions(made.input(), made.boundary(), result.mesh.vertices, monitor);
+  result.mesh.triangles = std::move(made.boundary().triangles);
   return result;
 }
 
@@ -83,7 +94,11 @@ class CoveredOperands {
     for (const ExactMesh& solid : solids_) count += solid.mesh.triangles.size();
     return count;
   }
-  [[nodiscard]] const std::vector<ExactMesh>& solids() const { return solids_; }
+  [[nodiscard]] std::vector<const ExactMesh*> solids() const {
+    std::vector<const ExactMesh*> all;
+    for (const ExactMesh& solid : solids_) all.push_back(&solid);
+    return all;
+  }
   [[nodiscard]] std::vector<const SignedCovering*> coverings() const {
     std::vector<const SignedCovering*> all;
     for (const auto& covering : coverings_) all.push_back(covering.get());
@@ -106,16 +121,14 @@ void evaluate_in_layers(const Rule& rule, CoveredOperands& operands, const Optio
   operands.cover(monitor);
   watch.lap("cover");
   monitor.report(0.5);
-  InputComplex input;
-  for (const ExactMesh& solid : operands.solids()) add_solid(input, solid);
-  PointTable points(input);
-  Boundary boundary = evaluate_about_origin(input, operands.coverings(), rule, points, monitor);
+  BooleanAboutOrigin made(operands.solids(), operands.coverings(), rule, monitor);
   watch.lap("arrange");
   monitor.report(0.9);
-  result.mesh.vertices = round_to_doubles(input, points, boundary, monitor);
-  if (options.exact_vertices) result.exact = exact_positions(input, points, boundary, result.mesh.vertices, monitor);
-  result.mesh.triangles = std::move(boundary.triangles);
-  result.sources = std::move(boundary.sources);
+  result.mesh.vertices = round_to_doubles(made.input(), made.boundary(), monitor);
+  if (options.exact_vertices)
+    result.exact = exact_positions(made.input(), made.boundary(), result.mesh.vertices, monitor);
+  result.mesh.triangles = std::move(made.boundary().triangles);
+  result.sources = std::move(made.boundary().sources);
   operands.restore(result.sources);
   watch.lap("round");
 }

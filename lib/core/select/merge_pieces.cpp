@@ -1,4 +1,4 @@
-#include "core/select/merge.h"
+#include "core/select/merge_pieces.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -20,18 +20,19 @@ constexpr Id none = 0xffffffffu;
 
 Edge undirected(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// The edges of the outlines of all pieces, and what meets in each vertex.
-class BoundaryLoops {
+/// The boundary edges of all pieces, and what meets in each vertex.
+class BoundaryEdges {
  public:
-  BoundaryLoops(const InputComplex& input, const PointTable& table, const std::vector<SplitFace>& faces) {
+  BoundaryEdges(const InputComplex& input, const PointTable& table, const std::vector<SubdividedFace>& faces) {
     concerned_.assign(table.end(), 0);
-    for (const SplitFace& face : faces)
+    for (const SubdividedFace& face : faces)
       for (const Id v : face.points) concerned_[v] |= static_cast<std::uint8_t>(face.may_merge);
-    for (const SplitFace& face : faces)
+    for (const SubdividedFace& face : faces)
       for (const PieceTriangle& t : face.triangles)
         for (std::size_t i = 0; i < 3; ++i) {
           const Id a = face.points[t.v[i]], b = face.points[t.v[(i + 1) % 3]];
-          if ((t.loop >> i & 1) != 0 && (concerned_[a] != 0 || concerned_[b] != 0)) edges_.push_back(undirected(a, b));
+          if ((t.boundary >> i & 1) != 0 && (concerned_[a] != 0 || concerned_[b] != 0))
+            edges_.push_back(undirected(a, b));
         }
     tbb::parallel_sort(edges_.begin(), edges_.end());
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
@@ -47,7 +48,7 @@ class BoundaryLoops {
   [[nodiscard]] bool has(Id a, Id b) const {
     return std::binary_search(edges_.begin(), edges_.end(), undirected(a, b));
   }
-  /// True when nothing needs the vertex: no outline edge ends there, or two that run straight on.
+  /// True when nothing needs the vertex: no boundary edge ends there, or two that run straight on.
   [[nodiscard]] bool is_redundant(Id v) const { return concerned_[v] != 0 && (degree_[v] == 0 || straight_[v] != 0); }
 
  private:
@@ -72,7 +73,7 @@ class BoundaryLoops {
     return true;
   }
 
-  std::vector<std::uint8_t> concerned_;  ///< per point: its outlines are known
+  std::vector<std::uint8_t> concerned_;  ///< per point: its boundary edges are known
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> degree_;
   std::vector<std::array<Id, 2>> neighbours_;
@@ -88,10 +89,10 @@ struct Run {
 /// Triangulates one face anew.
 class FaceMerger {
  public:
-  FaceMerger(const InputComplex& input, const PointTable& table, const BoundaryLoops& loops)
-      : loops_(loops), triangulation_(input, table) {}
+  FaceMerger(const InputComplex& input, const PointTable& table, const BoundaryEdges& edges)
+      : edges_(edges), triangulation_(input, table) {}
 
-  void merge(SplitFace& face, Pool& pool) {
+  void merge(SubdividedFace& face, Pool& pool) {
     if (!is_concerned(face)) return;
     gather_runs(face);
     triangulate(face);
@@ -101,20 +102,20 @@ class FaceMerger {
   }
 
  private:
-  [[nodiscard]] bool is_concerned(const SplitFace& face) const {
+  [[nodiscard]] bool is_concerned(const SubdividedFace& face) const {
     for (const Id v : face.points)
-      if (loops_.is_redundant(v)) return true;
+      if (edges_.is_redundant(v)) return true;
     for (const PieceTriangle& t : face.triangles)
       for (std::size_t i = 0; i < 3; ++i)
         if (is_bare(t, i) && (t.carried >> i & 1) != 0 &&
-            !loops_.has(face.points[t.v[i]], face.points[t.v[(i + 1) % 3]]))
+            !edges_.has(face.points[t.v[i]], face.points[t.v[(i + 1) % 3]]))
           return true;
     return false;
   }
-  [[nodiscard]] static bool is_bare(const PieceTriangle& t, std::size_t side) { return (t.loop >> side & 1) == 0; }
+  [[nodiscard]] static bool is_bare(const PieceTriangle& t, std::size_t side) { return (t.boundary >> side & 1) == 0; }
 
   /// Sides that stay, in the face's own orientation, joined across redundant vertices.
-  void gather_runs(const SplitFace& face) {
+  void gather_runs(const SubdividedFace& face) {
     std::vector<Run> sides;
     for (const PieceTriangle& t : face.triangles)
       for (std::size_t i = 0; i < 3; ++i) {
@@ -122,7 +123,7 @@ class FaceMerger {
         if (t.turned) std::swap(a, b);
         if (!is_bare(t, i)) {
           sides.push_back({a, b, t.turned ? Verdict::keep_reversed : Verdict::keep});
-        } else if ((t.carried >> i & 1) != 0 && loops_.has(a, b)) {
+        } else if ((t.carried >> i & 1) != 0 && edges_.has(a, b)) {
           sides.push_back({a, b, Verdict::drop});
         }
       }
@@ -134,15 +135,15 @@ class FaceMerger {
   void join(const std::vector<Run>& sides, std::uint32_t face) {
     std::unordered_map<Id, std::vector<Run>> leaving;  // per redundant vertex
     for (const Run& s : sides)
-      if (loops_.is_redundant(s.from)) leaving[s.from].push_back(s);
+      if (edges_.is_redundant(s.from)) leaving[s.from].push_back(s);
     runs_.clear();
     for (Run s : sides) {
-      if (loops_.is_redundant(s.from)) continue;
-      for (Id before = s.from; loops_.is_redundant(s.to);) {
+      if (edges_.is_redundant(s.from)) continue;
+      for (Id before = s.from; edges_.is_redundant(s.to);) {
         const auto& ways = leaving[s.to];
         const auto onward =
             std::find_if(ways.begin(), ways.end(), [&](const Run& w) { return w.left == s.left && w.to != before; });
-        if (onward == ways.end()) fail("an outline ends at a redundant vertex", face);
+        if (onward == ways.end()) fail("a boundary loop ends at a redundant vertex", face);
         before = s.to;
         s.to = onward->to;
       }
@@ -151,17 +152,17 @@ class FaceMerger {
   }
 
   /// Runs, and vertices in which other faces only touch this one.
-  void triangulate(const SplitFace& face) {
+  void triangulate(const SubdividedFace& face) {
     triangulation_.start(face.face, Triangulation::Names::any);
     ids_.clear();
     std::vector<std::pair<std::int32_t, std::int32_t>> ends;
     for (const Run& r : runs_) ends.push_back({add_point(r.from), add_point(r.to)});
     for (const Id v : face.points)
-      if (!loops_.is_redundant(v)) add_point(v);
+      if (!edges_.is_redundant(v)) add_point(v);
     const std::int32_t points = triangulation_.points().size();
     for (std::size_t i = 0; i < ends.size(); ++i)
       triangulation_.add_segment(ends[i].first, ends[i].second, static_cast<std::int32_t>(i), {});
-    if (triangulation_.points().size() != points) fail("outlines of pieces cross", face.face);
+    if (triangulation_.points().size() != points) fail("boundary loops of pieces cross", face.face);
   }
 
   std::int32_t add_point(Id id) {
@@ -219,7 +220,7 @@ class FaceMerger {
     return true;
   }
 
-  const BoundaryLoops& loops_;
+  const BoundaryEdges& edges_;
   Triangulation triangulation_;
   std::vector<Run> runs_;
   std::vector<Id> ids_;  ///< per vertex of the triangulation
@@ -229,14 +230,14 @@ class FaceMerger {
 
 }  // namespace
 
-void merge_pieces(const InputComplex& input, const PointTable& table, std::vector<SplitFace>& faces, Pools& pools,
-                  const Monitor& monitor) {
-  if (std::none_of(faces.begin(), faces.end(), [](const SplitFace& f) { return f.may_merge; })) return;
-  const BoundaryLoops loops(input, table, faces);
-  tbb::enumerable_thread_specific<FaceMerger> mergers([&] { return FaceMerger(input, table, loops); });
+void merge_pieces(const InputComplex& input, Subdivision& subdivision, const Monitor& monitor) {
+  std::vector<SubdividedFace>& faces = subdivision.faces;
+  if (std::none_of(faces.begin(), faces.end(), [](const SubdividedFace& f) { return f.may_merge; })) return;
+  const BoundaryEdges edges(input, subdivision.points, faces);
+  tbb::enumerable_thread_specific<FaceMerger> mergers([&] { return FaceMerger(input, subdivision.points, edges); });
   tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t i) {
     monitor.check();
-    mergers.local().merge(faces[i], pools.local());
+    mergers.local().merge(faces[i], subdivision.pools.local());
   });
 }
 

@@ -1,4 +1,4 @@
-#include "core/overlap/pairs.h"
+#include "core/overlap/intersect.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -22,15 +22,16 @@ namespace {
 /// there are compared; the comparison runs over plain arrays, several faces at a time where the processor can.
 class CellPairs {
  public:
-  CellPairs(const InputComplex& input, const CellTree& cells, bool self) : input_(input), cells_(cells), self_(self) {}
+  explicit CellPairs(const Candidates& candidates)
+      : input_(candidates.input()), cells_(candidates.cells()), self_(input_.may_self_intersect()) {}
 
-  void find(const Cell& cell, Intersections& intersections) {
+  void find(const Cell& cell, PairIntersections& intersections) {
     load(cell);
     for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
       const auto later = order_.begin() + static_cast<std::ptrdiff_t>(i) + 1;
       const auto end =
           static_cast<std::size_t>(std::upper_bound(later, order_.end(), upper_[0][i],
-                                                    [](std::int32_t x, const Place& p) { return x < p.lower; }) -
+                                                    [](std::int32_t x, const SweepKey& p) { return x < p.lower; }) -
                                    order_.begin());
       compare(i, end);
       for (std::size_t j = i + 1; j < end; ++j) {
@@ -42,10 +43,10 @@ class CellPairs {
   }
 
  private:
-  struct Place {
+  struct SweepKey {
     std::int32_t lower;   ///< along the axis of the sweep
     std::uint32_t index;  ///< in the cell
-    friend bool operator<(const Place& a, const Place& b) {
+    friend bool operator<(const SweepKey& a, const SweepKey& b) {
       return a.lower < b.lower || (a.lower == b.lower && a.index < b.index);
     }
   };
@@ -92,7 +93,7 @@ class CellPairs {
                    static_cast<std::int32_t>(operand[j] != own);
   }
 
-  void test(std::size_t i, std::size_t j, Intersections& intersections) {
+  void test(std::size_t i, std::size_t j, PairIntersections& intersections) {
     ++intersections.pairs_tested;
     const FilteredFace &a = filtered(i), &b = filtered(j);
     const bool ordered = a.face < b.face;
@@ -110,14 +111,14 @@ class CellPairs {
   bool self_;
   const FaceList* faces_ = nullptr;
   /// The faces of the cell in the order of the sweep.
-  std::vector<Place> order_;
+  std::vector<SweepKey> order_;
   std::array<std::vector<std::int32_t>, 2> lower_;  ///< across the axis of the sweep
   std::array<std::vector<std::int32_t>, 3> upper_;  ///< along it and across
   std::vector<std::int32_t> operand_, is_pair_;
   std::vector<std::optional<FilteredFace>> filtered_;  ///< when a face was needed
 };
 
-/// The cells in which faces may meet. Cells come in any order, these by their places.
+/// The cells in which faces may meet. Cells come in any order, these by their lower corners.
 std::vector<const Cell*> mixed_cells(const CellTree& cells) {
   std::vector<const Cell*> mixed;
   for (const Cell& cell : cells.cells())
@@ -128,11 +129,11 @@ std::vector<const Cell*> mixed_cells(const CellTree& cells) {
 
 /// What all cells found, constraints sorted by face and other face. All constraints of a pair come from one cell, in
 /// one run.
-Intersections gathered(const std::vector<Intersections>& per_cell, const InputComplex& input, PointTable& points,
+Intersections gathered(const std::vector<PairIntersections>& per_cell, const InputComplex& input,
                        const Monitor& monitor) {
-  Intersections all;
+  Intersections all{.constraints = {}, .equal = {}, .points = PointTable(input)};
   std::vector<std::size_t> first_name{0};  // per cell
-  for (const Intersections& m : per_cell) {
+  for (const PairIntersections& m : per_cell) {
     first_name.push_back(first_name.back() + m.constructed.size());
     all.equal.insert(all.equal.end(), m.equal.begin(), m.equal.end());
     all.pairs_tested += m.pairs_tested;
@@ -147,16 +148,16 @@ Intersections gathered(const std::vector<Intersections>& per_cell, const InputCo
     const auto& constructed = per_cell[c].constructed;
     std::copy(constructed.begin(), constructed.end(), names.begin() + static_cast<std::ptrdiff_t>(first_name[c]));
   });
-  const std::vector<ConstraintPosition> places = order_by_face(per_cell, input.face_count());
-  const PointId first = points.first();
-  const std::vector<PointId> numbers = points.add(names, monitor);
-  all.constraints.resize(places.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 1 << 12), [&](const auto& range) {
+  const std::vector<ConstraintPosition> positions = order_by_face(per_cell, input.face_count());
+  const PointId first = all.points.first();
+  const std::vector<PointId> numbers = all.points.add(names, monitor);
+  all.constraints.resize(positions.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions.size(), 1 << 12), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       Constraint& c = all.constraints[i];
-      c = per_cell[places[i].cell].constraints[places[i].index];
+      c = per_cell[positions[i].cell].constraints[positions[i].index];
       for (PointId* p : {&c.tail, &c.head})
-        if (*p >= first) *p = numbers[*p - first + first_name[places[i].cell]];
+        if (*p >= first) *p = numbers[*p - first + first_name[positions[i].cell]];
     }
   });
   return all;
@@ -164,16 +165,15 @@ Intersections gathered(const std::vector<Intersections>& per_cell, const InputCo
 
 }  // namespace
 
-Intersections find_intersections(const InputComplex& input, const CellTree& cells, bool self, PointTable& points,
-                                 const Monitor& monitor) {
-  const std::vector<const Cell*> mixed = mixed_cells(cells);
-  std::vector<Intersections> per_cell(mixed.size());
-  tbb::enumerable_thread_specific<CellPairs> pairs([&] { return CellPairs(input, cells, self); });
+Intersections intersect(const Candidates& candidates, const Monitor& monitor) {
+  const std::vector<const Cell*> mixed = mixed_cells(candidates.cells());
+  std::vector<PairIntersections> per_cell(mixed.size());
+  tbb::enumerable_thread_specific<CellPairs> pairs([&] { return CellPairs(candidates); });
   tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t i) {
     monitor.check();
     pairs.local().find(*mixed[i], per_cell[i]);
   });
-  return gathered(per_cell, input, points, monitor);
+  return gathered(per_cell, candidates.input(), monitor);
 }
 
 }  // namespace strata

@@ -1,4 +1,4 @@
-#include "core/select/boundary.h"
+#include "core/select/extract.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -10,6 +10,7 @@
 
 #include "core/cells/face_blocks.h"
 #include "core/mesh/huge_pages.h"
+#include "core/select/merge_pieces.h"
 
 namespace strata {
 namespace {
@@ -78,7 +79,7 @@ class WholeFaces {
   WholeFaces(const InputComplex& input, const std::vector<Verdict>& verdicts)
       : input_(input), verdicts_(verdicts), blocks_(face_blocks(input)), first_(blocks_.size() + 1, 0) {}
 
-  /// Tells the vertices and counts the faces.
+  /// Marks the vertices in use and counts the faces.
   void use(VertexNumbers& numbers) {
     for_each_block([&](std::size_t n) {
       std::uint32_t count = 0;
@@ -129,24 +130,26 @@ class WholeFaces {
 
 }  // namespace
 
-Boundary gather_boundary(const InputComplex& input, const std::vector<Verdict>& whole,
-                         const std::vector<SplitFace>& split, const PointTable& points) {
-  VertexNumbers numbers(input, points);
-  WholeFaces whole_faces(input, whole);
+Boundary extract(const InputComplex& input, const std::vector<Verdict>& verdicts, Subdivision subdivision,
+                 const Monitor& monitor) {
+  merge_pieces(input, subdivision, monitor);
+  const std::vector<SubdividedFace>& faces = subdivision.faces;
+  VertexNumbers numbers(input, subdivision.points);
+  WholeFaces whole_faces(input, verdicts);
   whole_faces.use(numbers);
-  std::vector<std::size_t> first(split.size() + 1, whole_faces.count());
-  for (std::size_t i = 0; i < split.size(); ++i) {
-    first[i + 1] = first[i] + split[i].triangles.size();
-    for (const PointId id : split[i].points) numbers.use(id);
+  std::vector<std::size_t> first(faces.size() + 1, whole_faces.count());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    first[i + 1] = first[i] + faces[i].triangles.size();
+    for (const PointId id : faces[i].points) numbers.use(id);
   }
 
-  Boundary result;
+  Boundary result{.inputs = {}, .constructed = {}, .triangles = {}, .sources = {}, .points = PointTable(input)};
   numbers.assign(result);
   tbb::parallel_invoke([&] { resize_fresh(result.triangles, first.back()); },
                        [&] { resize_fresh(result.sources, first.back()); });
   whole_faces.write(numbers, result);
-  tbb::parallel_for(std::size_t{0}, split.size(), [&](std::size_t i) {
-    const SplitFace& face = split[i];
+  tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t i) {
+    const SubdividedFace& face = faces[i];
     const std::uint32_t operand = input.operand_of_face(face.face);
     const Source source{operand, face.face - input.first_face(operand)};
     std::size_t n = first[i];
@@ -155,6 +158,7 @@ Boundary gather_boundary(const InputComplex& input, const std::vector<Verdict>& 
       result.sources[n++] = source;
     }
   });
+  result.points = std::move(subdivision.points);
   return result;
 }
 

@@ -1,32 +1,32 @@
-#include "core/select/whole_faces.h"
+#include "core/select/label.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "core/cells/cell_tree.h"
 #include "core/cells/face_blocks.h"
 #include "core/winding/corner_cache.h"
 
 namespace strata {
 namespace {
 
-/// Judges faces of one operand one after the other; neighbours in number are often neighbours in space.
+/// Labels faces of one operand one after the other; faces with near numbers are often near in space.
 class FaceJudge {
  public:
-  FaceJudge(const InputComplex& input, const WindingOracle& oracle, const CellTree* cells, const Rule& rule,
-            std::uint32_t operand, bool self)
+  FaceJudge(const InputComplex& input, const Classifier& classifier, std::uint32_t operand)
       : input_(input),
-        oracle_(oracle),
-        cells_(cells),
-        rule_(rule),
+        oracle_(classifier.oracle),
+        cells_(oracle_.cells()),
+        rule_(classifier.rule),
         operand_(operand),
-        self_(self),
+        self_(input.may_self_intersect()),
         faces_(input.faces(operand)),
         first_vertex_(input.first_vertex(operand)),
         known_(input.points(operand).size()) {}
 
-  /// Local face number `i`. A face that meets no other has one verdict with all its corners, so neighbours tell.
+  /// Local face number `i`. All faces around a vertex that meet no other surface have one verdict.
   [[nodiscard]] Verdict judge(std::uint32_t i) {
     const auto& corners = faces_[i];
     const std::uint32_t vertex = first_vertex_ + corners[0];
@@ -43,7 +43,7 @@ class FaceJudge {
  private:
   static constexpr std::uint32_t nobody = 0xffffffffu;
 
-  /// Vertices that other operands have too may lie on faces of theirs: they tell nothing.
+  /// A vertex shared with another operand may lie on its surface, so it decides nothing.
   Verdict remember(const InputComplex::Indices& corners, Verdict verdict) {
     for (const std::uint32_t v : corners)
       if (!input_.is_shared(first_vertex_ + v)) known_.remember(v, verdict);
@@ -88,13 +88,13 @@ class FaceJudge {
 
 }  // namespace
 
-std::vector<Verdict> judge_whole_faces(const InputComplex& input, const WindingOracle& oracle, const CellTree* cells,
-                                       const Rule& rule, const std::vector<SplitFace>& split, bool self,
-                                       const Monitor& monitor) {
+std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivision, const Classifier& classifier,
+                           const Monitor& monitor) {
+  const std::vector<SubdividedFace>& subdivided = subdivision.faces;
   std::vector<Verdict> verdicts(input.face_count(), Verdict::drop);
-  if (!rule.looks_around()) {
+  if (!classifier.rule.looks_around()) {
     verdicts.assign(verdicts.size(), Verdict::keep);
-    for (const SplitFace& s : split) verdicts[s.face] = Verdict::drop;
+    for (const SubdividedFace& s : subdivided) verdicts[s.face] = Verdict::drop;
     return verdicts;
   }
   const std::vector<FaceBlock> blocks = face_blocks(input);
@@ -102,11 +102,11 @@ std::vector<Verdict> judge_whole_faces(const InputComplex& input, const WindingO
     monitor.check();
     const FaceBlock& block = blocks[n];
     const std::uint32_t first = input.first_face(block.operand);
-    FaceJudge judge(input, oracle, cells, rule, block.operand, self);
-    auto next = std::lower_bound(split.begin(), split.end(), first + block.first,
-                                 [](const SplitFace& s, std::uint32_t f) { return s.face < f; });
+    FaceJudge judge(input, classifier, block.operand);
+    auto next = std::lower_bound(subdivided.begin(), subdivided.end(), first + block.first,
+                                 [](const SubdividedFace& s, std::uint32_t f) { return s.face < f; });
     for (std::uint32_t i = block.first; i < block.last; ++i) {
-      if (next != split.end() && next->face == first + i) {
+      if (next != subdivided.end() && next->face == first + i) {
         ++next;
       } else {
         verdicts[first + i] = judge.judge(i);

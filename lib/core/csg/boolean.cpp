@@ -1,0 +1,115 @@
+#include "core/csg/boolean.h"
+
+#include <string>
+#include <utility>
+
+#include "core/csg/broken_operands.h"
+#include "core/csg/prepared_operands.h"
+#include "core/csg/stopwatch.h"
+#include "core/kernel/counters.h"
+#include "core/mesh/prepare.h"
+#include "core/overlap/candidates.h"
+#include "core/overlap/intersect.h"
+#include "core/round/rounding.h"
+#include "core/select/extract.h"
+#include "core/select/label.h"
+#include "core/select/subdivide.h"
+#include "core/winding/local_windings.h"
+
+namespace strata {
+namespace {
+
+/// Ends stages: notes their time, reports progress, throws Cancelled when asked to.
+class Stages {
+ public:
+  Stages(Profile& profile, const Monitor& monitor) : watch_(profile), monitor_(monitor) { monitor.check(); }
+
+  void end(const char* stage, double progress) {
+    watch_.lap(stage);
+    monitor_.report(progress);
+    monitor_.check();
+  }
+
+ private:
+  Stopwatch watch_;
+  const Monitor& monitor_;
+};
+
+void count(const Candidates& candidates, Profile& profile) {
+  profile.counts.emplace_back("cells", candidates.cells().cells().size());
+}
+
+void count(const Intersections& intersections, Profile& profile) {
+  profile.counts.emplace_back("pairs_tested", intersections.pairs_tested);
+  profile.counts.emplace_back("pairs_meeting", intersections.pairs_meeting);
+}
+
+void count(const Subdivision& subdivision, Profile& profile) {
+  std::size_t pieces = 0;
+  for (const SubdividedFace& face : subdivision.faces) pieces += face.triangles.size();
+  profile.counts.emplace_back("points", subdivision.points.end() - subdivision.points.first());
+  profile.counts.emplace_back("subdivided_faces", subdivision.faces.size());
+  profile.counts.emplace_back("pieces", pieces);
+}
+
+/// Which tiers of the kernel decided how much since `before`.
+void count_tiers(const TierCounts& before, Profile& profile) {
+  const TierCounts now = tier_counts_now();
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (now[i] != before[i]) profile.counts.emplace_back(tier_names[i], now[i] - before[i]);
+}
+
+/// The boundary of operands that are what was declared is closed. If it is not, finds out which operand was not.
+void ensure_closed(const Mesh& result, std::span<const Operand> given, const Options& options) {
+  if (chain_is_closed(result)) return;
+  refuse_broken_operands(given, options);
+  throw LogicError("the boundary of a result is not closed");
+}
+
+}  // namespace
+
+BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options) {
+  BooleanResult result;
+  const Monitor monitor(options.cancel, &options.progress);
+  const TierCounts tiers = tier_counts_now();
+  Stages stages(result.profile, monitor);
+
+  const PreparedOperands operands(given, options.input);
+  result.notes = operands.notes();
+  stages.end("prepare", 0.05);
+
+  const Candidates candidates = find_candidates(operands.complex(), monitor);
+  const InputComplex& input = candidates.input();
+  count(candidates, result.profile);
+  stages.end("find_candidates", 0.3);
+
+  Intersections intersections = intersect(candidates, monitor);
+  count(intersections, result.profile);
+  stages.end("intersect", 0.55);
+
+  const LocalWindings windings(input, candidates.cells());
+  const Classifier classifier{rule, windings};
+  Subdivision subdivision = subdivide(input, std::move(intersections), classifier, monitor);
+  count(subdivision, result.profile);
+  stages.end("subdivide", 0.8);
+
+  const std::vector<Verdict> verdicts = label(input, subdivision, classifier, monitor);
+  stages.end("label", 0.85);
+
+  Boundary boundary = extract(input, verdicts, std::move(subdivision), monitor);
+  stages.end("extract", 0.9);
+
+  result.mesh.vertices = round_to_doubles(input, boundary, monitor);
+  if (options.exact_vertices) result.exact = exact_positions(input, boundary, result.mesh.vertices, monitor);
+  result.mesh.triangles = std::move(boundary.triangles);
+  result.sources = std::move(boundary.sources);
+  operands.restore(result.sources);
+  count_tiers(tiers, result.profile);
+  stages.end("round", 0.99);
+
+  ensure_closed(result.mesh, given, options);
+  stages.end("validate", 1);
+  return result;
+}
+
+}  // namespace strata

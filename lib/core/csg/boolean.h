@@ -1,0 +1,27 @@
+#pragma once
+#include <span>
+
+#include "core/select/rule.h"
+#include "strata/combine.h"
+
+namespace strata {
+
+/// The Boolean itself, stage by stage, in the current task arena:
+///
+/// | stage             | in -> out                                        | what it does |
+/// |-------------------|--------------------------------------------------|-------------------------------------------------|
+/// | `prepare`         | operands -> input complex                        | checks or repairs operands, numbers all
+/// faces   | | `find_candidates` | input complex -> cells                           | sorts faces that may meet into
+/// cells            | | `intersect`       | cells -> constraints, constructed points         | intersects the pairs of
+/// faces in each cell      | | `subdivide`       | constraints -> pieces of the faces that meet     | triangulates
+/// these faces and labels each piece  | | `label`           | pieces -> verdicts on the faces that meet no other |
+/// looks up winding numbers                      | | `extract`         | pieces, verdicts -> boundary | merges pieces,
+/// numbers vertices and triangles   | | `round`           | boundary -> mesh                                 | rounds
+/// constructed points to the nearest double |
+///
+/// Every stage takes values and returns a value. All decisions are made before `round`. The names are those of
+/// Profile::seconds; the last lap, `validate`, ensures that the result is closed.
+/// Throws as `combine` does.
+[[nodiscard]] BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options);
+
+}  // namespace strata

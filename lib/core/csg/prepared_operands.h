@@ -1,0 +1,32 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "core/kernel/input_complex.h"
+#include "core/mesh/prepare.h"
+#include "strata/combine.h"
+
+namespace strata {
+
+/// Operands that have been found to be what the caller declared, repaired where that was asked for. Refers to the
+/// arrays of the operands given.
+class PreparedOperands {
+ public:
+  /// Throws InputError that names the operand.
+  PreparedOperands(std::span<const Operand> given, InputClass input);
+
+  /// All operands in one numbering. Refers to this object. Winding numbers of a `solid` are 0 and 1, so its faces are
+  /// not compared with each other.
+  [[nodiscard]] InputComplex complex() const;
+  /// What was resolved, operand by operand.
+  [[nodiscard]] std::vector<Defect> notes() const;
+  /// Replaces face numbers of prepared operands by those of the operands given. In parallel.
+  void restore(std::vector<Source>& sources) const;
+
+ private:
+  std::span<const Operand> given_;
+  InputClass input_;
+  std::vector<Prepared> prepared_;
+};
+
+}  // namespace strata

@@ -1,0 +1,17 @@
+#include "core/mesh/prepare.h"
+
+namespace strata {
+
+Prepared prepare(ExactMeshView mesh, InputClass input, std::size_t operand) {
+  if (!mesh.exact.empty()) return prepare_exact(mesh, operand);
+  switch (input) {
+    case InputClass::solid:
+    case InputClass::overlapping:
+      return prepare_closed(mesh.mesh, false, operand);
+    case InputClass::repair:
+      return prepare_soup(mesh.mesh, operand);
+  }
+  return {};
+}
+
+}  // namespace strata

@@ -1,0 +1,29 @@
+#pragma once
+#include <memory>
+
+#include "core/cells/cell_tree.h"
+#include "core/kernel/input_complex.h"
+#include "strata/options.h"
+
+namespace strata {
+
+/// The faces that may meet, sorted into cells: every pair of faces that share a point is in a common cell. Coincident
+/// vertices of the input complex have one number. Reading is thread-safe.
+class Candidates {
+ public:
+  [[nodiscard]] const InputComplex& input() const { return *input_; }
+  [[nodiscard]] const CellTree& cells() const { return cells_; }
+
+ private:
+  friend Candidates find_candidates(InputComplex input, const Monitor& monitor);
+  Candidates(std::unique_ptr<InputComplex> input, const Monitor& monitor);
+
+  std::unique_ptr<InputComplex> input_;  ///< the cells refer to it
+  CellTree cells_;
+};
+
+/// Sorts faces into cells and identifies vertices that have equal coordinates, where faces may meet. O(n) for n faces
+/// in streaming passes, and O(m log m) for the m faces near others; in parallel. Throws Cancelled.
+[[nodiscard]] Candidates find_candidates(InputComplex input, const Monitor& monitor);
+
+}  // namespace strata

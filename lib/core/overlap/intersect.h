@@ -1,0 +1,26 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/overlap/candidates.h"
+#include "core/overlap/constraint.h"
+#include "core/overlap/point_table.h"
+#include "strata/options.h"
+
+namespace strata {
+
+/// All intersections of faces, as constraints of each face.
+struct Intersections {
+  std::vector<Constraint> constraints;  ///< by face, then by other face
+  std::vector<EqualVertices> equal;     ///< input vertices found at one position, in order, each pair once
+  PointTable points;                    ///< the input vertices and all points constructed
+  std::uint64_t pairs_tested = 0;       ///< pairs whose boxes overlap
+  std::uint64_t pairs_meeting = 0;      ///< pairs that share a point
+};
+
+/// Intersects every pair of faces that may meet: faces of different operands, or all faces if the input may intersect
+/// itself. Each pair is tested in one cell, the one with the lower corner of the intersection of their boxes. The same
+/// result for any number of threads. The candidates must outlive it. Throws Cancelled.
+[[nodiscard]] Intersections intersect(const Candidates& candidates, const Monitor& monitor);
+
+}  // namespace strata
