@@ -25,11 +25,21 @@ configure_package_config_file(cmake/strataConfig.cmake.in ${CMAKE_CURRENT_BINARY
   INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/strataConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/strataConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/strataConfigVersion.cmake
-  cmake/FindGMP.cmake DESTINATION ${package_dir})
+  DESTINATION ${package_dir})
+if(STRATA_WITH_GMP)
+  install(FILES cmake/FindGMP.cmake DESTINATION ${package_dir})
+endif()
 
 # pkg-config: the prefix is found from the file's own place, so that the tree can be moved.
 list(TRANSFORM module_targets PREPEND -l OUTPUT_VARIABLE pc_modules)
 list(JOIN pc_modules " " pc_modules)
+if(STRATA_WITH_GMP)
+  set(pc_gmp " -lgmp")
+  set(pc_definitions "")
+else()
+  set(pc_gmp "")
+  set(pc_definitions " -DSTRATA_WITHOUT_GMP=1")
+endif()
 set(pc_assimp "")
 if(STRATA_WITH_ASSIMP)
   set(pc_assimp -lassimp)

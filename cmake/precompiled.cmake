@@ -3,8 +3,12 @@
 # with every file that sees it.
 set(strata_common_headers
   <algorithm> <array> <bit> <cmath> <cstddef> <cstdint> <exception> <filesystem> <functional> <limits> <map> <memory>
-  <numeric> <optional> <set> <span> <stdexcept> <string> <string_view> <unordered_map> <utility> <vector>
-  <boost/multiprecision/gmp.hpp>)
+  <numeric> <optional> <set> <span> <stdexcept> <string> <string_view> <unordered_map> <utility> <vector>)
+if(STRATA_WITH_GMP)
+  list(APPEND strata_common_headers <boost/multiprecision/gmp.hpp>)
+else()
+  list(APPEND strata_common_headers <boost/multiprecision/cpp_int.hpp>)
+endif()
 
 # GCC 12 sees writes beyond the ends of strings in the standard library once its headers are precompiled.
 set(strata_precompiled_options "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-restrict>")

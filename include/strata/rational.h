@@ -3,7 +3,8 @@
 ///
 /// Values are immutable in the sense of ordinary arithmetic types: copies are independent, reading is thread-safe. The
 /// arithmetic is that of a library chosen when Strata is built (GMP, or Boost.Multiprecision's own integers); neither
-/// is seen here.
+/// is seen here. A program that uses a Strata built without GMP is compiled with STRATA_WITHOUT_GMP defined; the CMake
+/// package and the pkg-config file see to it.
 #include <array>
 #include <compare>
 #include <concepts>
@@ -20,13 +21,13 @@ namespace strata {
 
 namespace detail {
 #ifdef STRATA_WITHOUT_GMP
-inline constexpr std::size_t integer_bytes = 32, rational_bytes = 64;
+inline constexpr std::size_t integer_bytes = 32, rational_bytes = 64, number_alignment = 16;
 #else
-inline constexpr std::size_t integer_bytes = 16, rational_bytes = 32;
+inline constexpr std::size_t integer_bytes = 16, rational_bytes = 32, number_alignment = 8;
 #endif
 template <class T>
 concept SmallInteger = std::integral<T> && sizeof(T) <= sizeof(std::int64_t);
-struct Native;  // sees the number inside; lib/core/exact/native.h
+struct Native;  // sees the number inside; lib/core/exact/big_integer.h
 }  // namespace detail
 
 /// A signed integer of any size.
@@ -104,7 +105,7 @@ class Integer {
   struct Uninitialised {};
   explicit Integer(Uninitialised) noexcept {}  // NOLINT: the storage is filled by who calls this
 
-  alignas(8) std::byte storage_[detail::integer_bytes];
+  alignas(detail::number_alignment) std::byte storage_[detail::integer_bytes];
 };
 
 [[nodiscard]] Integer abs(const Integer& x);
@@ -171,7 +172,7 @@ class Rational {
  private:
   friend struct detail::Native;
 
-  alignas(8) std::byte storage_[detail::rational_bytes];
+  alignas(detail::number_alignment) std::byte storage_[detail::rational_bytes];
 };
 
 [[nodiscard]] Rational abs(const Rational& x);

@@ -11,7 +11,7 @@
 #include <exception>
 #include <type_traits>
 
-#include "core/exact/native.h"
+#include "core/exact/big_integer.h"
 #include "oracle/combine_nef.h"
 #include "oracle/sheets.h"
 

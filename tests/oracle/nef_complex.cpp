@@ -10,7 +10,7 @@
 
 #include <stdexcept>
 
-#include "core/exact/native.h"
+#include "core/exact/big_integer.h"
 
 namespace strata::oracle {
 namespace {

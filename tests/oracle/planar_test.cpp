@@ -9,7 +9,7 @@
 #include <list>
 #include <string>
 
-#include "core/exact/native.h"
+#include "core/exact/big_integer.h"
 #include "extensions/planar/extract.h"
 #include "extensions/planar/gather.h"
 #include "extensions/planar/labels.h"

@@ -1,6 +1,4 @@
 #pragma once
-#include <gmp.h>
-
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -8,8 +6,9 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/exact/big_integer.h"
 #include "core/exact/failure.h"
-#include "core/exact/native.h"
+#include "core/exact/limbs.h"
 #include "core/exact/sign.h"
 #include "core/exact/wide_int.h"
 #include "strata/rational.h"
@@ -18,7 +17,7 @@ namespace strata {
 
 /// Signed integer of up to 4096 bits, held in place: its length is that of its value, and nothing is allocated.
 /// A result that does not fit is *lost*: so is everything that is computed from it, and it has no sign. Whoever asks
-/// for a value asks `is_lost` before, and turns to Integer. Products and sums are GMP's low-level ones.
+/// for a value asks `is_lost` before, and turns to Integer. Products and sums are those of core/exact/limbs.h.
 class LongInt {
  public:
   static constexpr int limb_capacity = 64;
@@ -88,7 +87,7 @@ class LongInt {
     LongInt r;
     if (a.is_lost() || b.is_lost() || a.size_ + b.size_ > limb_capacity) return r.lose();
     if (b.size_ == 0) return r;
-    mpn_mul(r.limb_, a.limb_, a.size_, b.limb_, b.size_);
+    limbs::multiply(r.limb_, a.limb_, a.size_, b.limb_, b.size_);
     r.size_ = a.size_ + b.size_;
     r.is_negative_ = a.is_negative_ != b.is_negative_;
     return r.trim();
@@ -96,30 +95,30 @@ class LongInt {
   /// times 2^shift, shift >= 0
   friend LongInt operator<<(const LongInt& a, int shift) {
     LongInt r;
-    const int limbs = shift / 64, rest = shift % 64;
-    if (a.is_lost() || (a.size_ != 0 && a.size_ + limbs + 1 > limb_capacity)) return r.lose();
+    const int whole = shift / 64, rest = shift % 64;
+    if (a.is_lost() || (a.size_ != 0 && a.size_ + whole + 1 > limb_capacity)) return r.lose();
     if (a.size_ == 0) return r;
-    std::fill_n(r.limb_, limbs, 0);
-    r.limb_[limbs + a.size_] = 0;
+    std::fill_n(r.limb_, whole, 0);
+    r.limb_[whole + a.size_] = 0;
     if (rest == 0)
-      std::copy_n(a.limb_, a.size_, r.limb_ + limbs);
+      std::copy_n(a.limb_, a.size_, r.limb_ + whole);
     else
-      r.limb_[limbs + a.size_] = mpn_lshift(r.limb_ + limbs, a.limb_, a.size_, static_cast<unsigned>(rest));
-    r.size_ = limbs + a.size_ + 1;
+      r.limb_[whole + a.size_] = limbs::shift_left(r.limb_ + whole, a.limb_, a.size_, rest);
+    r.size_ = whole + a.size_ + 1;
     r.is_negative_ = a.is_negative_;
     return r.trim();
   }
   /// The magnitude divided by 2^shift, rounded down.
   friend LongInt operator>>(const LongInt& a, int shift) {
     LongInt r;
-    const int limbs = shift / 64, rest = shift % 64;
+    const int whole = shift / 64, rest = shift % 64;
     if (a.is_lost()) return r.lose();
-    if (a.size_ <= limbs) return r;
+    if (a.size_ <= whole) return r;
     if (rest == 0)
-      std::copy_n(a.limb_ + limbs, a.size_ - limbs, r.limb_);
+      std::copy_n(a.limb_ + whole, a.size_ - whole, r.limb_);
     else
-      mpn_rshift(r.limb_, a.limb_ + limbs, a.size_ - limbs, static_cast<unsigned>(rest));
-    r.size_ = a.size_ - limbs;
+      limbs::shift_right(r.limb_, a.limb_ + whole, a.size_ - whole, rest);
+    r.size_ = a.size_ - whole;
     r.is_negative_ = a.is_negative_;
     return r.trim();
   }
@@ -127,7 +126,9 @@ class LongInt {
   /// The number of times that 2 divides it, which is not zero. Throws LogicError where the value is lost.
   [[nodiscard]] int trailing_zeros() const {
     require_value();
-    return static_cast<int>(mpn_scan1(limb_, 0));
+    int zeros = 0;
+    while (limb_[zeros] == 0) ++zeros;
+    return 64 * zeros + std::countr_zero(limb_[zeros]);
   }
   /// The greatest common divisor, not negative; that of zero and a number is the number's magnitude. Throws LogicError
   /// where a value is lost.
@@ -140,7 +141,7 @@ class LongInt {
     const int of_a = a.trailing_zeros(), of_b = b.trailing_zeros();
     LongInt x = a >> of_a, y = b >> of_b, r;
     if (x.size_ < y.size_) std::swap(x, y);
-    r.size_ = static_cast<int>(mpn_gcd(r.limb_, x.limb_, x.size_, y.limb_, y.size_));
+    r.size_ = limbs::gcd(r.limb_, x.limb_, x.size_, y.limb_, y.size_);
     return r << std::min(of_a, of_b);
   }
   /// Requires that b divides a. Throws LogicError where a value is lost.
@@ -149,8 +150,8 @@ class LongInt {
     b.require_value();
     LongInt quotient;
     if (a.size_ == 0) return quotient;
-    mp_limb_t rest[limb_capacity];  // NOLINT
-    mpn_tdiv_qr(quotient.limb_, rest, 0, a.limb_, a.size_, b.limb_, b.size_);
+    limbs::Limb rest[limb_capacity];  // NOLINT
+    limbs::divide(quotient.limb_, rest, a.limb_, a.size_, b.limb_, b.size_);
     quotient.size_ = a.size_ - b.size_ + 1;
     quotient.is_negative_ = a.is_negative_ != b.is_negative_;
     return quotient.trim();
@@ -171,12 +172,12 @@ class LongInt {
     is_negative_ = is_negative_ && size_ > 0;
     return *this;
   }
-  void take(const mp_limb_t* limbs, int size) {
+  void take(const limbs::Limb* limbs, int size) {
     std::copy_n(limbs, size, limb_);
     size_ = size;
   }
   [[nodiscard]] bool is_smaller_than(const LongInt& other) const {
-    return size_ != other.size_ ? size_ < other.size_ : size_ > 0 && mpn_cmp(limb_, other.limb_, size_) < 0;
+    return size_ != other.size_ ? size_ < other.size_ : size_ > 0 && limbs::compare(limb_, other.limb_, size_) < 0;
   }
 
   /// a + b with b's sign as told.
@@ -193,10 +194,10 @@ class LongInt {
       return r;
     }
     if (a.is_negative_ != b_is_negative) {
-      mpn_sub(r.limb_, longer.limb_, longer.size_, shorter.limb_, shorter.size_);
+      limbs::subtract(r.limb_, longer.limb_, longer.size_, shorter.limb_, shorter.size_);
       return r.trim();
     }
-    const mp_limb_t carry = mpn_add(r.limb_, longer.limb_, longer.size_, shorter.limb_, shorter.size_);
+    const limbs::Limb carry = limbs::add(r.limb_, longer.limb_, longer.size_, shorter.limb_, shorter.size_);
     if (carry == 0) return r;
     if (r.size_ == limb_capacity) return r.lose();
     r.limb_[r.size_++] = carry;
@@ -205,7 +206,7 @@ class LongInt {
 
   int size_ = 0;  ///< limbs of the magnitude, the highest of them not zero; -1 when lost
   bool is_negative_ = false;
-  mp_limb_t limb_[limb_capacity];  // NOLINT: those beyond the size hold nothing
+  limbs::Limb limb_[limb_capacity];  // NOLINT: those beyond the size hold nothing
 };
 
 [[nodiscard]] inline Sign sign_of_integer(const LongInt& x) { return x.sign(); }

@@ -8,11 +8,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/exact/native.h"
+#include "core/exact/big_integer.h"
 
 namespace strata {
 namespace {
 
+using detail::BigInteger;
 using detail::Native;
 
 void require_finite(double x) {
@@ -25,12 +26,12 @@ bool is_integer_text(std::string_view text) {
 }
 
 /// Of digits that may have leading zeros, which Boost would take for octal numbers.
-Native::I parse_integer(std::string_view text) {
+BigInteger parse_integer(std::string_view text) {
   if (!is_integer_text(text)) throw std::invalid_argument("not an integer: '" + std::string(text) + "'");
   const bool is_negative = text[0] == '-';
   text.remove_prefix(std::min(text.find_first_not_of("+-0"), text.size()));
   if (text.empty()) return 0;
-  Native::I x{std::string(text)};
+  BigInteger x{std::string(text)};
   return is_negative ? -x : x;
 }
 
@@ -76,12 +77,12 @@ Integer& Integer::operator*=(const Integer& b) {
 }
 Integer& Integer::operator/=(const Integer& b) {
   require_divisor(b.is_zero());
-  native(*this) /= native(b);
+  native(*this) = detail::quotient(native(*this), native(b));
   return *this;
 }
 Integer& Integer::operator%=(const Integer& b) {
   require_divisor(b.is_zero());
-  native(*this) %= native(b);
+  native(*this) = detail::remainder(native(*this), native(b));
   return *this;
 }
 Integer& Integer::operator<<=(std::size_t bits) {
@@ -94,7 +95,7 @@ Integer& Integer::operator>>=(std::size_t bits) {
 }
 Integer Integer::operator-() const& { return Native::integer(-native(*this)); }
 Integer Integer::operator-() && {
-  native(*this).backend().negate();
+  detail::negate(native(*this));
   return std::move(*this);
 }
 
@@ -109,7 +110,6 @@ std::strong_ordering Integer::compare(std::uint64_t b) const noexcept {
   return b == 0 ? sign() <=> 0 : native(*this).compare(b) <=> 0;
 }
 std::string Integer::str() const { return native(*this).str(); }
-double Integer::to_double() const { return to_nearest_double(Rational(*this)); }
 std::int64_t Integer::to_int64() const {
   if (compare(std::numeric_limits<std::int64_t>::min()) < 0 || compare(std::numeric_limits<std::int64_t>::max()) > 0)
     throw std::overflow_error("an integer that does not fit into 64 bits: " + str());
@@ -121,15 +121,17 @@ Integer operator-(const Integer& a, const Integer& b) { return Native::integer(n
 Integer operator*(const Integer& a, const Integer& b) { return Native::integer(native(a) * native(b)); }
 Integer operator/(const Integer& a, const Integer& b) {
   require_divisor(b.is_zero());
-  return Native::integer(native(a) / native(b));
+  return Native::integer(detail::quotient(native(a), native(b)));
 }
 Integer operator%(const Integer& a, const Integer& b) {
   require_divisor(b.is_zero());
-  return Native::integer(native(a) % native(b));
+  return Native::integer(detail::remainder(native(a), native(b)));
 }
 
 Integer abs(const Integer& x) { return x.sign() < 0 ? -x : x; }
-Integer gcd(const Integer& a, const Integer& b) { return Native::integer(gcd(native(a), native(b))); }
+Integer gcd(const Integer& a, const Integer& b) {
+  return Native::integer(detail::common_divisor(native(a), native(b)));
+}
 Integer lcm(const Integer& a, const Integer& b) { return Native::integer(lcm(native(a), native(b))); }
 Integer pow(const Integer& base, unsigned exponent) { return Native::integer(pow(native(base), exponent)); }
 Integer sqrt(const Integer& x) {
@@ -139,7 +141,7 @@ Integer sqrt(const Integer& x) {
 std::pair<Integer, Integer> divide(const Integer& a, const Integer& b) {
   require_divisor(b.is_zero());
   std::pair<Integer, Integer> r;
-  divide_qr(native(a), native(b), native(r.first), native(r.second));
+  detail::divide(native(a), native(b), native(r.first), native(r.second));
   return r;
 }
 std::size_t bit_length(const Integer& x) noexcept {
@@ -156,32 +158,13 @@ std::ostream& operator<<(std::ostream& out, const Integer& x) { return out << x.
 
 Integer integer_of_limbs(std::span<const std::uint64_t> magnitude, bool is_negative) {
   Integer r;
-  while (!magnitude.empty() && magnitude.back() == 0) magnitude = magnitude.first(magnitude.size() - 1);
-  if (magnitude.empty()) return r;
-#ifdef STRATA_WITHOUT_GMP
-  auto& backend = native(r).backend();
-  backend.resize(static_cast<unsigned>(magnitude.size()), static_cast<unsigned>(magnitude.size()));
-  std::copy(magnitude.begin(), magnitude.end(), backend.limbs());
-  backend.normalize();
-  if (is_negative) backend.negate();
-#else
-  const mpz_ptr z = native(r).backend().data();
-  const auto size = static_cast<mp_size_t>(magnitude.size());
-  std::copy(magnitude.begin(), magnitude.end(), mpz_limbs_write(z, size));
-  mpz_limbs_finish(z, is_negative ? -size : size);
-#endif
+  detail::assign(native(r), magnitude, is_negative);
   return r;
 }
 
 Integer exact_quotient(const Integer& a, const Integer& b) {
-#ifdef STRATA_WITHOUT_GMP
-  return a / b;
-#else
   require_divisor(b.is_zero());
-  Integer r;
-  mpz_divexact(native(r).backend().data(), native(a).backend().data(), native(b).backend().data());
-  return r;
-#endif
+  return Native::integer(detail::exact_quotient(native(a), native(b)));
 }
 
 // Rational
@@ -198,12 +181,12 @@ Rational::Rational(const Integer& numerator, const Integer& denominator) {
 }
 Rational::Rational(std::string_view text) {
   const std::size_t slash = text.find('/');
-  const Native::I n = parse_integer(text.substr(0, slash));
+  const BigInteger n = parse_integer(text.substr(0, slash));
   if (slash == std::string_view::npos) {
     Native::construct(*this, n);
     return;
   }
-  const Native::I d = parse_integer(text.substr(slash + 1));
+  const BigInteger d = parse_integer(text.substr(slash + 1));
   require_divisor(d == 0);
   Native::construct(*this, n, d);
 }
@@ -238,11 +221,11 @@ Rational& Rational::operator/=(const Rational& b) {
 }
 Rational Rational::operator-() const& {
   Rational r = *this;
-  native(r).backend().negate();
+  detail::negate(native(r));
   return r;
 }
 Rational Rational::operator-() && {
-  native(*this).backend().negate();
+  detail::negate(native(*this));
   return std::move(*this);
 }
 
@@ -277,13 +260,40 @@ Rational operator/(const Rational& a, const Rational& b) {
 bool operator==(const Rational& a, const Rational& b) { return native(a) == native(b); }
 
 Rational abs(const Rational& x) { return x.sign() < 0 ? -x : x; }
-Integer numerator(const Rational& x) { return Native::integer(numerator(native(x))); }
-Integer denominator(const Rational& x) { return Native::integer(denominator(native(x))); }
+Integer numerator(const Rational& x) { return Native::integer(detail::numerator_of(native(x))); }
+Integer denominator(const Rational& x) { return Native::integer(detail::denominator_of(native(x))); }
 std::ostream& operator<<(std::ostream& out, const Rational& x) { return out << x.str(); }
 
 // Rounding
 
 namespace {
+
+/// The 64 bits of a number from this one on.
+std::uint64_t bits_from(std::span<const std::uint64_t> limbs, std::size_t lowest) {
+  const std::uint64_t low = limb_or_zero(limbs, lowest / 64) >> lowest % 64;
+  return lowest % 64 == 0 ? low : low | limb_or_zero(limbs, lowest / 64 + 1) << (64 - lowest % 64);
+}
+
+/// The number of at most 64 significant bits, and of those of a Float, that is nearest to x; ties to even.
+template <class Float>
+Float nearest_to_integer(const Integer& x) {
+  constexpr std::size_t digits = std::min(std::numeric_limits<Float>::digits, 64);
+  const std::span<const std::uint64_t> limbs = limbs_of(x);
+  const std::size_t size = bit_length(x);
+  Float r = 0;
+  if (size <= digits) {
+    r = static_cast<Float>(limb_or_zero(limbs, 0));
+  } else if (size > static_cast<std::size_t>(std::numeric_limits<Float>::max_exponent)) {
+    r = std::numeric_limits<Float>::infinity();
+  } else {
+    const std::size_t lowest = size - digits, half = lowest - 1;
+    const std::uint64_t significand = bits_from(limbs, lowest) & (~std::uint64_t{0} >> (64 - digits));
+    const bool is_half_set = (limbs[half / 64] >> half % 64 & 1) != 0;
+    const bool is_up = is_half_set && ((significand & 1) != 0 || trailing_zeros(x) < half);
+    r = std::ldexp(static_cast<Float>(significand) + static_cast<Float>(is_up), static_cast<int>(lowest));
+  }
+  return x.sign() < 0 ? -r : r;
+}
 
 /// floor(log2(n / d)) for positive n and d.
 long floor_log2(const Integer& n, const Integer& d) {
@@ -332,6 +342,10 @@ Float to_nearest(const Rational& q) {
 }
 
 }  // namespace
+
+double Integer::to_double() const { return nearest_to_integer<double>(*this); }
+
+long double to_nearest_long_double(const Integer& x) { return nearest_to_integer<long double>(x); }
 
 double to_nearest_double(const Rational& q) { return to_nearest<double>(q); }
 

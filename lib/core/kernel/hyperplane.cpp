@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/exact/big_integer.h"
 #include "core/exact/lattice.h"
-#include "core/exact/native.h"
 
 namespace strata {
 namespace {

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/exact/native.h"
+#include "core/exact/big_integer.h"
 #include "core/kernel/homogeneous.h"
 #include "core/kernel/nearest.h"
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/exact/big_integer.h"
 #include "core/exact/lattice.h"
-#include "core/exact/native.h"
 #include "core/kernel/disjoint_sets.h"
 
 namespace strata {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/exact/native.h"
+#include "core/exact/big_integer.h"
 #include "core/kernel/nearest.h"
 
 namespace strata {
@@ -32,9 +32,9 @@ DoubleDouble scaled(const Integer& x, std::size_t scale) {
   constexpr std::size_t kept = 120;
   const std::size_t lost = scale > kept ? scale - kept : 0;
   const Integer top = x >> lost;  // rounded down
-  const double high = native(top).convert_to<double>();
+  const double high = top.to_double();
   const Integer rest = top - Integer(high);
-  const double low = native(rest).convert_to<double>();
+  const double low = rest.to_double();
   const int shift = static_cast<int>(lost) - static_cast<int>(scale);
   const double value = high + low;
   const double error = (lost != 0 ? 1.0 : 0.0) + std::abs(low) * Bounded::rounding;

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/exact/native.h"
+#include "core/exact/big_integer.h"
 #include "core/exact/pairwise_sum.h"
 #include "core/mesh/product_sum.h"
 
@@ -43,7 +43,7 @@ long double square_root(const Rational& q) {
   const auto shift = static_cast<std::size_t>(2 * std::abs(half_shift));
   const Integer scaled = half_shift >= 0 ? (n << shift) / d : n / (d << shift);
   const Integer root = sqrt(scaled);
-  return std::ldexp(native(root).convert_to<long double>(), static_cast<int>(-half_shift));
+  return std::ldexp(to_nearest_long_double(root), static_cast<int>(-half_shift));
 }
 
 long double exact_double_area(const ExactMesh& mesh, const Triangle& t) {

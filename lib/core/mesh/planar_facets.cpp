@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/exact/native.h"
+#include "core/exact/big_integer.h"
 
 namespace strata::facets {
 namespace {

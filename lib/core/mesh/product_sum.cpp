@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "core/exact/native.h"
+#include "core/exact/big_integer.h"
 
 namespace strata {
 namespace {

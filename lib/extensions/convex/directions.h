@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/exact/big_integer.h"
 #include "core/exact/lattice.h"
-#include "core/exact/native.h"
 #include "core/exact/sign.h"
 #include "extensions/convex/surface.h"
 
@@ -55,7 +55,7 @@ template <int Limbs>
 [[nodiscard]] inline double nearly(const Integer& x) {
   constexpr std::size_t largest = 1023;
   if (bit_length(x) > largest) return x.sign() * std::numeric_limits<double>::infinity();
-  return native(x).convert_to<double>();
+  return x.to_double();
 }
 
 /// Integer vectors with their values in doubles.
