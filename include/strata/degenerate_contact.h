@@ -95,6 +95,7 @@
 /// | several about one edge                         | e     | 0            | A     | B     | e               |
 /// | several in one plane, same side                | B a   | A a          | 0     | .     | a               |
 /// | several in one plane, both sides               | .     | 0            | 0     | .     | a               |
+/// | several, two of them united first              | b     | 0            | A     | .     | .               |
 /// | several fill an operand                        | .     | 0            | 0     | .     | .               |
 /// | empty operand                                  | A     | 0            | A     | 0     | A               |
 /// | flat operand                                   | A     | 0            | A     | 0     | A               |
@@ -104,7 +105,8 @@
 /// *Edge across edge*: they cross in one point. *Listed apart*: the operand has vertices of its own for each sheet;
 /// where no other operand touches these, they stay two (law 5), and `topology` counts them as one. *Several in one
 /// plane, both sides*: two are on one side and one is on the other; the symmetric difference is on the other side only,
-/// so A's piece bounds it, turned over. *Several fill an operand*: the others cover the first, with a wall between them
+/// so A's piece bounds it, turned over. *Two of them united first*: the last coincides with the third and has a wall in
+/// common with the second (law 3). *Several fill an operand*: the others cover the first, with a wall between them
 /// inside it. *Flat operand*: it has no volume; since it is no solid, its class is `InputClass::overlapping` or
 /// `repair`. *Only a wall in common*: A has a wall in common with two others, which cross each other there.
 ///

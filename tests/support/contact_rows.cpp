@@ -206,6 +206,14 @@ void add_several(Rows& rows) {
                     nothing,
                     {4, 6, 0, 0, "-a=4 c=12"},
                     {8, 12, 0, 0, "-a=8 b=12 c=12"}}}});
+  rows.push_back(
+      {"several, two of them united first",
+       {box({-3, 0, 0}, {-2, 1, 1}), cube(1), box({1.25, .25, 0}, {1.75, .75, .5}), box({1, 0, 0}, {2, 1, 1})},
+       {{{3, 12, 0, 0, "a=6 b=5 d=5"},
+         nothing,
+         {1, 6, 0, 0, "a=6"},
+         {Rational(7, 8), 11, 0, 0, "-c=5/4 d=23/4"},
+         {Rational(23, 8), 17, 0, 0, "a=6 b=5 -c=5/4 d=19/4"}}}});
   rows.push_back({"several fill an operand",
                   {box({1, 0, 0}, {3, 2, 2}), cube(2), box({2, 0, 0}, {4, 2, 2})},
                   {{{16, 6, 0, 0, "a=16 b=12 c=12"},
