@@ -115,7 +115,8 @@
 ///
 /// Tests: tests/support/contact_rows.cpp has the same rows with solids that meet so, exact volumes, facets,
 /// non-manifold edges and vertices, and the area that comes from each operand. tests/csg/degenerate_contact_test.cpp
-/// asks for all of it, for every cell above, and that both tables have the same rows.
+/// asks for all of it, for every cell above, and that both tables have the same rows;
+/// tests/bsp/degenerate_contact_test.cpp asks the other engines.
 ///
 /// How it is done: lib/core/overlap/theory.md, lib/core/select/theory.md. Source: Requicha 1980; Requicha and Voelcker
 /// 1985, "Boolean operations in solid modeling", where a piece is judged by the neighbourhoods on both sides of it.
