@@ -41,7 +41,8 @@ struct BooleanResult {
 /// The combinatorics are those of the exact result; coordinates of new vertices are the nearest doubles.
 /// Faces that do not meet another operand come out untouched: same vertices, same triangle, same order (but operands of
 /// one union that have walls in common are united first, and their faces stand together).
-/// Edges and vertices shared by several sheets are written once (non-manifold).
+/// Edges and vertices shared by several sheets are written once (non-manifold). degenerate_contact.h specifies what
+/// every degenerate contact gives.
 /// Laws: commutative in the operands (as point sets); same bytes for any number of threads.
 /// With another engine the solid is the same, but its triangles are not.
 /// Throws InputError (an operand is not what was declared), std::invalid_argument (exact places that are not in order

@@ -10,9 +10,12 @@ namespace strata::oracle {
 namespace {
 
 void compare(const std::string& kind, std::vector<Mesh> meshes) {
-  Tally tally;
-  compare_with_nef({kind, std::move(meshes)}, 0, tally);
-  CHECK(tally.equal == 4);
+  std::vector<Compared> engines = all_engines();
+  compare_with_nef({kind, std::move(meshes)}, 0, engines);
+  for (const Compared& compared : engines) {
+    CAPTURE(compared.name);
+    CHECK(compared.tally.equal == 4);
+  }
 }
 
 }  // namespace

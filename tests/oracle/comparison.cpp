@@ -3,11 +3,14 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <optional>
 
 #include "oracle/isolated.h"
 #include "oracle/nef.h"
+#include "strata/bsp.h"
 #include "strata/measure.h"
+#include "strata/query.h"
 #include "strata/solid.h"
 #include "support/mesh_text.h"
 #include "support/planes.h"
@@ -16,17 +19,19 @@
 namespace strata::oracle {
 namespace {
 
-/// The engine's answer, or why there is none.
+/// An engine's answer, or why there is none.
 struct Answer {
   std::optional<CanonicalForm> form;
   std::string problem;
 };
 
-Answer answer_of_engine(Operation operation, const std::vector<Mesh>& meshes) {
+Answer answer_of_engine(const Engine* engine, Operation operation, const std::vector<Mesh>& meshes) {
   try {
     std::vector<Solid> solids;
     for (const Mesh& mesh : meshes) solids.emplace_back(mesh);
-    const Solid result = combine_solids(operation, solids);
+    Options options;
+    options.engine = engine;
+    const Solid result = combine_solids(operation, solids, options);
     Answer answer{result.canonical(), {}};
     if (topology(result.exact_mesh()).open_edges != 0) answer.problem = "the boundary is open; ";
     answer.problem += test::wrong_sources(result.exact_mesh(), result.sources(), meshes);
@@ -36,25 +41,44 @@ Answer answer_of_engine(Operation operation, const std::vector<Mesh>& meshes) {
   }
 }
 
-/// CGAL's answer as text, found in a child process because CGAL may crash; nothing when it fails.
-std::optional<std::string> answer_of_cgal(Operation operation, const std::vector<ExactMesh>& operands, Way way) {
-  try {
-    return in_child([&] { return nef_boolean(operation, operands, way).text(); });
-  } catch (const OracleFailed& e) {
-    std::cout << "oracle: " << e.what() << '\n';
-    return std::nullopt;
+/// CGAL's answers to one question as text, each way asked when it is wanted first.
+class Oracle {
+ public:
+  Oracle(Operation operation, const std::vector<Mesh>& meshes) : operation_(operation) {
+    for (const Mesh& mesh : meshes) operands_.push_back(test::exact(mesh));
   }
-}
+
+  /// Nothing when CGAL fails.
+  [[nodiscard]] const std::optional<std::string>& answer(Way way) {
+    const auto [place, is_new] = answers_.try_emplace(way);
+    if (is_new) place->second = ask(way);
+    return place->second;
+  }
+
+ private:
+  /// Asks in a child process, because CGAL may crash.
+  [[nodiscard]] std::optional<std::string> ask(Way way) const {
+    try {
+      return in_child([&] { return nef_boolean(operation_, operands_, way).text(); });
+    } catch (const OracleFailed& e) {
+      std::cout << "oracle: " << e.what() << '\n';
+      return std::nullopt;
+    }
+  }
+
+  Operation operation_;
+  std::vector<ExactMesh> operands_;
+  std::map<Way, std::optional<std::string>> answers_;
+};
 
 enum class Verdict { equal, different, oracle_failed };
 
 /// Asks CGAL one way; and when it fails or contradicts the engine, the other ways. The engine is wrong only when no
 /// way of CGAL that has an answer has the engine's answer; CGAL has failed when its ways contradict one another.
-Verdict judge(Operation operation, const std::vector<ExactMesh>& operands, const std::string& found,
-              std::string& expected) {
+Verdict judge(Oracle& oracle, const std::string& found, std::string& expected) {
   bool contradicted = false;
   for (const Way way : {Way::in_order, Way::regularized, Way::backwards, Way::other_formula}) {
-    const auto answer = answer_of_cgal(operation, operands, way);
+    const auto& answer = oracle.answer(way);
     if (answer == found) return contradicted ? Verdict::oracle_failed : Verdict::equal;
     if (!answer) continue;
     contradicted = true;
@@ -63,7 +87,7 @@ Verdict judge(Operation operation, const std::vector<ExactMesh>& operands, const
   return contradicted ? Verdict::different : Verdict::oracle_failed;
 }
 
-void report(const test::Operands& operands, std::uint64_t seed, Operation operation, const std::string& problem) {
+void report(const test::Operands& operands, std::uint64_t seed, const std::string& what, const std::string& problem) {
   std::string meshes;
   std::string files;
   for (std::size_t i = 0; i < operands.meshes.size(); ++i) {
@@ -71,26 +95,25 @@ void report(const test::Operands& operands, std::uint64_t seed, Operation operat
     files +=
         ' ' + test::dump_off("seed-" + std::to_string(seed) + "-operand-" + std::to_string(i), {&operands.meshes[i]});
   }
-  FAIL_CHECK("seed " << seed << " (" << operands.kind << "), " << name(operation) << ": " << problem << "\nwritten to"
-                     << files << meshes);
+  FAIL_CHECK("seed " << seed << " (" << operands.kind << "), " << what << ": " << problem << "\nwritten to" << files
+                     << meshes);
 }
 
-void compare_operation(Operation operation, const test::Operands& operands, std::uint64_t seed, Tally& tally) {
-  std::vector<ExactMesh> exact;
-  for (const Mesh& mesh : operands.meshes) exact.push_back(test::exact(mesh));
-  const Answer answer = answer_of_engine(operation, operands.meshes);
+void compare_operation(Operation operation, const test::Operands& operands, std::uint64_t seed, Oracle& oracle,
+                       Compared& compared) {
+  const Answer answer = answer_of_engine(compared.engine, operation, operands.meshes);
+  const std::string what = std::string(name(operation)) + " by " + compared.name;
   std::string problem = answer.problem;
   std::string expected;
   const std::string found = answer.form ? answer.form->text() : std::string();
-  const Verdict verdict = answer.form ? judge(operation, exact, found, expected) : Verdict::different;
+  const Verdict verdict = answer.form ? judge(oracle, found, expected) : Verdict::different;
   if (verdict == Verdict::different && answer.form) problem += "\nexpected:\n" + expected + "\nfound:\n" + found;
+  Tally& tally = compared.tally;
   if (!problem.empty()) {
     ++tally.different;
-    return report(operands, seed, operation, problem);
+    return report(operands, seed, what, problem);
   }
-  if (verdict == Verdict::oracle_failed) {
-    std::cout << "oracle failed: seed " << seed << ", " << name(operation) << '\n';
-  }
+  if (verdict == Verdict::oracle_failed) std::cout << "oracle failed: seed " << seed << ", " << what << '\n';
   ++(verdict == Verdict::equal ? tally.equal : tally.oracle_failed);
 }
 
@@ -106,10 +129,15 @@ SeedRange seeds(SeedRange usual) {
   return range;
 }
 
-void compare_with_nef(const test::Operands& operands, std::uint64_t seed, Tally& tally) {
+std::vector<Compared> all_engines() {
+  return {{"arrangement", nullptr, {}}, {layer_engine.name, &layer_engine, {}}, {bsp_engine.name, &bsp_engine, {}}};
+}
+
+void compare_with_nef(const test::Operands& operands, std::uint64_t seed, std::vector<Compared>& engines) {
   CAPTURE(seed, operands.kind);
   for (const Operation operation : all_operations) {
-    compare_operation(operation, operands, seed, tally);
+    Oracle oracle(operation, operands.meshes);
+    for (Compared& compared : engines) compare_operation(operation, operands, seed, oracle, compared);
   }
 }
 

@@ -2,8 +2,9 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <utility>
+#include <vector>
 
+#include "strata/combine.h"
 #include "support/touching.h"
 
 namespace strata::oracle {
@@ -24,9 +25,20 @@ struct Tally {
   std::uint64_t oracle_failed = 0;  ///< CGAL has no answer, or several that differ
 };
 
-/// Runs the four operations on the operands, here and in CGAL; every difference is a failed check that carries the
-/// seed, the operation and the operands, which are also written as OFF files.
-void compare_with_nef(const test::Operands& operands, std::uint64_t seed, Tally& tally);
+/// An engine that is compared, and what became of its operations.
+struct Compared {
+  std::string name;
+  const Engine* engine = nullptr;  ///< none: the arrangement
+  Tally tally;
+};
+
+/// All engines of the library, with nothing counted: the arrangement, layers, and binary space partitions.
+[[nodiscard]] std::vector<Compared> all_engines();
+
+/// Runs the four operations on the operands, by every engine and in CGAL, which is asked once for all; every difference
+/// is a failed check that carries the seed, the engine, the operation and the operands, which are also written as OFF
+/// files.
+void compare_with_nef(const test::Operands& operands, std::uint64_t seed, std::vector<Compared>& engines);
 
 /// One line on stdout.
 void print(const std::string& title, const Tally& tally);

@@ -111,7 +111,7 @@ std::vector<RationalPoint> loop_points(Nef::SHalfedge_const_handle start) {
 std::vector<ExactFacet> boundary_facets(const Nef& nef) {
   std::vector<ExactFacet> facets;
   for (auto f = nef.halffacets_begin(); f != nef.halffacets_end(); ++f) {
-    if (f->incident_volume()->mark() || !f->partner()->incident_volume()->mark()) continue;
+    if (f->incident_volume()->mark() || !f->twin()->incident_volume()->mark()) continue;
     ExactFacet facet;
     for (auto cycle = f->facet_cycles_begin(); cycle != f->facet_cycles_end(); ++cycle) {
       if (cycle.is_shalfedge()) facet.push_back(loop_points(Nef::SHalfedge_const_handle(cycle)));
@@ -136,10 +136,10 @@ RationalPoint place_of(const Nef::Vertex_const_handle& v) {
 /// The cells of a set without volume. Of a facet one side is listed.
 void list_cells(const Nef& set, NefContact& cells) {
   for (auto f = set.halffacets_begin(); f != set.halffacets_end(); ++f)
-    if (f->mark() && &*f < &*f->partner()) cells.facets.push_back(facet_of(f));
+    if (f->mark() && &*f < &*f->twin()) cells.facets.push_back(facet_of(f));
   for (auto e = set.halfedges_begin(); e != set.halfedges_end(); ++e)
-    if (e->mark() && &*e < &*e->partner() && e->out_sedge() == Nef::SHalfedge_const_handle())
-      cells.edges.push_back({place_of(e->source()), place_of(e->partner()->source())});
+    if (e->mark() && &*e < &*e->twin() && e->out_sedge() == Nef::SHalfedge_const_handle())
+      cells.edges.push_back({place_of(e->source()), place_of(e->twin()->source())});
   for (auto v = set.vertices_begin(); v != set.vertices_end(); ++v)
     if (v->mark() && v->svertices_begin() == v->svertices_end()) cells.vertices.push_back(place_of(v));
 }
