@@ -7,8 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -16,11 +14,13 @@
 #include <vector>
 
 #include "strata/combine.h"
+#include "strata/function.h"
 #include "strata/measure.h"
 #include "strata/mesh.h"
 #include "strata/options.h"
 #include "strata/query.h"
 #include "strata/rational.h"
+#include "strata/shared.h"
 
 namespace strata {
 
@@ -77,12 +77,12 @@ class Partition {
   [[nodiscard]] Where classify(const std::array<double, D>& p) const;
   [[nodiscard]] Where classify_exact(const RationalVector<D>& p) const;  ///< the same for rationals
 
-  struct Data;                                               ///< internal: lib/extensions/bsp/partition_data.h
-  [[nodiscard]] const Data& data() const { return *data_; }  ///< internal
-  explicit Partition(std::shared_ptr<const Data> data) : data_(std::move(data)) {}  ///< internal
+  struct Data;                                                       ///< internal: lib/extensions/bsp/partition_data.h
+  [[nodiscard]] const Data& data() const { return *data_; }          ///< internal
+  explicit Partition(Shared<Data> data) : data_(std::move(data)) {}  ///< internal
 
  private:
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 /// The regularized Boolean of two regions, by merging their trees. `difference` is a - b, `symmetric_difference` what
@@ -173,14 +173,13 @@ template <int D>
 /// Source: Fuchs, Kedem, Naylor 1980.
 template <int D>
 void for_each_front_to_back(const Partition<D>& region, const RationalVector<D>& from,
-                            const std::function<void(const BoundaryFacet<D>& facet)>& visit);
+                            FunctionRef<void(const BoundaryFacet<D>& facet)> visit);
 
 /// Shows the inside leaves, convex cells with interiors apart that cover the region. A cell is the set of points where
 /// none of its forms is positive; each form bounds it in a facet. Cells may be unbounded; all of space has no forms.
 /// In the order of the tree. O(leaves * depth^2).
 template <int D>
-void for_each_cell(const Partition<D>& region,
-                   const std::function<void(const std::vector<AffineForm<D>>& cell)>& visit);
+void for_each_cell(const Partition<D>& region, FunctionRef<void(const std::vector<AffineForm<D>>& cell)> visit);
 
 // --- Space: meshes ---
 

@@ -2,10 +2,8 @@
 /// Sets of points that need not be regular, as marked cells (selective geometric complexes).
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <iosfwd>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,9 +11,11 @@
 
 #include "strata/expression.h"
 #include "strata/formula.h"
+#include "strata/function.h"
 #include "strata/mesh.h"
 #include "strata/options.h"
 #include "strata/rational.h"
+#include "strata/shared.h"
 #include "strata/solid.h"
 
 namespace strata::complex {
@@ -133,7 +133,7 @@ class SelectiveComplex {
   [[nodiscard]] std::vector<std::uint8_t> marks() const;  ///< of all cells, as `incidences` numbers them
   /// Another set over the same cells. O(n log n).
   [[nodiscard]] SelectiveComplex with_marks(std::span<const std::uint8_t> marks) const;
-  [[nodiscard]] SelectiveComplex with_marks(const std::function<bool(Cell)>& mark) const;
+  [[nodiscard]] SelectiveComplex with_marks(FunctionRef<bool(Cell)> mark) const;
 
   [[nodiscard]] bool is_empty() const;
   [[nodiscard]] bool is_all() const;
@@ -144,8 +144,8 @@ class SelectiveComplex {
 
  private:
   struct Data;
-  explicit SelectiveComplex(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
-  std::shared_ptr<const Data> data_;
+  explicit SelectiveComplex(Shared<Data> data) : data_(std::move(data)) {}
+  Shared<Data> data_;
 };
 
 /// The points for which a closed formula about operands holds: not regularized, one overlay of all operands. Throws

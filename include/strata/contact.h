@@ -4,7 +4,6 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "strata/measure.h"
 #include "strata/options.h"
 #include "strata/rational.h"
+#include "strata/shared.h"
 #include "strata/solid.h"
 
 namespace strata::contact {
@@ -136,7 +136,7 @@ class Assembly {
   [[nodiscard]] Nearest nearest(std::uint32_t a, std::uint32_t b) const;
 
  private:
-  std::shared_ptr<const Parts> parts_;
+  Shared<Parts> parts_;
 };
 
 }  // namespace strata::contact

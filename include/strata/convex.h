@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "strata/mesh.h"
 #include "strata/options.h"
 #include "strata/rational.h"
+#include "strata/shared.h"
 #include "strata/solid.h"
 
 namespace strata {
@@ -139,12 +139,12 @@ struct Decomposition {
   /// A convex polygon with outside on the side from where it is counter-clockwise.
   using Polygon = std::vector<std::uint32_t>;
 
-  std::vector<Vertex> points;      ///< corners of pieces, walls and boundary parts, by exact places; nearest doubles
-  std::vector<MeetOfThree> meets;  ///< those for which rounding changed something, rising
-  std::shared_ptr<const HyperplaneTable<3>> planes;  ///< that meet there, each through three vertices of the solid
-  std::vector<std::vector<Polygon>> pieces;          ///< by their facets, one per plane
-  std::vector<Wall> walls;                           ///< by pieces
-  std::vector<BoundaryPart> boundary;                ///< by triangles, then pieces; all of the boundary
+  std::vector<Vertex> points;         ///< corners of pieces, walls and boundary parts, by exact places; nearest doubles
+  std::vector<MeetOfThree> meets;     ///< those for which rounding changed something, rising
+  Shared<HyperplaneTable<3>> planes;  ///< that meet there, each through three vertices of the solid
+  std::vector<std::vector<Polygon>> pieces;  ///< by their facets, one per plane
+  std::vector<Wall> walls;                   ///< by pieces
+  std::vector<BoundaryPart> boundary;        ///< by triangles, then pieces; all of the boundary
   std::size_t reflex_edges = 0;  ///< of the solid: angles of more than 180 degrees, non-manifold edges may have several
   std::size_t cuts = 0;          ///< divisions of a region by a plane, before pieces were joined
 

@@ -1,7 +1,5 @@
 #pragma once
 /// Boolean expressions, evaluated in one arrangement.
-#include <functional>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,7 +8,9 @@
 
 #include "strata/errors.h"
 #include "strata/formula.h"
+#include "strata/function.h"
 #include "strata/options.h"
+#include "strata/shared.h"
 #include "strata/solid.h"
 #include "strata/transform.h"
 
@@ -88,20 +88,18 @@ class Expression {
   struct Node;
 
  private:
-  explicit Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
-  std::shared_ptr<const Node> node_;
+  explicit Expression(Shared<Node> node) : node_(std::move(node)) {}
+  Shared<Node> node_;
 };
 
 /// True when a point is in a disjunctive form. `is_in(primitive)` is asked at most once of each, and of none that does
 /// not matter any more: a product ends at its first factor that does not hold, the form at its first product that does.
 /// O(factors).
-[[nodiscard]] bool is_in_products(const Expression::Products& products,
-                                  const std::function<bool(std::uint32_t)>& is_in);
+[[nodiscard]] bool is_in_products(const Expression::Products& products, FunctionRef<bool(std::uint32_t)> is_in);
 
 /// Reads `(a - b) & (c | d) ^ ~e`. Names are letters, digits, '_' and '.'; ~ and ! bind strongest, then - and +
 /// (union), then &, then ^, then |, as in C++; equal ones from left to right. `solid_of` gives the solid of a name, or
 /// throws std::out_of_range. Throws ParseError.
-[[nodiscard]] Expression parse_expression(std::string_view text,
-                                          const std::function<Solid(const std::string&)>& solid_of);
+[[nodiscard]] Expression parse_expression(std::string_view text, FunctionRef<Solid(const std::string&)> solid_of);
 
 }  // namespace strata

@@ -1,10 +1,10 @@
 #pragma once
 /// Solids that are changed in thousands of steps.
 #include <cstddef>
-#include <memory>
 #include <span>
 
 #include "strata/options.h"
+#include "strata/shared.h"
 #include "strata/solid.h"
 
 namespace strata {
@@ -34,7 +34,7 @@ class IncrementalSolid {
 
  private:
   struct Data;
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 }  // namespace strata

@@ -2,7 +2,6 @@
 /// Mesh files.
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <iosfwd>
 #include <optional>
 #include <span>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "strata/errors.h"
+#include "strata/file_path.h"
 #include "strata/mesh.h"
 
 namespace strata {
@@ -37,7 +37,7 @@ struct MeshFile {
 };
 
 /// The format that goes with a file name's extension, in any case; `other` for those that are not ours.
-[[nodiscard]] Format format_of(const std::filesystem::path& path);
+[[nodiscard]] Format format_of(const FilePath& path);
 
 /// The format of a name: "stl", "stl-ascii", "obj", "off", "xoff", "ply", "ply-ascii", "ply-big-endian"; any other
 /// extension that can be read ("glb") is `other`. Nothing for names that mean nothing.
@@ -52,7 +52,7 @@ struct MeshFile {
 /// range of doubles, indices out of range, unknown formats; of several errors the first in the file. O(size of the
 /// file), plus O(k^2) at worst for a face of k corners (O(k log k) in XOFF), on all threads of the calling arena. The
 /// result does not depend on their number. Source: theory.md.
-[[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path, std::optional<Format> format = {});
+[[nodiscard]] MeshFile read_mesh(const FilePath& path, std::optional<Format> format = {});
 
 /// The same for bytes in memory. `name` stands for the path in messages; for `other` its extension picks the reader.
 [[nodiscard]] MeshFile read_mesh(std::string_view data, Format format, std::string name);
@@ -64,12 +64,10 @@ struct MeshFile {
 /// is no regular file (a device, a pipe) is written in place. Same bytes for any number of threads.
 /// Throws IoError: unwritable targets, full disks, formats that cannot be written, coordinates that are not finite or
 /// too large for the format, indices out of range.
-std::vector<std::string> write_mesh(const std::filesystem::path& path, MeshView mesh,
-                                    std::optional<Format> format = {});
+std::vector<std::string> write_mesh(const FilePath& path, MeshView mesh, std::optional<Format> format = {});
 /// The same with exact places, which XOFF keeps; other formats get the rounded ones. Throws IoError also for exact
 /// places that are not in order, of no vertex, or beyond the range of doubles.
-std::vector<std::string> write_mesh(const std::filesystem::path& path, const ExactMesh& mesh,
-                                    std::optional<Format> format = {});
+std::vector<std::string> write_mesh(const FilePath& path, const ExactMesh& mesh, std::optional<Format> format = {});
 
 /// The same into a stream, to which `name` refers in messages. Checks the stream's state.
 std::vector<std::string> write_mesh(std::ostream& stream, MeshView mesh, Format format, std::string name = "output");

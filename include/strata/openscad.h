@@ -1,13 +1,13 @@
 #pragma once
 /// Models in the `.csg` format that OpenSCAD writes.
 #include <cstddef>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "strata/expression.h"
+#include "strata/file_path.h"
 
 namespace strata {
 
@@ -45,6 +45,6 @@ class CsgError : public std::runtime_error {
 [[nodiscard]] CsgModel read_csg(std::string_view text, std::string name, Placement placement = Placement::exact);
 
 /// The same for a file. Throws IoError, too, when it cannot be read.
-[[nodiscard]] CsgModel read_csg_file(const std::filesystem::path& path, Placement placement = Placement::exact);
+[[nodiscard]] CsgModel read_csg_file(const FilePath& path, Placement placement = Placement::exact);
 
 }  // namespace strata

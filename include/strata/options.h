@@ -1,13 +1,12 @@
 #pragma once
 /// What is computed, of what, how, and how it is watched.
 #include <array>
-#include <atomic>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string_view>
 
 #include "strata/errors.h"
+#include "strata/monitor.h"
 
 namespace strata {
 
@@ -56,35 +55,14 @@ inline constexpr std::array all_input_classes{InputClass::solid, InputClass::ove
 
 struct Engine;  // combine.h
 
+/// How an operation is computed. Every field has a default: `{.threads = 1}` is enough.
 struct Options {
   InputClass input = InputClass::solid;
-  const Engine* engine = nullptr;             ///< none: the arrangement, which is what formulas need
-  unsigned threads = 0;                       ///< 0: all cores. The result does not depend on it.
-  bool exact_vertices = false;                ///< fill BooleanResult::exact (rationals; costs time per new vertex)
-  std::function<void(double)> progress = {};  ///< called with a fraction 0..1, from any thread, never concurrently
-  const std::atomic<bool>* cancel = nullptr;  ///< set to true to stop: throws Cancelled within milliseconds
-};
-
-/// Lets a long computation be cancelled and watched from outside. Holds references to what the caller owns.
-class Monitor {
- public:
-  Monitor() = default;
-  explicit Monitor(const std::atomic<bool>* cancel, const std::function<void(double)>* progress = nullptr)
-      : cancel_(cancel), progress_(progress) {}
-
-  /// Throws Cancelled once the caller has asked for it.
-  void check() const {
-    if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) throw Cancelled("cancelled by the caller");
-  }
-
-  /// Tells how far the work is, 0 to 1. To be called between stages, never from two threads at once.
-  void report(double fraction) const {
-    if (progress_ != nullptr && *progress_) (*progress_)(fraction);
-  }
-
- private:
-  const std::atomic<bool>* cancel_ = nullptr;
-  const std::function<void(double)>* progress_ = nullptr;
+  const Engine* engine = nullptr;       ///< null: the arrangement, which also evaluates every formula
+  unsigned threads = 0;                 ///< 0: all cores. The result does not depend on it.
+  bool exact_vertices = false;          ///< fill BooleanResult::exact (rationals; costs time per new vertex)
+  Progress progress = {};               ///< any callable that takes a double: the fraction done
+  const CancelToken* cancel = nullptr;  ///< null: the operation cannot be cancelled
 };
 
 }  // namespace strata

@@ -2,9 +2,6 @@
 /// Polygons in the plane: Booleans, checks, location, and files (WKT, GeoJSON, SVG paths).
 #include <array>
 #include <cstdint>
-#include <filesystem>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -13,8 +10,11 @@
 #include <vector>
 
 #include "strata/errors.h"
+#include "strata/file_path.h"
+#include "strata/function.h"
 #include "strata/options.h"
 #include "strata/rational.h"
+#include "strata/shared.h"
 
 namespace strata::planar {
 
@@ -188,7 +188,7 @@ struct Inside {
 };
 
 /// A Boolean combination of operands, as a function of the operands that a point is in.
-using Combination = std::function<bool(const Inside&)>;
+using Combination = Function<bool(const Inside&)>;
 
 using strata::Operation;
 
@@ -285,7 +285,7 @@ class Locator {
 
  private:
   struct Data;
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 /// A polygon of a region as one polyloop (source document, 4.1): every hole is joined to what lies to its left by a
@@ -341,7 +341,7 @@ enum class PlanarFormat {
 };
 
 /// By a file's extension (.wkt, .txt; .geojson, .json; .svg) or by a name ("wkt", "geojson", "svg"), in lower case.
-[[nodiscard]] std::optional<PlanarFormat> planar_format_of(const std::filesystem::path& path);
+[[nodiscard]] std::optional<PlanarFormat> planar_format_of(const FilePath& path);
 [[nodiscard]] std::optional<PlanarFormat> planar_format_named(std::string_view name);
 
 /// What a file says: loops whose nonzero winding is the point set meant. Rings of polygons (WKT, GeoJSON) are turned so
@@ -356,7 +356,7 @@ struct PlanarFile {
 /// Of SVG, paths that are drawn where they stand; clip paths, fill rules and other shapes are told in notes. A byte
 /// order mark is passed over. Throws IoError: missing, unreadable or malformed files, other geometries, curves in
 /// paths, and transformations. O(size of the file).
-[[nodiscard]] PlanarFile read_planar(const std::filesystem::path& path, std::optional<PlanarFormat> format = {});
+[[nodiscard]] PlanarFile read_planar(const FilePath& path, std::optional<PlanarFormat> format = {});
 [[nodiscard]] PlanarFile read_planar(std::string_view data, PlanarFormat format, std::string name);
 
 /// How coordinates are written that are no doubles.

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +16,7 @@
 #include "strata/mesh.h"
 #include "strata/options.h"
 #include "strata/rational.h"
+#include "strata/shared.h"
 #include "strata/solid.h"
 
 namespace strata {
@@ -41,7 +41,7 @@ class Scene {
   [[nodiscard]] const Data& data() const { return *data_; }  ///< internal
 
  private:
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 /// The scene of some solids, numbered as they are listed: copies of their exact meshes. O(size of the meshes).
@@ -116,7 +116,7 @@ class Locator {
 
  private:
   struct Data;
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 /// The points from + t * direction, t >= 0. The direction is any finite vector but zero; its length is the unit of t.
@@ -209,7 +209,7 @@ class RayCaster {
   [[nodiscard]] const Data& data() const { return *data_; }  ///< internal
 
  private:
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 /// Where everything is seen from: a point, or infinitely far away, from where rays run along a direction.
@@ -290,7 +290,7 @@ class LayerDecomposition {
   [[nodiscard]] const Data& data() const { return *data_; }  ///< internal
 
  private:
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 /// Combines two decompositions about a common origin, each of one solid: faces that meet are split along each other,
@@ -339,7 +339,7 @@ class Visibility {
 
  private:
   struct Data;
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 enum class EdgeKind : std::uint8_t {

@@ -1,7 +1,6 @@
 #pragma once
 /// Solids as values.
 #include <array>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "strata/mesh.h"
 #include "strata/options.h"
 #include "strata/rational.h"
+#include "strata/shared.h"
 
 namespace strata {
 
@@ -48,7 +48,7 @@ class Solid {
  private:
   friend Solid combine_solids(Operation, std::span<const Solid>, const Options&);
   friend Solid combine_solids(const Formula&, std::span<const Operand>, const Options&);
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 [[nodiscard]] Solid combine_solids(Operation operation, std::span<const Solid> operands, const Options& options = {});

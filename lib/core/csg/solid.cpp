@@ -69,16 +69,16 @@ Solid::Data accept(ExactMesh mesh, InputClass input) {
 
 }  // namespace
 
-Solid::Solid() : data_(std::make_shared<const Data>()) {}
+Solid::Solid() : data_(Shared<Data>::make()) {}
 
-Solid::Solid(Mesh mesh, InputClass input) : data_(std::make_shared<const Data>(accept(std::move(mesh), input))) {}
+Solid::Solid(Mesh mesh, InputClass input) : data_(Shared<Data>::make(accept(std::move(mesh), input))) {}
 
-Solid::Solid(ExactMesh mesh, InputClass input) : data_(std::make_shared<const Data>(accept(std::move(mesh), input))) {}
+Solid::Solid(ExactMesh mesh, InputClass input) : data_(Shared<Data>::make(accept(std::move(mesh), input))) {}
 
 Solid Solid::trusted(ExactMesh mesh) {
   const std::size_t faces = mesh.mesh.triangles.size();
   Solid solid;
-  solid.data_ = std::make_shared<const Data>(Data{std::move(mesh), own_faces(faces), {}});
+  solid.data_ = Shared<Data>::make(Data{std::move(mesh), own_faces(faces), {}});
   return solid;
 }
 
@@ -120,14 +120,14 @@ Solid combine_solids(Operation operation, std::span<const Solid> operands, const
   std::vector<Operand> views;
   for (const Solid& s : operands) views.push_back({MeshView(s.mesh()), s.exact_mesh().exact, true});
   Solid result;
-  result.data_ = std::make_shared<const Solid::Data>(
-      data_of(combine(operation, std::span<const Operand>(views), of_solids(options))));
+  result.data_ =
+      Shared<Solid::Data>::make(data_of(combine(operation, std::span<const Operand>(views), of_solids(options))));
   return result;
 }
 
 Solid combine_solids(const Formula& formula, std::span<const Operand> operands, const Options& options) {
   Solid result;
-  result.data_ = std::make_shared<const Solid::Data>(data_of(combine(formula, operands, of_solids(options))));
+  result.data_ = Shared<Solid::Data>::make(data_of(combine(formula, operands, of_solids(options))));
   return result;
 }
 
