@@ -14,6 +14,8 @@
 #include "strata/mesh.h"
 #include "strata/monitor.h"
 #include "strata/options.h"
+#include "strata/plane.h"
+#include "strata/primitives.h"
 #include "strata/rational.h"
 #include "strata/shared.h"
 #include "strata/solid.h"
