@@ -18,6 +18,13 @@ namespace detail {
 template <class F, class R, class... A>
 concept CallableAs = std::is_invocable_r_v<R, F&, A...> && !std::is_member_pointer_v<std::remove_cvref_t<F>>;
 
+/// A pointer to a function, or a wrapper like std::function, that may hold none.
+template <class F>
+concept MayBeNone = !std::is_function_v<std::remove_reference_t<F>> && !std::is_empty_v<std::decay_t<F>> &&
+                    requires(const std::decay_t<F>& f) {
+  f == nullptr;
+};
+
 template <class R, class F, class... A>
 R call(F& f, A&&... arguments) {
   if constexpr (std::is_void_v<R>)
@@ -45,12 +52,8 @@ class Function<R(A...)> {
   template <class F>
   requires(!std::same_as<std::remove_cvref_t<F>, Function> && detail::CallableAs<std::decay_t<F>, R, A...>)
       Function(F&& f) {  // NOLINT(google-explicit-constructor): a callable is a function
-    if constexpr (std::is_pointer_v<std::decay_t<F>> || std::is_class_v<std::decay_t<F>>)
-      if constexpr (requires {
-                      { f == nullptr } -> std::convertible_to<bool>;
-                    } &&
-                    !std::is_empty_v<std::decay_t<F>>)
-        if (f == nullptr) return;
+    if constexpr (detail::MayBeNone<F>)
+      if (f == nullptr) return;
     target_ = Shared<Callable<std::decay_t<F>>>::make(std::forward<F>(f));
   }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What is computed, of what, how, and how it is watched.
+/// Operations, what is declared about operands, and how an operation is computed.
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace strata {
 
-/// Regularized set operations on n >= 1 operands.
-/// union_: in any; intersection: in all; difference: in the first and in no other; symmetric_difference: in an odd
-/// number.
+/// Regularized set operations on n >= 1 operands: the closure of the interior of what is union_: in any; intersection:
+/// in all; difference: in the first and in no other; symmetric_difference: in an odd number of them. Regularization
+/// leaves no loose faces, edges or points, and none are missing (Requicha 1980).
 enum class Operation { union_, intersection, difference, symmetric_difference };
 
 inline constexpr std::array all_operations{Operation::union_, Operation::intersection, Operation::difference,
@@ -38,11 +38,18 @@ inline constexpr std::array all_operations{Operation::union_, Operation::interse
   return signs[static_cast<std::size_t>(operation)];
 }
 
-/// What the caller declares about the operands.
+/// What the caller declares about the operands. The winding number of a point is how often the oriented surface goes
+/// round it: 1 inside a simple closed surface that is oriented outwards.
 enum class InputClass {
-  solid,        ///< closed, winding numbers 0 and 1: the edge chain is checked, self-intersection is not searched
-  overlapping,  ///< closed, may cross itself: resolved completely; inside is winding number > 0
-  repair,       ///< a soup: weld equal vertices, drop duplicate and degenerate faces, orient; then as overlapping
+  /// Closed, with winding numbers 0 and 1 only. Checked: every edge is used as often in one direction as in the other,
+  /// the volume is not negative. Not searched: self-intersection; where two operands cross in a place in which one of
+  /// them crosses itself, it is found and refused.
+  solid,
+  /// Closed, may cross and overlap itself: resolved completely; inside is where the winding number is positive.
+  overlapping,
+  /// Any triangles: equal vertices are welded, duplicate and degenerate faces dropped, orientation made consistent and
+  /// outwards; what is then closed is taken as overlapping. No vertex moves, no hole is filled.
+  repair,
 };
 
 inline constexpr std::array all_input_classes{InputClass::solid, InputClass::overlapping, InputClass::repair};

@@ -1,5 +1,7 @@
 #pragma once
 /// Oriented planes with rational coefficients.
+#include <utility>
+
 #include "strata/rational.h"
 
 namespace strata {
@@ -10,6 +12,8 @@ namespace strata {
 struct Plane {
   RationalPoint normal;
   Rational offset;
+
+  Plane(RationalPoint n, Rational d) : normal(std::move(n)), offset(std::move(d)) {}
 
   /// Through three points, which are counter-clockwise as seen from in front: the normal is (b - a) x (c - a).
   /// Collinear points give the normal zero.
