@@ -109,3 +109,14 @@ TEST_CASE("primitives are operands like any others", "[primitives]") {
   CHECK(topology(part.exact_mesh()).euler == 0);
   CHECK(part.volume() + make_cylinder(1, 2, 64).volume() == 32);
 }
+
+TEST_CASE("the example of the README", "[primitives]") {
+  const Solid block = make_box({0, 0, 0}, {4, 4, 2});
+  const Solid part = block - make_cylinder(1, 2, 64).translated({2, 2, 0});
+  const auto [below, above] = part.split({{0, 0, 1}, Rational(1, 3)});
+  CHECK(below.volume() + above.volume() == part.volume());
+  CHECK(below.volume() * 5 == above.volume());
+  const auto pieces = above.rotated({3, 0, 0, 1}).components();
+  REQUIRE(pieces.size() == 1);
+  CHECK(pieces[0].volume() == above.volume());
+}
