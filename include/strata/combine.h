@@ -28,8 +28,7 @@ struct Profile {
 struct Operand {
   MeshView mesh;
   std::span<const ExactVertex> exact;
-  bool is_checked =
-      false;  ///< known to bound a solid, as those of a Solid are: with rationals this is not checked again
+  bool is_checked = false;  ///< known to bound a solid, as a Solid does: not checked again, if there are rationals
 };
 
 /// The regularized boundary of the result.
@@ -42,23 +41,29 @@ struct BooleanResult {
 };
 
 /// Regularized Boolean of n solids, exact on the coordinates given. The combinatorics are those of the exact result;
-/// coordinates of new vertices are the nearest doubles. Faces that do not meet another operand come out untouched: same
-/// vertices, same triangle, same order (but operands of one union that have coincident facets are united first, and
-/// their faces stand together). Coplanar pieces of one face are merged. Edges and vertices shared by several sheets are
-/// written once: the result is regular, but may be non-manifold there. Rounding: the mesh in doubles has the
-/// combinatorics of the exact result, but where features are some ulps apart, rounded triangles may cross or lose their
-/// area; `exact` has the truth, and a Solid keeps it.
+/// coordinates of new vertices are the nearest doubles.
 ///
-/// Degenerate cases: operands may touch, coincide and overlap anywhere. Coplanar faces with interiors on the same side
-/// count once; with interiors on opposite sides they vanish from a union and do not appear in an intersection; solids
-/// that only touch have an empty intersection. Empty operands are empty sets; of no operands the result is empty.
+/// Faces that do not meet another operand come out untouched: same vertices, same triangle, same order (but operands of
+/// one union that have coincident facets are united first, and their faces stand together). Pieces of one face are
+/// merged. Edges and vertices shared by several sheets are written once: the result may be non-manifold there.
 ///
-/// Laws: those of sets, as point sets; same bytes for any number of threads. With another engine the solid is the same,
-/// but its triangles are not. O(n) streaming passes over all faces, and O(m log m) for the m faces near those of other
-/// operands and for k pairs that meet O(k log k); expected, as memory is O(n + k). Throws InputError (an operand is not
-/// what was declared; `operand()` says which), std::invalid_argument (`exact` is not in order, or the mesh does not
-/// hold the nearest doubles), Cancelled, std::length_error (more than 2^32 - 2 vertices or faces in all). Source:
-/// lib/ARCHITECTURE.md names the papers per stage.
+/// Rounding: the combinatorics stay those of the exact result, but where features are some ulps apart, rounded
+/// triangles may cross or lose their area. `exact` has the exact positions, and a Solid keeps them.
+///
+/// Degenerate cases: operands may touch, coincide and overlap anywhere. Where facets coincide with the interiors on the
+/// same side, one of them is in a union and in an intersection; with the interiors on opposite sides, neither is in
+/// either. Solids that only touch have an empty intersection. Empty operands are empty sets; of no operands the result
+/// is empty.
+///
+/// Laws: those of sets, as point sets. Same bytes for any number of threads. With another engine the solid is the same,
+/// but its triangles are not.
+///
+/// Expected O(n + m log m + k log k) for n faces, m of them near other operands, and k pairs that meet. Memory O(n +
+/// k).
+///
+/// Throws InputError (an operand is not what was declared; `operand()` says which), std::invalid_argument (`exact` is
+/// not in order, or the mesh does not hold the nearest doubles), Cancelled, std::length_error (more than 2^32 - 2
+/// vertices or faces in all). Source: per stage, lib/ARCHITECTURE.md.
 [[nodiscard]] BooleanResult combine(Operation operation, std::span<const MeshView> operands,
                                     const Options& options = {});
 [[nodiscard]] BooleanResult combine(Operation operation, std::span<const Operand> operands,

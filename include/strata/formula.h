@@ -2,10 +2,9 @@
 /// Boolean formulas about numbered operands: what `combine` evaluates in one arrangement when the four operations do
 /// not do. Most callers write an Expression instead, which makes its formula itself.
 ///
-///   Formula f(3);  // (a and b) or not c
-///   f.close(f.join(Formula::Join::any, std::array{f.join(Formula::Join::all,
-///   std::array{f.operand(0), f.operand(1)}),
-///                                                 !f.operand(2)}));
+///   Formula formula(3);  // in 0 and in 1, and not in 2
+///   const std::array terms{formula.operand(0), formula.operand(1), !formula.operand(2)};
+///   formula.close(formula.join(Formula::Join::all, terms));
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -49,7 +48,7 @@ class Formula {
   }
 
   /// Sets of operands for which it matters only whether a point is in any of them: each could be replaced by its union.
-  /// Sets of at least two, rising; an operand that occurs several times is in none. O(operands log operands).
+  /// Sets of at least two, increasing; an operand that occurs several times is in none. O(operands log operands).
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> unions() const;
 
  private:

@@ -2,14 +2,14 @@
 /// Simple solids: boxes, tetrahedra, cylinders, cones, spheres, tori and prisms.
 ///
 /// Vertices are doubles. Every result is a solid exactly as it stands: closed, outwards, without triangles of zero
-/// area, not crossing itself. Round solids are polyhedra inscribed in the shape named: their vertices are the doubles
-/// nearest to points of it, within two ulps per coordinate, so they have less volume. A circle of n sides has its first
-/// corner in direction x, and corners that are mirror images of one another are so in doubles, too; where rounding
-/// bends a quadrilateral, it is two triangles. Elsewhere than at the origin: `translated`, `rotated`, `transformed`.
+/// area, not crossing itself. Round solids are polyhedra inscribed in the shape named, up to rounding: their vertices
+/// are points of it, rounded to within two ulps per coordinate. A circle of n sides has its first corner in direction
+/// x, and corners that are mirror images of one another are so in doubles, too; where rounding bends a quadrilateral,
+/// it is two triangles. Elsewhere than at the origin: `translated`, `rotated`, `transformed`, which are exact.
 ///
 /// All throw std::invalid_argument for what has no volume, is not finite, has less than 3 sides or more than ten
-/// million vertices. O(vertices). Convex hulls, and geodesic spheres that contain a ball instead (`convex::ball`):
-/// convex.h.
+/// million vertices. O(vertices). Pure functions: thread-safe. The same result wherever std::sin and std::cos are the
+/// same. Convex hulls, and geodesic balls that contain the sphere instead (`convex::ball`): convex.h.
 #include <array>
 #include <cstdint>
 #include <span>
