@@ -1,14 +1,14 @@
 #pragma once
-/// Regions of the line, the plane and space as binary space partitions: exact, bounded or not, with all Booleans.
+/// Regions of the line, the plane and space as binary space partitions (BSP trees): exact, bounded or not, with all
+/// Booleans.
 ///
-/// A hyperplane is given by an AffineForm, a region is a Partition. Make one from half-spaces, a mesh, polygons or
-/// intervals; combine it with | & - ^ and `complement`; ask it for its size, where points and lines are in it, what is
-/// nearest; get its boundary back as a mesh, sides or intervals, or its inside as convex cells. D is 1, 2 or 3.
+/// A hyperplane is given by an AffineForm, a region is a Partition. It is made from half-spaces, a mesh, polygons or
+/// intervals; combined with | & - ^ and `complement`; queried for its size, for the parts of lines in it, for the
+/// location of points and the nearest point of its boundary; converted back to a mesh, sides or intervals, or to convex
+/// cells. D is 1, 2 or 3. All functions may be called from many threads at once; they use the calling thread alone.
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -16,18 +16,20 @@
 #include <vector>
 
 #include "strata/combine.h"
+#include "strata/function.h"
 #include "strata/measure.h"
 #include "strata/mesh.h"
 #include "strata/options.h"
 #include "strata/query.h"
 #include "strata/rational.h"
+#include "strata/shared.h"
 
 namespace strata {
 
-/// Computes `combine` by merging binary space partitions (Options::engine). Exact, by other mathematics than the
-/// arrangement: the same solid, but other triangles, since facets in one plane are merged and divided anew. The source
-/// of a triangle is some face of an operand in its plane. Meant for checking results and for a few thousand faces: at
-/// worst the tree of n faces has O(n^3) leaves. Throws as `combine` does.
+/// Computes `combine` by merging binary space partitions (Options::engine). Exact, by methods that are independent of
+/// the arrangement: the same solid, but other triangles, since facets in one plane are merged and triangulated anew.
+/// The source of a triangle is some face of an operand in its plane. Meant for checking results and for a few thousand
+/// faces: at worst the tree of n faces has O(n^3) leaves. Throws as `combine` does.
 extern const Engine bsp_engine;
 
 }  // namespace strata
@@ -38,9 +40,9 @@ namespace strata::bsp {
 template <int D>
 using RationalVector = std::array<Rational, D>;
 
-/// The affine function f(x) = n . x + c, as the components of n and then c. With n != 0 it stands for the hyperplane
-/// f = 0 (a point of the line, a line of the plane, a plane of space), which looks to where f > 0, and for the closed
-/// half-space f <= 0 behind it. Positive multiples stand for the same.
+/// The affine function f(x) = n . x + c, as the components of n and then c. With n != 0 it stands for the hyperplane f
+/// = 0 (a point of the line, a line of the plane, a plane of space), whose plus side is f > 0, and for the closed
+/// half-space f <= 0. Positive multiples stand for the same.
 template <int D>
 using AffineForm = std::array<Rational, D + 1>;
 
@@ -49,9 +51,10 @@ using AffineForm = std::array<Rational, D + 1>;
 /// several parts, and touch itself; the empty set and all of space are regions.
 ///
 /// Every decision is exact, for rationals of any size. The hyperplanes are those of the input and, where trees are
-/// built, axis-parallel ones through doubles: coefficients do not grow, however often regions are combined.
+/// built, axis-parallel ones with doubles as coefficients: coefficients do not grow, however often regions are
+/// combined.
 ///
-/// An immutable value, cheap to copy, safe to read from many threads. D = 1, 2, 3.
+/// An immutable value: copying is O(1), reading is thread-safe. D = 1, 2, 3.
 /// Sources: Fuchs, Kedem, Naylor 1980 (the trees); Thibault, Naylor 1987 (trees as solids).
 template <int D>
 class Partition {
@@ -61,28 +64,28 @@ class Partition {
   [[nodiscard]] static Partition all();  ///< the whole line, plane or space
   /// The closed half-space f <= 0. Throws std::invalid_argument where the normal is zero.
   [[nodiscard]] static Partition half_space(const AffineForm<D>& f);
-  /// The points where no form is positive, up to what has no interior: convex, may be empty or unbounded; of no forms,
-  /// all of space. Merged by halves, and built anew with axis-parallel cuts where that is less deep: a ball of 600
-  /// half-spaces is less than 120 deep. Throws std::invalid_argument where a normal is zero.
+  /// The intersection of half-spaces, regularized: the points where no form is positive, or nothing if these have no
+  /// interior. It may be unbounded; of no forms it is all of space. Built as a balanced tree of intersections, with
+  /// axis-parallel cuts where these make it shallower. Throws std::invalid_argument where a normal is zero.
   [[nodiscard]] static Partition convex(std::span<const AffineForm<D>> forms);
 
   [[nodiscard]] bool is_empty() const;    ///< O(1)
   [[nodiscard]] bool is_full() const;     ///< all of space; O(1)
   [[nodiscard]] bool is_bounded() const;  ///< O(leaves that reach infinity * depth)
-  /// True when another region is a subset of this one. Merges the two.
+  /// True when another region is a subset of this one. Costs as `combined` does.
   [[nodiscard]] bool contains(const Partition& other) const;
 
-  /// Where a point lies, exactly. Requires finite coordinates. O(depth), but on the hyperplane of a node both sides are
-  /// asked.
+  /// Where a point lies, exactly. Requires finite coordinates. O(depth); for points on the hyperplanes of k nodes both
+  /// subtrees of each are visited.
   [[nodiscard]] Where classify(const std::array<double, D>& p) const;
   [[nodiscard]] Where classify_exact(const RationalVector<D>& p) const;  ///< the same for rationals
 
-  struct Data;                                               ///< internal: lib/extensions/bsp/partition_data.h
-  [[nodiscard]] const Data& data() const { return *data_; }  ///< internal
-  explicit Partition(std::shared_ptr<const Data> data) : data_(std::move(data)) {}  ///< internal
+  struct Data;                                                       ///< internal: lib/extensions/bsp/partition_data.h
+  [[nodiscard]] const Data& data() const { return *data_; }          ///< internal
+  explicit Partition(Shared<Data> data) : data_(std::move(data)) {}  ///< internal
 
  private:
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 /// The regularized Boolean of two regions, by merging their trees. `difference` is a - b, `symmetric_difference` what
@@ -115,13 +118,13 @@ template <int D>
 template <int D>
 [[nodiscard]] Partition<D> complement(const Partition<D>& region);
 
-/// Equal as point sets. Merges the two.
+/// Equal as point sets. Costs as `combined` does.
 template <int D>
 [[nodiscard]] bool operator==(const Partition<D>& a, const Partition<D>& b) {
   return (a ^ b).is_empty();
 }
 
-/// The same tree, without hyperplanes that are not in it. O(nodes).
+/// The same tree, without stored hyperplanes that no node uses any more, which results of Booleans keep. O(nodes).
 template <int D>
 [[nodiscard]] Partition<D> compact(const Partition<D>& region);
 
@@ -138,9 +141,9 @@ struct TreeSize {
   std::size_t nodes = 0, leaves = 0;
   std::size_t inside = 0;       ///< of the leaves
   std::size_t depth = 0;        ///< nodes above the deepest leaf
-  std::size_t hyperplanes = 0;  ///< different ones
+  std::size_t hyperplanes = 0;  ///< stored, each once
   std::size_t splits = 0;       ///< facets that were divided when it was built from facets; 0 for merged trees
-  std::size_t bytes = 0;        ///< held, roughly
+  std::size_t bytes = 0;        ///< of memory, roughly
   double mean_depth = 0;        ///< of leaves
 };
 template <int D>
@@ -160,36 +163,35 @@ struct BoundaryFacet {
   std::vector<RationalVector<D>> corners;
 };
 
-/// The boundary as convex facets with interiors apart, in the order of the tree. They are as the tree divides them:
-/// several may lie in one plane, and corners may lie in the middle of sides of others (`boundary_mesh` is without
-/// that). Throws std::domain_error when the boundary is not bounded. O(sum over nodes of depth and of leaves next to
-/// the node).
+/// The boundary as convex facets with disjoint interiors, in the order of the tree. They are as the tree divides them:
+/// several may lie in one plane, and corners may lie in the middle of sides of others (T-junctions, which
+/// `boundary_mesh` resolves). Throws std::domain_error when the boundary is not bounded. O(sum over nodes of depth and
+/// of leaves next to the node).
 template <int D>
 [[nodiscard]] std::vector<BoundaryFacet<D>> boundary_facets(const Partition<D>& region);
 
-/// Shows the facets of `boundary_facets` sorted by depth, as seen from a point: none hides a part of an earlier one.
-/// (The painter's order is the reverse.) Facets in a hyperplane through the point are seen from the side and hide
-/// nothing. Throws std::domain_error when the boundary is not bounded, maybe after some facets.
-/// Source: Fuchs, Kedem, Naylor 1980.
+/// Calls `visit` for the facets of `boundary_facets` sorted by depth as seen from a point: no facet hides a part of an
+/// earlier one. (The painter's order is the reverse.) Facets in a hyperplane through the point are seen edge-on and
+/// hide nothing. Throws std::domain_error when the boundary is not bounded, possibly after some calls. Source: Fuchs,
+/// Kedem, Naylor 1980.
 template <int D>
 void for_each_front_to_back(const Partition<D>& region, const RationalVector<D>& from,
-                            const std::function<void(const BoundaryFacet<D>& facet)>& visit);
+                            FunctionRef<void(const BoundaryFacet<D>& facet)> visit);
 
-/// Shows the inside leaves, convex cells with interiors apart that cover the region. A cell is the set of points where
-/// none of its forms is positive; each form bounds it in a facet. Cells may be unbounded; all of space has no forms.
-/// In the order of the tree. O(leaves * depth^2).
+/// Calls `visit` for the inside leaves: convex cells with disjoint interiors that cover the region. A cell is the set
+/// of points where none of its forms is positive; each form bounds it in a facet. Cells may be unbounded; all of space
+/// has no forms. In the order of the tree. O(leaves * depth^2).
 template <int D>
-void for_each_cell(const Partition<D>& region,
-                   const std::function<void(const std::vector<AffineForm<D>>& cell)>& visit);
+void for_each_cell(const Partition<D>& region, FunctionRef<void(const std::vector<AffineForm<D>>& cell)> visit);
 
 // --- Space: meshes ---
 
 /// The region that a closed mesh bounds. Requires winding numbers 0 and 1, or 0 and -1: a mesh turned inside out bounds
-/// all of space but the solid. Triangles without area do not count, an empty mesh is the empty region. Requires that
-/// the mesh does not cross itself (`check` tells), which is not asked here: for others the region is unspecified.
-/// Expected O(n log^2 n) for n triangles; bad are long needles in all directions and grids of slabs, up to O(n^3).
-/// Cuts are chosen to avoid dividing facets, then for balance; axis-parallel ones keep convex solids from becoming
-/// lists. Throws Cancelled.
+/// all of space but the solid. Triangles without area are ignored, an empty mesh is the empty region.
+/// Requires that the mesh does not cross itself (`check` finds out), which is not checked here: for others the region
+/// is unspecified. Expected O(n log^2 n) for n triangles; worst cases are long needles in all directions and grids of
+/// slabs, up to O(n^3). Cuts are chosen to divide few facets, then for balance; axis-parallel ones keep trees of convex
+/// solids from degenerating to lists. Throws Cancelled.
 [[nodiscard]] Partition<3> partition_of(ExactMeshView mesh, const Monitor& monitor = {});
 
 /// A mesh and the oriented planes of its triangles, each once.
@@ -201,37 +203,38 @@ struct BoundaryMesh {
 
 /// The boundary as a closed triangle mesh with outward normals: facets in one plane are merged and triangulated anew,
 /// and every vertex on an edge is a corner of all triangles there. Vertices in lexicographic order, coordinates rounded
-/// to nearest doubles, exact places beside them. Depends on the point set alone, not on the tree. O(n log n) for n
-/// facets, and finding them. Throws std::domain_error when the boundary is not bounded.
+/// to nearest doubles, exact positions beside them. Law: depends on the point set alone, not on the tree. O(n log n)
+/// for n facets, after finding them. Throws std::domain_error when the boundary is not bounded.
 [[nodiscard]] BoundaryMesh boundary_mesh(const Partition<3>& region);
 [[nodiscard]] ExactMesh exact_mesh_of(const Partition<3>& region);  ///< the mesh alone
 
-/// The boundary's one description, equal for equal regions: `canonical_form` of the mesh. Throws as `boundary_mesh`.
+/// `canonical_form` of the boundary mesh: equal exactly for equal regions.
+/// Throws as `boundary_mesh`.
 [[nodiscard]] CanonicalForm canonical_form_of(const Partition<3>& region);
 
 // --- The line: intervals ---
 
-/// The closed interval from `lower` to `upper`; an end that is not there is infinite.
+/// The closed interval from `lower` to `upper`; an end without a value is infinite.
 struct Interval {
   std::optional<Rational> lower, upper;
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// The region of the line that intervals cover together; they may overlap. Those with lower >= upper do not count.
+/// The union of intervals, which may overlap. Those with lower >= upper are ignored. O(n log n).
 [[nodiscard]] Partition<1> partition_of(std::span<const Interval> intervals);
 
-/// The components of a region of the line, in increasing order; none touch.
+/// The components of a region of the line, in increasing order; no two of them touch. O(nodes).
 [[nodiscard]] std::vector<Interval> intervals_of(const Partition<1>& region);
 
-/// The points p + t d.
+/// The points p + t d for all t.
 template <int D>
 struct ParametricLine {
   RationalVector<D> p, d;
 };
 
-/// Where a line is in the closed region: intervals of t, apart, in increasing order. Where it runs within the boundary
-/// it counts as in; where it meets the region in a point only, the interval is that point. Requires d != 0. O(nodes
-/// that the line meets); each end is one quotient of the line and a hyperplane.
+/// The intersection of a line with the closed region: disjoint intervals of t, in increasing order. A stretch within
+/// the boundary belongs to it; where the line meets the region in a single point, the interval is that point.
+/// Requires d != 0. O(nodes that the line meets); each end is one quotient of the line and a hyperplane.
 template <int D>
 [[nodiscard]] std::vector<Interval> intersection(const Partition<D>& region, const ParametricLine<D>& line);
 
@@ -249,8 +252,8 @@ struct PlaneSide {
   RationalVector<2> from, to;
 };
 
-/// The region of the plane that sides bound, in any order. They must be the whole boundary of a region, without
-/// crossings and overlaps, which is not asked; sides without length do not count. Expected O(n log^2 n).
+/// The region of the plane that sides bound, in any order. Requires that they are the whole boundary of a region,
+/// without crossings and overlaps, which is not checked; sides without length are ignored. Expected O(n log^2 n).
 [[nodiscard]] Partition<2> partition_of(std::span<const PlaneSide> sides);
 
 /// The same for the sides of loops: outer ones counter-clockwise, holes clockwise.
@@ -261,17 +264,17 @@ struct PlaneSide {
 
 // --- Measures, any D ---
 
-/// Length, area or volume, exact; nothing when it is infinite, which it is exactly for unbounded regions (they contain
-/// a ball and a ray).
+/// Length, area or volume, exact; no value where it is infinite, which it is exactly for unbounded regions. O(size of
+/// the boundary).
 template <int D>
 [[nodiscard]] std::optional<Rational> size(const Partition<D>& region);
 
-/// The centre of mass, exact; nothing when the region is empty or unbounded.
+/// The centre of mass, exact; no value where the region is empty or unbounded.
 template <int D>
 [[nodiscard]] std::optional<RationalVector<D>> barycentre(const Partition<D>& region);
 
-/// Of the boundary: number of points, length or area; every facet to a few units in the last place, summed in doubles;
-/// infinity when it is not bounded.
+/// The size of the boundary: number of points (D = 1), length (2) or area (3); every facet to a few units in the last
+/// place, summed in doubles; infinite when the boundary is not bounded.
 template <int D>
 [[nodiscard]] double boundary_size(const Partition<D>& region);
 
@@ -283,9 +286,9 @@ struct NearestPoint {
   double distance = 0;  ///< correctly rounded; negative for points inside, 0 on the boundary
 };
 
-/// The nearest point of the boundary, exact; of several at one distance the one met first, front to back. Nothing when
-/// there is no boundary. Descends to the leaf of p and visits whatever is nearer than the best so far: O(depth^2) for
-/// points near the boundary, all facets at worst.
+/// The nearest point of the boundary, exact; of several at one distance the one found first, front to back. No value
+/// when the boundary is empty. Descends to the leaf of p and visits whatever is nearer than the best so far: O(depth^2)
+/// for points near the boundary, all facets at worst.
 template <int D>
 [[nodiscard]] std::optional<NearestPoint<D>> nearest_boundary_point(const Partition<D>& region,
                                                                     const RationalVector<D>& p);
@@ -299,7 +302,7 @@ struct AffineMap {
   RationalVector<D> shift{};
 };
 
-/// The image of a region, exact: every hyperplane is mapped, the tree stays. Laws: images of combinations are
+/// The image of a region, exact: every hyperplane is mapped, the tree keeps its shape. Laws: images of combinations are
 /// combinations of images; the size is multiplied by |det|, also for reflections (inside stays inside). O(nodes).
 /// Coefficients grow by those of the map. Throws std::invalid_argument when the map is singular.
 template <int D>
@@ -310,7 +313,8 @@ template <int D>
 /// Reads a tree of space as Hipparchus and Apache Commons Math dump it: "PolyhedronsSet", a tolerance, then nodes from
 /// the root, each "internal" with a point and the normal of its plane, minus child first, or "leaf true|false". Numbers
 /// are doubles, taken as they are written; tolerances are not used, and nodes that do not divide their part of space
-/// are passed over. Throws std::runtime_error with the line of what cannot be read.
+/// are left out.
+/// Throws std::runtime_error that names the line of what cannot be read. O(size of the text), plus pruning.
 [[nodiscard]] Partition<3> read_polyhedrons_set(std::string_view text);
 
 }  // namespace strata::bsp

@@ -1,5 +1,8 @@
 #pragma once
-/// Is a mesh the boundary of a solid?
+/// Is a mesh the boundary of a solid? Complete, exact answers.
+///
+/// Of the options, `threads` and `cancel` count. The result does not depend on the number of threads. All throw
+/// Cancelled, and std::length_error for more than 2^32 - 2 vertices or faces.
 #include <vector>
 
 #include "strata/errors.h"
@@ -8,14 +11,20 @@
 
 namespace strata {
 
-/// Complete diagnosis: indices, coordinates, closed, oriented, no face meets another but along shared edges and
-/// vertices, winding numbers 0 and 1. Empty exactly when the mesh bounds a solid (notes aside).
-/// Exact. O((n + k) log n) for k meeting pairs.
+/// Complete diagnosis: coordinates are finite, indices in range, no triangle is degenerate or doubled, every edge is
+/// closed and consistently oriented, no two triangles meet other than in common edges and vertices (equal coordinates
+/// are one vertex), winding numbers are 0 and 1. Law: no defect of severity `error` is listed exactly when the mesh
+/// bounds a solid. An empty mesh bounds the empty solid: this is noted, and no error. Kinds are listed once, with the
+/// first few faces and a count. When a defect makes later questions meaningless (an index out of range), these are not
+/// asked. Exact for all doubles. O((n + k) log n) for k pairs of triangles that meet.
 [[nodiscard]] std::vector<Defect> check(MeshView mesh, const Options& options = {});
-/// The same for rational vertices. Throws std::invalid_argument as `prepare_exact` does.
+/// The same for rational vertices. Throws std::invalid_argument when `exact` is not by increasing index, or the mesh
+/// does not hold the nearest doubles.
 [[nodiscard]] std::vector<Defect> check(ExactMeshView mesh, const Options& options = {});
 
-/// True when no two faces meet but along shared edges and vertices, by exact predicates on the doubles given.
+/// True when no two triangles meet other than in common edges and vertices. The mesh need not be closed. False also
+/// where a coordinate is not finite, an index out of range, or a triangle degenerate or doubled. Exact; the same
+/// complexity.
 [[nodiscard]] bool is_embedded(MeshView mesh, const Options& options = {});
 [[nodiscard]] bool is_embedded(ExactMeshView mesh, const Options& options = {});
 

@@ -1,5 +1,7 @@
 #pragma once
-/// Booleans from arrays to arrays.
+/// Booleans from arrays to arrays: the function beneath Solid and Expression, for callers with meshes of their own.
+///
+/// All functions are pure; calls from many threads do not disturb each other.
 #include <cstdint>
 #include <span>
 #include <string>
@@ -13,53 +15,69 @@
 
 namespace strata {
 
-/// Where the time went and what was met, in the order of the stages.
+/// Where the time went and what was found, in the order of the stages. For reports: names may change.
 struct Profile {
   std::vector<std::pair<std::string, double>> seconds;  ///< per stage
   std::vector<std::pair<std::string, std::uint64_t>>
       counts;  ///< pairs, points, pieces, ...; decisions per tier if counted
 };
 
-/// An operand whose vertices may be rationals; `exact` is empty for ordinary meshes. Rationals are taken as they are,
-/// of whatever class: they may cross themselves where the class is overlapping or repair, but nothing is repaired.
+/// An operand whose vertices may be rationals, as in ExactMesh; `exact` is empty for ordinary meshes. It looks at
+/// arrays that the caller owns. A mesh with rationals is never repaired: of class overlapping and repair it may cross
+/// itself, but must be closed.
 struct Operand {
   MeshView mesh;
   std::span<const ExactVertex> exact;
-  bool is_checked = false;  ///< of a Solid: if there are rationals, that they bound one is not asked again
+  bool is_checked = false;  ///< known to bound a solid, as a Solid does: not checked again, if there are rationals
 };
 
 /// The regularized boundary of the result.
 struct BooleanResult {
   Mesh mesh;  ///< unsplit faces first in input order, then split ones; new vertices rounded to nearest
   std::vector<Source> sources;     ///< one per triangle
-  std::vector<ExactVertex> exact;  ///< exact places of rounded vertices, if Options::exact_vertices
+  std::vector<ExactVertex> exact;  ///< exact positions of rounded vertices, if Options::exact_vertices
   std::vector<Defect> notes;       ///< what was resolved on the way in (seams welded, degenerate faces)
   Profile profile;
 };
 
-/// Regularized Boolean of n solids, exact on the coordinates given.
-/// The combinatorics are those of the exact result; coordinates of new vertices are the nearest doubles.
+/// Regularized Boolean of n solids, exact on the coordinates given. The combinatorics are those of the exact result;
+/// coordinates of new vertices are the nearest doubles.
+///
 /// Faces that do not meet another operand come out untouched: same vertices, same triangle, same order (but operands of
-/// one union that have walls in common are united first, and their faces stand together).
-/// Edges and vertices shared by several sheets are written once (non-manifold). degenerate_contact.h specifies what
-/// every degenerate contact gives.
-/// Laws: commutative in the operands (as point sets); same bytes for any number of threads.
-/// With another engine the solid is the same, but its triangles are not.
-/// Throws InputError (an operand is not what was declared), std::invalid_argument (exact places that are not in order
-/// or do not belong to the doubles), Cancelled, std::length_error (more than 2^32 - 2 vertices or faces in all).
+/// one union that have coincident facets are united first, and their faces stand together). Pieces of one face are
+/// merged. Edges and vertices shared by several sheets are written once: the result may be non-manifold there.
+///
+/// Rounding: the combinatorics stay those of the exact result, but where features are some ulps apart, rounded
+/// triangles may cross or lose their area. `exact` has the exact positions, and a Solid keeps them.
+///
+/// Degenerate cases: operands may touch, coincide and overlap anywhere. Where facets coincide with the interiors on the
+/// same side, one of them is in a union and in an intersection; with the interiors on opposite sides, neither is in
+/// either. Solids that only touch have an empty intersection. Empty operands are empty sets; of no operands the result
+/// is empty. degenerate_contact.h specifies what every degenerate contact gives.
+///
+/// Laws: those of sets, as point sets. Same bytes for any number of threads. With another engine the solid is the same,
+/// but its triangles are not.
+///
+/// Expected O(n + m log m + k log k) for n faces, m of them near other operands, and k pairs that meet. Memory O(n +
+/// k).
+///
+/// Throws InputError (an operand is not what was declared; `operand()` says which), std::invalid_argument (`exact` is
+/// not in order, or the mesh does not hold the nearest doubles), Cancelled, std::length_error (more than 2^32 - 2
+/// vertices or faces in all). Source: per stage, lib/ARCHITECTURE.md.
 [[nodiscard]] BooleanResult combine(Operation operation, std::span<const MeshView> operands,
                                     const Options& options = {});
 [[nodiscard]] BooleanResult combine(Operation operation, std::span<const Operand> operands,
                                     const Options& options = {});
 
-/// The points for which a closed formula holds, in one arrangement of all operands, however often each occurs. Throws
-/// std::invalid_argument if these are not bounded or the number of operands is not the formula's; the rest as above.
+/// The points for which a closed formula holds, in one arrangement of all operands, however often each occurs;
+/// regularized and else as above. Throws std::invalid_argument if the formula holds outside of all operands, so that
+/// the result is not bounded, or if the number of operands is not the formula's.
 [[nodiscard]] BooleanResult combine(const Formula& formula, std::span<const Operand> operands,
                                     const Options& options = {});
 
-/// Another way to compute what `combine` computes, exact and with mathematics of its own. Extensions provide engines:
-/// `bsp_engine` (bsp.h), `layer_engine` (query.h). Every engine gives the same solid as a point set, and the same bytes
-/// for any number of threads.
+/// Another way to compute what `combine` computes, exact and by independent methods, as a check on it: give its address
+/// as Options::engine. Extensions provide engines: `bsp_engine` (bsp.h), `layer_engine` (query.h). Laws: every engine
+/// gives the same solid as a point set, and the same bytes for any number of threads.
 struct Engine {
   const char* name;  ///< as on the command line
   BooleanResult (*combine)(Operation operation, std::span<const Operand> operands, const Options& options);

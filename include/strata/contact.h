@@ -1,10 +1,9 @@
 #pragma once
-/// How the parts of an assembly lie to each other: interfering, in contact or apart.
+/// Interference, contact and distance between the parts of an assembly.
 #include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -12,13 +11,14 @@
 #include "strata/measure.h"
 #include "strata/options.h"
 #include "strata/rational.h"
+#include "strata/shared.h"
 #include "strata/solid.h"
 
 namespace strata::contact {
 
 class Parts;  // internal
 
-/// How two closed regular solids lie to each other.
+/// The relation of two closed regular solids.
 enum class Relation {
   apart,       ///< they have no point in common
   contact,     ///< their boundaries meet, their interiors do not
@@ -31,27 +31,27 @@ enum class Relation {
   return names[static_cast<std::size_t>(relation)];
 }
 
-/// A connected piece of a plane in which two solids touch, with the outward side of the first one.
+/// A maximal connected planar region in which two solids touch, oriented as the boundary of the first one.
 struct ContactFacet {
   CanonicalPlane plane;
   /// Corners by numbers of ContactRegion::points: first the outer polygon, then holes, the facet on the left as seen
   /// from outside of the first solid. No corner lies inside a straight side.
   std::vector<std::vector<std::uint32_t>> loops;
-  RationalPoint area_vector;  ///< exact: the normal as long as the area
+  RationalPoint area_vector;  ///< exact: the outward normal whose length is the area
   Rational squared_area;      ///< exact: the square of its length
   double area = 0;            ///< within an ulp
 };
 
-/// A segment in which two solids touch and that bounds no facet of their contact.
+/// A maximal segment in which two solids touch and that lies in no facet of their contact.
 struct ContactEdge {
   std::array<std::uint32_t, 2> ends{};  ///< numbers of ContactRegion::points, the lower one first
   Rational squared_length;              ///< exact
   double length = 0;                    ///< within an ulp
 };
 
-/// A.b n B.b for two closed regular solids A and B whose interiors do not meet: the closed, non-regularized set in
-/// which they touch. Each dimension holds what no higher one has: facets are maximal; edges are maximal segments of
-/// what is left without the closures of facets; vertices are what is left of both.
+/// The intersection of the boundaries of two closed regular solids whose interiors do not meet: the closed set, not
+/// regularized, in which they touch. Facets are maximal; edges are the maximal segments of what is left without the
+/// closures of facets; vertices are the points that are left then.
 ///
 /// A canonical form of the point set: it does not depend on how the solids are triangulated; the order of the solids
 /// matters for the sides of facets only.
@@ -62,7 +62,7 @@ struct ContactRegion {
   std::vector<std::uint32_t> vertices;  ///< numbers of points
 
   [[nodiscard]] bool is_empty() const { return points.empty(); }
-  /// Sums in doubles: within a relative (n + 1) 2^-52 for n facets or edges.
+  /// Of all facets, and of all edges: sums in doubles, within a relative (n + 1) 2^-52 for n of them.
   [[nodiscard]] double area() const;
   [[nodiscard]] double length() const;
 };
@@ -82,13 +82,14 @@ struct MeshFeature {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// The least distance of two parts, exactly, and a pair of points that have it.
+/// The least distance of two parts, exactly, and a pair of closest points.
 ///
 /// Of all pairs of closest points it is the one whose point on a is lexicographically least, and with it the one on b:
-/// it depends on the point sets only. A feature is the lowest-dimensional one of the mesh that has the point inside.
+/// it depends on the point sets only. The feature of a point is the vertex, edge or face of the mesh in whose relative
+/// interior it lies.
 struct Nearest {
   Rational squared;     ///< exact, positive
-  double distance = 0;  ///< its root, within an ulp; infinite beyond doubles
+  double distance = 0;  ///< its square root, within an ulp; infinite beyond the largest double
   RationalPoint on_a, on_b;
   MeshFeature feature_a, feature_b;
 };
@@ -101,12 +102,13 @@ struct RelatedPair {
   friend bool operator==(const RelatedPair&, const RelatedPair&) = default;
 };
 
-/// Solids that stand beside one another, and what is between them: interference, contacts, distances. Exact for all
-/// finite doubles and for rational vertices, at any scale.
+/// A list of solids, to be queried for interference, contacts and distances of pairs. Exact for all finite doubles and
+/// for rational vertices, at any scale.
 ///
-/// Requires solids: surfaces with winding numbers 0 and 1, which may touch themselves anywhere, but have no membranes:
-/// faces that lie on one another with the solid on no side. Parts are numbered as given; the same solid may occur
-/// several times, and then interferes with itself. An immutable value, cheap to copy, safe to ask from many threads.
+/// Requires solids: surfaces with winding numbers 0 and 1, which may touch themselves anywhere, but have no membranes
+/// (coincident faces with the solid on neither side). Parts are numbered as given; the same solid may occur several
+/// times, and then interferes with itself. An immutable value: copying is O(1), reading is thread-safe.
+/// Source: lib/extensions/contact/theory.md.
 class Assembly {
  public:
   /// O(vertices); trees of faces are made when they are first needed. Throws std::length_error (more than 2^32 - 2
@@ -116,27 +118,26 @@ class Assembly {
   [[nodiscard]] std::uint32_t size() const;
   [[nodiscard]] const Solid& part(std::uint32_t number) const;
 
-  /// All pairs that are not apart, by increasing numbers; all others are. The same for any number of threads. Pairs
-  /// whose boxes are apart cost nothing but a comparison. Throws Cancelled.
+  /// All pairs that are not apart, by increasing numbers. In parallel; the result does not depend on the number of
+  /// threads. Pairs whose boxes are apart cost a comparison at most. Throws Cancelled.
   [[nodiscard]] std::vector<RelatedPair> pairs(const Monitor& monitor = {}) const;
 
-  /// Pairs of parts that may be apart by `reach` at most, as their boxes tell, by increasing numbers, the lower one
-  /// first; those that are not apart are among them. Infinite reach: all pairs of parts that are not empty. Requires
-  /// that `reach` is not negative.
+  /// Pairs of parts whose bounding boxes are at most `reach` apart: a superset of the pairs whose distance is at most
+  /// `reach`. By increasing numbers, the lower one first. Infinite reach: all pairs of parts that are not empty.
+  /// Requires that `reach` is not negative.
   [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(double reach) const;
 
-  /// How two different parts lie to each other. Law: symmetric.
+  /// The relation of two different parts. Law: symmetric. An empty part is apart from all.
   [[nodiscard]] Relation relation(std::uint32_t a, std::uint32_t b) const;
-  /// Where two parts touch. Requires that they do not interfere; nothing where they are apart.
+  /// The contact region of two parts; empty where they are apart. Requires that they do not interfere.
   [[nodiscard]] ContactRegion contact_region(std::uint32_t a, std::uint32_t b) const;
-  /// What two parts have in common, regularized: a solid with exact vertices; empty unless they interfere. Where it
-  /// shows that one touches itself inside of faces, both are resolved first.
+  /// The regularized intersection of two parts, with exact vertices; empty unless they interfere.
   [[nodiscard]] Solid overlap(std::uint32_t a, std::uint32_t b) const;
-  /// The least distance of two parts that are apart, and where it is. Requires that neither is empty.
+  /// The least distance of two parts, and a pair of closest points. Requires that they are apart, and not empty.
   [[nodiscard]] Nearest nearest(std::uint32_t a, std::uint32_t b) const;
 
  private:
-  std::shared_ptr<const Parts> parts_;
+  Shared<Parts> parts_;
 };
 
 }  // namespace strata::contact

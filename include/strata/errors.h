@@ -1,10 +1,11 @@
 #pragma once
-/// What can go wrong, and how it is told: defects of meshes, and every exception that Strata throws of its own.
+/// What can go wrong, and how it is reported: defects of meshes, and every exception that Strata throws of its own.
 ///
 /// InputError: the caller's mesh is not what was declared. IoError: a file. ParseError: a text. Cancelled: the caller
 /// asked to stop. LogicError: a fault of Strata itself. Besides these std::invalid_argument (arguments that mean
-/// nothing), std::length_error (more than 2^32 - 2 vertices or faces) and std::bad_alloc are thrown where a function
-/// says so.
+/// nothing), std::length_error (more than 2^32 - 2 vertices or faces), std::overflow_error (coordinates beyond all
+/// doubles) are thrown where a function says so, and std::bad_alloc by any that allocates. A function that throws
+/// leaves its arguments as they were. Exceptions of worker threads reach the caller.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -19,21 +20,21 @@ namespace strata {
 
 /// What can be wrong with a mesh that is to be a solid. The one vocabulary of library, command line and reports.
 enum class DefectKind {
-  non_finite_coordinate,
-  index_out_of_range,
-  degenerate_triangle,
-  duplicate_face,
-  open_edge,
-  inconsistent_orientation,
-  self_intersection,
-  inside_out,
-  empty_mesh,
+  non_finite_coordinate,     ///< a coordinate is infinite or no number
+  index_out_of_range,        ///< a triangle names a vertex that does not exist
+  degenerate_triangle,       ///< its corners are collinear, exactly
+  duplicate_face,            ///< two triangles have the same corners
+  open_edge,                 ///< an odd number of triangles meet in an edge
+  inconsistent_orientation,  ///< as many triangles as needed meet in an edge, but do not run against each other
+  self_intersection,         ///< two triangles meet other than in common edges and vertices
+  inside_out,                ///< winding numbers other than 0 and 1: a shell is turned round, or within another one
+  empty_mesh,                ///< no triangles where some are expected
 };
 
 /// error: the mesh is no solid. note: it is one, and this was resolved exactly on the way in.
 enum class Severity { note, error };
 
-/// One defect: where it is (coordinates of a witness point, face numbers) and what would repair it.
+/// One kind of defect: where it is (coordinates of a witness point, face numbers) and what would repair it.
 struct Defect {
   DefectKind kind = DefectKind::empty_mesh;
   Severity severity = Severity::error;
@@ -48,7 +49,7 @@ struct Defect {
 [[nodiscard]] std::string_view name(Severity severity);    ///< "error"
 [[nodiscard]] std::string describe(const Defect& defect);  ///< kind, message, coordinates, faces and remedy in one line
 
-/// The caller's data is not what was declared. Carries every defect found.
+/// The caller's data is not what was declared. Carries every defect found. what() describes the first ones.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Defect> defects, std::size_t operand = 0);
@@ -60,13 +61,14 @@ class InputError : public std::runtime_error {
   std::size_t operand_;
 };
 
-/// The caller's cancel token was set, or a limit was reached.
+/// The caller's CancelToken was set while an operation ran. There is no result.
 class Cancelled : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// An invariant of the library does not hold: our fault, or an operand that is not what was declared.
+/// An invariant of the library does not hold: a fault of Strata, or an operand that was declared to be what it is not
+/// where this is not checked (`Solid::trusted`).
 class LogicError : public std::logic_error {
  public:
   using std::logic_error::logic_error;
@@ -95,11 +97,11 @@ class IoError : public std::runtime_error {
   std::string reason_;
 };
 
-/// An error in a text, with its place.
+/// An error in a text that is no file, such as an expression. what() names the column.
 class ParseError : public std::runtime_error {
  public:
   ParseError(const std::string& what, std::size_t position);
-  [[nodiscard]] std::size_t position() const { return position_; }  ///< in bytes, from 0
+  [[nodiscard]] std::size_t position() const noexcept { return position_; }  ///< of the error: in bytes, from 0
 
  private:
   std::size_t position_;

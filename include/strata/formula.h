@@ -1,44 +1,54 @@
 #pragma once
-/// Boolean formulas about numbered operands.
+/// Boolean formulas about numbered operands: what `combine` evaluates in one arrangement when the four operations do
+/// not do. Most callers write an Expression instead, which makes its formula itself.
+///
+///   Formula formula(3);  // in 0 and in 1, and not in 2
+///   const std::array terms{formula.operand(0), formula.operand(1), !formula.operand(2)};
+///   formula.close(formula.join(Formula::Join::all, terms));
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace strata {
 
-class Windings;
+class Windings;  // internal: winding numbers of a point about operands
 
 /// A Boolean formula over operands: a tree of terms joined by any, all or odd, each of which may be negated. An operand
-/// may occur any number of times. Made bottom up, then closed; an immutable value from then on.
+/// may occur any number of times. Made bottom up by one thread, then closed; a value that is only read from then on, by
+/// any number of threads.
 class Formula {
  public:
-  /// any: at least one term holds; all: every one; odd: an odd number.
+  /// How terms are joined: any: at least one of them holds; all: every one does; odd: an odd number does.
   enum class Join : std::uint8_t { any, all, odd };
-  /// An operand or a joint of terms, as it is or negated.
+  /// An operand or a joint of terms, as it is or negated: `!term`.
   class Term;
 
+  /// A formula about so many operands, without terms yet.
   explicit Formula(std::uint32_t operands) : occurrences_(operands) {}
 
+  /// An operand as a term; numbers count from 0. Requires number < operands().
   [[nodiscard]] Term operand(std::uint32_t number) const;
-  /// Joins terms of this formula, none of which was joined before. Without terms: any and odd are false, all is true.
-  /// Joints that are joined alike, or by De Morgan's laws would be, become one, so that long chains are shallow.
+  /// A joint of terms of this formula, none of which was joined before. Without terms: any and odd are false, all is
+  /// true. A joint within a joint of the same kind, also by De Morgan's laws, becomes part of it, so that long chains
+  /// are shallow. O(terms).
   Term join(Join join, std::span<const Term> terms);
-  /// Says which term is the whole formula. O(size).
+  /// Declares which term is the whole formula; it has no more terms afterwards. O(size).
   void close(const Term& whole);
 
   [[nodiscard]] std::uint32_t operands() const { return static_cast<std::uint32_t>(occurrences_.size()); }
-  /// The value where a point is in the operands with a positive winding number and in no other.
-  /// O(k d log k) for k such operands and joints at most d deep: what is out everywhere costs nothing.
+  /// The value at a point that is in the operands with a positive winding number and in no other. Requires a closed
+  /// formula. O(k d log k) for k such operands and joints at most d deep, whatever the number of all operands.
   [[nodiscard]] bool holds(const Windings& windings) const;
 
-  /// True when the formula has one value as soon as one operand is in, or out, whatever the others are; found without
-  /// looking at how other operands occur several times. O(1).
+  /// True only if the formula has one value wherever a point is in that operand (or is not), whatever the others are.
+  /// False may be wrong where operands occur several times: it is found from one occurrence at a time. Requires a
+  /// closed formula. O(1).
   [[nodiscard]] bool settles(std::uint32_t operand, bool in) const {
     return settles_[2 * std::size_t{operand} + (in ? 1 : 0)];
   }
 
-  /// Operands that matter only in that a point is in one of them or in none: each list is as good as one operand, their
-  /// union. Lists of at least two, in order; an operand that occurs several times is in none. O(operands log operands).
+  /// Sets of operands for which it matters only whether a point is in any of them: each could be replaced by its union.
+  /// Sets of at least two, increasing; an operand that occurs several times is in none. O(operands log operands).
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> unions() const;
 
  private:

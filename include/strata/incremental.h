@@ -1,40 +1,48 @@
 #pragma once
 /// Solids that are changed in thousands of steps.
 #include <cstddef>
-#include <memory>
 #include <span>
 
 #include "strata/options.h"
+#include "strata/shared.h"
 #include "strata/solid.h"
 
 namespace strata {
 
-/// A solid that is changed step by step, thousands of times: an immutable value, cheap to copy, safe to read from many
-/// threads. A step shares with the incremental solid before it whatever it does not touch, so it costs about what the
-/// surfaces cost where tool and incremental solid meet, and all versions of a incremental solid may be kept.
+/// A solid that is combined with one tool after the other, as in simulated machining. A step shares with the version
+/// before it whatever it does not touch, so it costs about what the surfaces cost where tool and solid meet, and all
+/// versions may be kept. Coordinates do not grow with the number of steps: every vertex is given, or the meet of three
+/// planes of given faces (but where solids touch themselves within faces or edges, which results do not).
+///
+/// An immutable value: copying is O(1), reading is thread-safe. Law: the same point set as that of the same operations
+/// on Solid; its triangles may be others. Source: own; lib/extensions/incremental/theory.md.
 class IncrementalSolid {
  public:
   IncrementalSolid();  ///< empty
+  /// O(n log n).
   explicit IncrementalSolid(const Solid& solid);
 
-  /// The incremental solid and a tool combined; difference: the tool is taken away. Exact. Throws as `combine` does.
+  /// The regularized Boolean of this solid and a tool; difference: the tool is taken away. Exact, in all degenerate
+  /// cases of `combine`. Of the options `threads`, `progress` and `cancel` count. Throws as `combine` does. Expected
+  /// O(m log n) for m faces where the two meet and n in all, plus the faces that are dropped.
   [[nodiscard]] IncrementalSolid with(Operation operation, const Solid& tool, const Options& options = {}) const;
 
-  /// The same with many tools, in any order: those that are near each other are taken in one step, which is faster than
-  /// one after the other. union_: with all; difference: all are taken away; intersection: what is in all;
-  /// symmetric_difference: as often as there are tools.
+  /// The same with many tools, in any order: those that are near each other are combined in one step, which is faster
+  /// than one after the other. union_: with all; difference: all are taken away; intersection: what is in all;
+  /// symmetric_difference: what is in an odd number of them and this solid together. Without tools: this solid.
   [[nodiscard]] IncrementalSolid with(Operation operation, std::span<const Solid> tools,
                                       const Options& options = {}) const;
 
-  [[nodiscard]] Solid solid() const;  ///< O(n)
+  [[nodiscard]] Solid solid() const;  ///< with exact vertices; O(n)
   [[nodiscard]] bool is_empty() const;
   [[nodiscard]] std::size_t triangle_count() const;
-  /// The volume, nearly to the last digit of a double. O(1). `solid().volume()` is exact.
+  /// Correct to a few units in the last place, unless nearly all of the solid cancels. O(1). `solid().volume()` is
+  /// exact.
   [[nodiscard]] double volume() const;
 
  private:
   struct Data;
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 }  // namespace strata

@@ -1,8 +1,10 @@
 #pragma once
-/// Mesh files.
+/// Mesh files: STL, OBJ, OFF, PLY, and XOFF, which keeps rational coordinates; glTF, 3MF and others by assimp.
+///
+/// Paths are a std::string, a literal or a std::filesystem::path (FilePath). All functions may be called from many
+/// threads at once; two that write one file race for it, but each leaves a complete one.
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <iosfwd>
 #include <optional>
 #include <span>
@@ -11,11 +13,12 @@
 #include <vector>
 
 #include "strata/errors.h"
+#include "strata/file_path.h"
 #include "strata/mesh.h"
 
 namespace strata {
 
-/// File formats. Reading tells the variants of STL and PLY apart by itself; writing obeys.
+/// File formats. Reading finds the variant of an STL or PLY file in the file itself; writing uses the one named.
 enum class Format {
   stl,        ///< binary, coordinates are floats
   stl_ascii,  ///< text, coordinates are doubles
@@ -28,31 +31,34 @@ enum class Format {
   other,  ///< glTF, 3MF, FBX, DAE and whatever else assimp reads, into floats; cannot be written
 };
 
-/// What a file holds. Coordinates are what the file says: no units, no welding by distance.
+/// What a file holds. Coordinates are the numbers in the file, decimals as their nearest doubles: no units, no welding
+/// by distance.
 struct MeshFile {
   Mesh mesh;
-  std::vector<std::string> notes;                  ///< what was left out or decided on the way, one sentence each
+  std::vector<std::string> notes;                  ///< what was left out or decided when reading, one sentence each
   std::vector<std::uint32_t> polygon_of_triangle;  ///< face of the file, from 0, per triangle; empty: they are the same
   std::vector<ExactVertex> exact;                  ///< as in ExactMesh: vertices that are not three doubles (XOFF only)
 };
 
-/// The format that goes with a file name's extension, in any case; `other` for those that are not ours.
-[[nodiscard]] Format format_of(const std::filesystem::path& path);
+/// The format that goes with a file name's extension, upper or lower case; `other` for those that Strata has no reader
+/// of its own for.
+[[nodiscard]] Format format_of(const FilePath& path);
 
 /// The format of a name: "stl", "stl-ascii", "obj", "off", "xoff", "ply", "ply-ascii", "ply-big-endian"; any other
-/// extension that can be read ("glb") is `other`. Nothing for names that mean nothing.
+/// extension that can be read ("glb") is `other`. No value for unknown names.
 [[nodiscard]] std::optional<Format> format_named(std::string_view name);
 [[nodiscard]] std::string_view name(Format format);
 
-/// Reads a mesh, the format by extension unless given.
-/// Polygons are triangulated without moving or dropping a vertex, so that shared edges stay shared; those that are not
-/// planar in doubles are noted, but in XOFF, where they are errors. STL corners with equal coordinates (-0 = 0) become
-/// one vertex, in order of first use. Faces with fewer than three different vertices are left out and noted. Throws
-/// IoError: missing, unreadable, empty, truncated or malformed files, coordinates that are not finite or beyond the
-/// range of doubles, indices out of range, unknown formats; of several errors the first in the file. O(size of the
-/// file), plus O(k^2) at worst for a face of k corners (O(k log k) in XOFF), on all threads of the calling arena. The
-/// result does not depend on their number. Source: theory.md.
-[[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path, std::optional<Format> format = {});
+/// Reads a mesh, the format by extension unless given. Polygons are triangulated without moving or dropping a vertex,
+/// so that shared edges stay shared; those that are not planar in doubles are noted, but in XOFF, where they are
+/// errors. STL corners with equal coordinates (-0 = 0) become one vertex, in order of first use. Faces with fewer than
+/// three different vertices are left out and noted. Throws IoError: missing, unreadable, empty, truncated or malformed
+/// files, coordinates that are not finite or beyond the range of doubles, indices out of range, unknown formats; of
+/// several errors the first in the file. What is read need not bound a solid: see InputClass and `check`. O(size of the
+/// file), plus O(k^2) at worst for a face of k corners (O(k log k) in XOFF), in parallel: on all cores, or within the
+/// caller's TBB arena. The result does not depend on the number of threads. Source: lib/core/io/theory.md; of XOFF
+/// lib/core/io/xoff.md.
+[[nodiscard]] MeshFile read_mesh(const FilePath& path, std::optional<Format> format = {});
 
 /// The same for bytes in memory. `name` stands for the path in messages; for `other` its extension picks the reader.
 [[nodiscard]] MeshFile read_mesh(std::string_view data, Format format, std::string name);
@@ -64,19 +70,17 @@ struct MeshFile {
 /// is no regular file (a device, a pipe) is written in place. Same bytes for any number of threads.
 /// Throws IoError: unwritable targets, full disks, formats that cannot be written, coordinates that are not finite or
 /// too large for the format, indices out of range.
-std::vector<std::string> write_mesh(const std::filesystem::path& path, MeshView mesh,
-                                    std::optional<Format> format = {});
-/// The same with exact places, which XOFF keeps; other formats get the rounded ones. Throws IoError also for exact
-/// places that are not in order, of no vertex, or beyond the range of doubles.
-std::vector<std::string> write_mesh(const std::filesystem::path& path, const ExactMesh& mesh,
-                                    std::optional<Format> format = {});
+std::vector<std::string> write_mesh(const FilePath& path, MeshView mesh, std::optional<Format> format = {});
+/// The same with exact positions, which XOFF keeps; other formats get the rounded ones, which a note says. Throws
+/// IoError also for exact positions that are not in order, of no vertex, or beyond the range of doubles.
+std::vector<std::string> write_mesh(const FilePath& path, const ExactMesh& mesh, std::optional<Format> format = {});
 
-/// The same into a stream, to which `name` refers in messages. Checks the stream's state.
+/// The same into a stream, which `name` stands for in messages. Throws IoError, too, when the stream fails.
 std::vector<std::string> write_mesh(std::ostream& stream, MeshView mesh, Format format, std::string name = "output");
 std::vector<std::string> write_mesh(std::ostream& stream, const ExactMesh& mesh, Format format,
                                     std::string name = "output");
 
-/// The same into memory.
+/// The same as the bytes of the file. Throws IoError for what cannot be written in the format.
 [[nodiscard]] std::string to_string(MeshView mesh, Format format);
 [[nodiscard]] std::string to_string(const ExactMesh& mesh, Format format);
 

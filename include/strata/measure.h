@@ -1,5 +1,7 @@
 #pragma once
 /// Volume, area, topology, and the canonical form that makes solids comparable.
+///
+/// All functions are pure: they may be called from many threads at once, also for one mesh.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -11,8 +13,8 @@
 
 namespace strata {
 
-/// Facts about a closed mesh that survive re-triangulation.
-/// Vertices with equal coordinates are one vertex; triangles that repeat a vertex are left out.
+/// Facts about a mesh that do not depend on its triangulation (but `open_edges`). Vertices with equal coordinates are
+/// one vertex; triangles that repeat a vertex are left out.
 struct Topology {
   std::uint64_t components = 0;             ///< connected over shared vertices (equal coordinates are one vertex)
   std::int64_t euler = 0;                   ///< V - E + F over used vertices, undirected edges and triangles
@@ -21,14 +23,17 @@ struct Topology {
   std::uint64_t open_edges = 0;             ///< edges whose directed occurrences do not cancel
 };
 
-/// Signed volume: sum of det(a, b, c) / 6 over the triangles. Exact; positive when normals point outwards.
-/// O(n) on fixed-width integers where coordinates allow it.
+/// Signed volume: sum of det(a, b, c) / 6 over the triangles. Exact; positive when normals point outwards. Requires
+/// indices in range and finite coordinates. Of a mesh that is not closed it depends on the origin. Laws: additive for
+/// solids with disjoint interiors; multiplied by det under affine maps. O(n), on integers of fixed width where
+/// coordinates allow it.
 [[nodiscard]] Rational volume(ExactMeshView mesh);
 
-/// Surface area, correct to a few units in the last place of a double.
+/// Surface area, correct to a few units in the last place of a double. Requires indices in range and finite
+/// coordinates. O(n).
 [[nodiscard]] double area(const ExactMesh& mesh);
 
-/// Indices must be in range. O(n log d) for vertices of degree d.
+/// Requires indices in range. Any mesh: it need not be closed. O(n log d) for vertices of degree d.
 [[nodiscard]] Topology topology(const ExactMesh& mesh);
 
 /// An oriented plane a x + b y + c z = d with coprime integer coefficients; (a, b, c) points outwards.
@@ -44,9 +49,9 @@ struct CanonicalFacets {
   std::vector<std::vector<std::uint32_t>> loops;  ///< indices into CanonicalForm::vertices
 };
 
-/// The one description of a regular solid that does not depend on how its boundary is triangulated:
-/// maximal planar facets, exact vertices in lexicographic order. Two solids are equal as point sets exactly
-/// when their canonical forms are equal.
+/// The one description of a regular solid that does not depend on how its boundary is triangulated: maximal planar
+/// facets, exact vertices in lexicographic order. Law: two solids are equal as point sets exactly when their canonical
+/// forms are equal.
 struct CanonicalForm {
   std::vector<RationalPoint> vertices;
   std::vector<CanonicalFacets> planes;
@@ -54,17 +59,17 @@ struct CanonicalForm {
   [[nodiscard]] std::size_t facet_count() const;  ///< connected facets: the outer loops
   [[nodiscard]] std::size_t edge_count() const;   ///< sides of all loops, undirected, each counted once
   [[nodiscard]] std::string text() const;         ///< a complete, readable dump
-  [[nodiscard]] std::uint64_t hash() const;
+  [[nodiscard]] std::uint64_t hash() const;       ///< equal for equal forms; the same on every machine
   friend bool operator==(const CanonicalForm& a, const CanonicalForm& b);
 };
 
 /// A planar polygon with holes: loops of exact points, the interior on the left seen from outside.
 using ExactFacet = std::vector<std::vector<RationalPoint>>;
 
-/// Canonical form of a closed boundary.
-/// Facets may be triangles or polygons, split anyhow, with vertices inside each other's sides (T-junctions);
-/// overlapping parts of opposite orientation cancel. Degenerate (zero-area) facets are ignored.
-/// O(n log n) exact comparisons.
+/// Canonical form of a closed boundary. Facets may be triangles or polygons, split anyhow, with vertices inside each
+/// other's sides (T-junctions); overlapping parts of opposite orientation cancel. Degenerate (zero-area) facets are
+/// ignored. Requires that what is given is the boundary of a regular solid; for other closed surfaces the form is
+/// unspecified. O(n log n) exact comparisons.
 [[nodiscard]] CanonicalForm canonical_form(const ExactMesh& mesh);
 [[nodiscard]] CanonicalForm canonical_form(const std::vector<ExactFacet>& facets);
 

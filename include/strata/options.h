@@ -1,19 +1,18 @@
 #pragma once
-/// What is computed, of what, how, and how it is watched.
+/// Operations, what is declared about operands, and how an operation is computed.
 #include <array>
-#include <atomic>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string_view>
 
 #include "strata/errors.h"
+#include "strata/monitor.h"
 
 namespace strata {
 
-/// Regularized set operations on n >= 1 operands.
-/// union_: in any; intersection: in all; difference: in the first and in no other; symmetric_difference: in an odd
-/// number.
+/// Regularized set operations on n >= 1 operands: the closure of the interior of what is union_: in any; intersection:
+/// in all; difference: in the first and in no other; symmetric_difference: in an odd number of them. Regularization
+/// leaves no loose faces, edges or points, and none are missing (Requicha 1980).
 enum class Operation { union_, intersection, difference, symmetric_difference };
 
 inline constexpr std::array all_operations{Operation::union_, Operation::intersection, Operation::difference,
@@ -39,11 +38,18 @@ inline constexpr std::array all_operations{Operation::union_, Operation::interse
   return signs[static_cast<std::size_t>(operation)];
 }
 
-/// What the caller declares about the operands.
+/// What the caller declares about the operands. The winding number of a point is how often the oriented surface goes
+/// round it: 1 inside a simple closed surface that is oriented outwards.
 enum class InputClass {
-  solid,        ///< closed, winding numbers 0 and 1: the edge chain is checked, self-intersection is not searched
-  overlapping,  ///< closed, may cross itself: resolved completely; inside is winding number > 0
-  repair,       ///< a soup: weld equal vertices, drop duplicate and degenerate faces, orient; then as overlapping
+  /// Closed, with winding numbers 0 and 1 only. Checked: every edge is used as often in one direction as in the other,
+  /// the volume is not negative. Not searched: self-intersection; where two operands cross in a place in which one of
+  /// them crosses itself, it is found and refused.
+  solid,
+  /// Closed, may cross and overlap itself: resolved completely; inside is where the winding number is positive.
+  overlapping,
+  /// Any triangles: equal vertices are welded, duplicate and degenerate faces dropped, orientation made consistent and
+  /// outwards; what is then closed is taken as overlapping. No vertex moves, no hole is filled.
+  repair,
 };
 
 inline constexpr std::array all_input_classes{InputClass::solid, InputClass::overlapping, InputClass::repair};
@@ -56,35 +62,14 @@ inline constexpr std::array all_input_classes{InputClass::solid, InputClass::ove
 
 struct Engine;  // combine.h
 
+/// How an operation is computed. Every field has a default: `{.threads = 1}` is enough.
 struct Options {
   InputClass input = InputClass::solid;
-  const Engine* engine = nullptr;             ///< none: the arrangement, which is what formulas need
-  unsigned threads = 0;                       ///< 0: all cores. The result does not depend on it.
-  bool exact_vertices = false;                ///< fill BooleanResult::exact (rationals; costs time per new vertex)
-  std::function<void(double)> progress = {};  ///< called with a fraction 0..1, from any thread, never concurrently
-  const std::atomic<bool>* cancel = nullptr;  ///< set to true to stop: throws Cancelled within milliseconds
-};
-
-/// Lets a long computation be cancelled and watched from outside. Holds references to what the caller owns.
-class Monitor {
- public:
-  Monitor() = default;
-  explicit Monitor(const std::atomic<bool>* cancel, const std::function<void(double)>* progress = nullptr)
-      : cancel_(cancel), progress_(progress) {}
-
-  /// Throws Cancelled once the caller has asked for it.
-  void check() const {
-    if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) throw Cancelled("cancelled by the caller");
-  }
-
-  /// Tells how far the work is, 0 to 1. To be called between stages, never from two threads at once.
-  void report(double fraction) const {
-    if (progress_ != nullptr && *progress_) (*progress_)(fraction);
-  }
-
- private:
-  const std::atomic<bool>* cancel_ = nullptr;
-  const std::function<void(double)>* progress_ = nullptr;
+  const Engine* engine = nullptr;       ///< null: the arrangement, which also evaluates every formula
+  unsigned threads = 0;                 ///< 0: all cores. The result does not depend on it.
+  bool exact_vertices = false;          ///< fill BooleanResult::exact (rationals; costs time per new vertex)
+  Progress progress = {};               ///< any callable that takes a double: the fraction done
+  const CancelToken* cancel = nullptr;  ///< null: the operation cannot be cancelled
 };
 
 }  // namespace strata

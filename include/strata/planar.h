@@ -1,10 +1,10 @@
 #pragma once
-/// Polygons in the plane: Booleans, checks, location, and files (WKT, GeoJSON, SVG paths).
+/// Polygons in the plane: Booleans, checks, point location, contacts, and files (WKT, GeoJSON, SVG paths). Exact.
+///
+/// Loops are what is given: closed polygons, which may cross. A Region is what they fill: simple polygons with holes.
+/// All functions may be called from many threads at once.
 #include <array>
 #include <cstdint>
-#include <filesystem>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -13,15 +13,18 @@
 #include <vector>
 
 #include "strata/errors.h"
+#include "strata/file_path.h"
+#include "strata/function.h"
 #include "strata/options.h"
 #include "strata/rational.h"
+#include "strata/shared.h"
 
 namespace strata::planar {
 
 /// Coordinates in the plane, in model units.
 using PlanePoint = std::array<double, 2>;
 
-/// "No such number" wherever points, lines, segments, pieces are numbered.
+/// "No such number" wherever points and lines are numbered.
 inline constexpr std::uint32_t none = 0xffffffff;
 
 /// A point with rational coordinates.
@@ -40,8 +43,8 @@ struct Meet {
 };
 
 /// Points and lines by number. A point is *given* (two doubles, or two rationals) or the *meet* of two lines; a line
-/// goes through two given points. So every point is at most two steps away from numbers somebody wrote down, however
-/// many operations it took to find it: its coordinates are quotients of polynomials of degree 3 and 2.
+/// goes through two given points. So however many operations led to a point, its coordinates are quotients of
+/// polynomials of degree 3 and 2 in given coordinates.
 ///
 /// Numbers: points given as doubles come first, then those given as rationals, then meets.
 /// `place` and `error` hold the exact point: |exact - place[i]| <= error (as in `Bounded`) for each coordinate.
@@ -76,12 +79,12 @@ struct Places {
 /// The doubles nearest to a point's coordinates, ties to even. Mostly settled by 106-bit arithmetic.
 [[nodiscard]] PlanePoint nearest_place(const Places& places, std::uint32_t point);
 
-/// Polyloops: cyclic lists of vertices, each joined to the next by an edge. Nothing more is asked of them: they may
-/// cross themselves and each other, touch, run back along themselves, or consist of one vertex.
+/// Polyloops: cyclic lists of vertices, each joined to the next by an edge. No invariant: they may cross themselves and
+/// each other, touch, run back along themselves, or consist of one vertex.
 ///
 /// An edge lies on the line through its ends, or, if one of them is a meet, on a given line that `edge_line` names; so
-/// results of operations remember where their edges came from. Points that are no vertices are there for the lines that
-/// need them.
+/// results of operations keep the lines that their edges came from. `places` also has points that are no vertices, but
+/// define lines.
 struct Loops {
   Places places;
   std::vector<std::uint32_t> vertices;  ///< of all loops, one loop after the other
@@ -93,7 +96,7 @@ struct Loops {
   [[nodiscard]] std::span<const std::uint32_t> loop(std::uint32_t i) const {
     return {vertices.data() + first_vertex[i], vertices.data() + first_vertex[i + 1]};
   }
-  /// Appends a loop of points given as doubles. Requires finite ones, and that no other points are there.
+  /// Appends a loop of points given as doubles. Requires finite ones, and that all points are doubles.
   void add(std::span<const PlanePoint> loop);
 };
 
@@ -121,7 +124,7 @@ class LoopsBuilder {
 [[nodiscard]] Rational twice_area(const Loops& loops, std::span<const std::uint32_t> loop);
 [[nodiscard]] Rational twice_area(const Loops& loops);
 
-/// A bounded open regular set: polygons, the components of its interior (source document, 3.1 and 3.3), exclusive.
+/// A bounded open regular set as its polygons: the components of its interior, which are disjoint.
 ///
 /// What holds: every loop is simple (a clean polyloop); loops meet in vertices only. A polygon's outer loop is
 /// counter-clockwise, its holes are clockwise: the polygon lies to the left of every edge. Where a polygon's boundary
@@ -145,7 +148,7 @@ struct Region {
 [[nodiscard]] Rational area(const Region& region);
 [[nodiscard]] Rational area(const Region& region, std::uint32_t polygon);
 
-/// A polygon's boundary, by what is touched (source document, 1.4 and 3.2).
+/// A polygon by how its boundary touches itself.
 struct PolygonKind {
   bool is_manifold = true;  ///< no vertex is on its loops twice
   bool is_simply_connected =
@@ -161,7 +164,7 @@ struct PolygonKind {
 
 /// Which points loops fill, by how often the loops wind around them.
 enum class FillRule {
-  even_odd,  ///< an odd number of times: the interior of a polyloop (source document, 4.1)
+  even_odd,  ///< an odd number of times
   nonzero,   ///< not zero
   positive,  ///< counter-clockwise more often than clockwise
   negative,
@@ -181,14 +184,14 @@ enum class FillRule {
   return false;
 }
 
-/// Which operands a point is in.
+/// The operands that a point is in.
 struct Inside {
   std::vector<std::uint8_t> is_in;  ///< by operand
   std::uint32_t count = 0;          ///< how many
 };
 
 /// A Boolean combination of operands, as a function of the operands that a point is in.
-using Combination = std::function<bool(const Inside&)>;
+using Combination = Function<bool(const Inside&)>;
 
 using strata::Operation;
 
@@ -206,7 +209,7 @@ using strata::Operation;
   return false;
 }
 
-/// Loops, and what they fill.
+/// Loops with their fill rule, or a region, as an operand. Refers to them: they must outlive it.
 struct Operand {
   const Loops* loops = nullptr;
   FillRule fill = FillRule::nonzero;
@@ -215,7 +218,7 @@ struct Operand {
   Operand(const Region& r) : loops(&r.loops) {}                                    // NOLINT: and so is a region
 };
 
-/// The combination holds outside of all operands, so that its set has no end.
+/// The combination holds outside of all operands, so the result would be unbounded.
 class UnboundedResult : public std::runtime_error {
  public:
   UnboundedResult() : std::runtime_error("the combination holds outside of all operands: the result is unbounded") {}
@@ -233,12 +236,12 @@ class UnboundedResult : public std::runtime_error {
 [[nodiscard]] Region intersection(const Operand& a, const Operand& b);
 [[nodiscard]] Region difference(const Operand& a, const Operand& b);
 [[nodiscard]] Region symmetric_difference(const Operand& a, const Operand& b);
-/// The polygons of loops by themselves.
+/// The region that loops fill. Throws as `combine` does.
 [[nodiscard]] Region fill(const Operand& a);
 
-/// How polyloops fail to be clean: two of their vertices and edges share a point (source document, 4.1).
+/// How polyloops fail to be clean, that is, how two of their vertices and edges share a point.
 enum class SelfMeetingKind {
-  vertex_on_vertex,   ///< several vertices have one place
+  vertex_on_vertex,   ///< several vertices have one position
   vertex_on_edge,     ///< vertices lie inside edges
   edges_crossing,     ///< edges share a point inside each of them
   edges_overlapping,  ///< edges share a stretch, from `where` to `to`
@@ -253,11 +256,11 @@ struct SelfMeeting {
   std::vector<std::uint32_t> edges;     ///< through `where`, by the indices of the vertices they start from
 };
 
-/// Every place where the loops, all together, meet themselves, and loops of one vertex. Loops are clean when there is
-/// none: the edges of a loop of two vertices overlap. O((n + k) log n).
+/// Every point or stretch in which the loops, all together, meet themselves, and loops of one vertex. Loops are clean
+/// when there is none; the edges of a loop of two vertices overlap. O((n + k) log n).
 [[nodiscard]] std::vector<SelfMeeting> self_intersections(const Loops& loops);
 
-/// Whether loops are clean polyloops, apart from each other, of three vertices or more.
+/// True when `self_intersections` finds none: loops are simple, disjoint, and of three vertices or more.
 [[nodiscard]] bool is_clean(const Loops& loops);
 
 /// Where a region's loops, with every vertex at its nearest double, would meet other than in the vertices that they
@@ -265,15 +268,16 @@ struct SelfMeeting {
 /// log n).
 [[nodiscard]] std::vector<SelfMeeting> rounding_conflicts(const Region& region);
 
-/// What a region promises and does not keep; empty for every result of this room. O(n log n).
+/// A self-check for tests: the invariants of Region that do not hold, as sentences; empty for every region that a
+/// function here returns. O(n log n).
 [[nodiscard]] std::vector<std::string> validate(const Region& region);
 
-/// Point-membership classification (source document, 4.1).
+/// Point-membership classification: in the interior, on the boundary, outside.
 enum class Membership { in, on, out };
 
-/// Answers where points are relative to a region. For the interior of a polyloop, take the region that it fills
+/// Locates points in a region. For the interior of a polyloop, take the region that it fills
 /// (`fill`, by parity): its edges are those of the boundary L.b, not those that have the interior on both sides.
-/// Holds a reference to the region. Queries are const and thread-safe.
+/// Holds a reference to the region. It must outlive the locator. Queries are const and thread-safe.
 class Locator {
  public:
   explicit Locator(const Region& region);
@@ -285,10 +289,10 @@ class Locator {
 
  private:
   struct Data;
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
-/// A polygon of a region as one polyloop (source document, 4.1): every hole is joined to what lies to its left by a
+/// A polygon of a region as one polyloop: every hole is joined to what lies to its left by a
 /// bridge, an edge that is walked there and back, inside of the polygon and between two of its vertices. Its interior
 /// by parity, `fill` with FillRule::even_odd, is the polygon again. Bridges lie on no given line, so vertices that are
 /// no doubles are rationals of the result. O(holes * vertices). Source: Eberly, "Triangulation by Ear Clipping" for
@@ -298,7 +302,7 @@ class Locator {
 /// One polygon of a region as a region of its own.
 [[nodiscard]] Region polygon_of(const Region& region, std::uint32_t polygon);
 
-/// The canonical decomposition SGC(S) of the plane by a polygon S (source document, 3.2): the face S, the exterior
+/// The canonical decomposition of the plane by a polygon S (Rossignac's SGC(S)): the face S, the exterior
 /// faces, and the boundary's edges and vertices, which the polygon determines. A vertex is a boundary point around
 /// which the boundary is no straight line; edges are the components of the rest. Labels: S true, all else false.
 struct CanonicalDecomposition {
@@ -315,7 +319,7 @@ struct CanonicalDecomposition {
 
 [[nodiscard]] CanonicalDecomposition canonical_decomposition(const Region& region, std::uint32_t polygon);
 
-/// How two regions are to each other (source document, 3.4).
+/// The relation of two regions.
 enum class Relation {
   apart,        ///< their closures have no common point
   contact,      ///< their boundaries have, their interiors have not
@@ -330,10 +334,10 @@ struct Contact {
   std::vector<RationalPlacement> points;
 };
 
-/// O((n + k) log n). Of interfering regions neither edges nor points are told.
+/// The contact of two regions; of interfering regions, the relation alone. O((n + k) log n).
 [[nodiscard]] Contact contact_of(const Region& a, const Region& b);
 
-/// Files of the plane.
+/// File formats of polygons.
 enum class PlanarFormat {
   wkt,      ///< POLYGON, MULTIPOLYGON, GEOMETRYCOLLECTION of these; coordinates may be quotients: 1/3
   geojson,  ///< Polygon, MultiPolygon, GeometryCollection, Feature, FeatureCollection
@@ -341,25 +345,25 @@ enum class PlanarFormat {
 };
 
 /// By a file's extension (.wkt, .txt; .geojson, .json; .svg) or by a name ("wkt", "geojson", "svg"), in lower case.
-[[nodiscard]] std::optional<PlanarFormat> planar_format_of(const std::filesystem::path& path);
+[[nodiscard]] std::optional<PlanarFormat> planar_format_of(const FilePath& path);
 [[nodiscard]] std::optional<PlanarFormat> planar_format_named(std::string_view name);
 
-/// What a file says: loops whose nonzero winding is the point set meant. Rings of polygons (WKT, GeoJSON) are turned so
-/// that shells go counter-clockwise and holes clockwise, by the signs of their areas; paths (SVG) are as they are. A
-/// repeated last vertex is left out.
+/// What a file holds: loops whose point set is that of the nonzero fill rule. Rings of polygons (WKT, GeoJSON) are
+/// turned so that shells go counter-clockwise and holes clockwise, by the signs of their areas; paths (SVG) are as they
+/// are. A repeated last vertex is left out.
 struct PlanarFile {
   Loops loops;
   std::vector<std::string> notes;  ///< what was left out, one sentence each
 };
 
 /// Reads polygons; coordinates become their nearest doubles, quotients and sums of relative coordinates stay exact.
-/// Of SVG, paths that are drawn where they stand; clip paths, fill rules and other shapes are told in notes. A byte
-/// order mark is passed over. Throws IoError: missing, unreadable or malformed files, other geometries, curves in
+/// Of SVG, paths that are drawn where they stand; clip paths, fill rules and other shapes are reported in notes. A
+/// byte order mark is ignored. Throws IoError: missing, unreadable or malformed files, other geometries, curves in
 /// paths, and transformations. O(size of the file).
-[[nodiscard]] PlanarFile read_planar(const std::filesystem::path& path, std::optional<PlanarFormat> format = {});
+[[nodiscard]] PlanarFile read_planar(const FilePath& path, std::optional<PlanarFormat> format = {});
 [[nodiscard]] PlanarFile read_planar(std::string_view data, PlanarFormat format, std::string name);
 
-/// How coordinates are written that are no doubles.
+/// How coordinates are written that are not doubles.
 enum class Coordinates {
   nearest,  ///< as the nearest doubles, in the shortest digits that read back the same
   exact,    ///< as quotients in lowest terms; WKT only

@@ -1,12 +1,11 @@
 #pragma once
-/// Questions about solids in space: where points lie, what rays meet, what is seen from an origin, and in which layers.
+/// Queries of solids in space: point location, ray casting, visibility from an origin, and layer decompositions.
 ///
-/// A Scene keeps the solids; everything else is made of a scene, immutable, cheap to copy, and safe to use from many
-/// threads.
+/// A Scene keeps the solids; all other classes are built from a scene. All are immutable values: copying is O(1),
+/// reading is thread-safe. Answers are exact, and do not depend on the number of threads.
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,11 +16,12 @@
 #include "strata/mesh.h"
 #include "strata/options.h"
 #include "strata/rational.h"
+#include "strata/shared.h"
 #include "strata/solid.h"
 
 namespace strata {
 
-/// Solids in one numbering of vertices and faces, those of the first solid first. An immutable value, cheap to copy.
+/// Solids in one numbering of vertices and faces, those of the first solid first. An immutable value.
 class Scene {
  public:
   Scene() : Scene(std::vector<ExactMesh>{}) {}
@@ -33,7 +33,7 @@ class Scene {
   [[nodiscard]] std::uint32_t solid_count() const;
   [[nodiscard]] std::uint32_t face_count() const;
   [[nodiscard]] const ExactMesh& solid(std::uint32_t i) const;
-  [[nodiscard]] std::uint32_t solid_of(std::uint32_t face) const;
+  [[nodiscard]] std::uint32_t solid_of(std::uint32_t face) const;  ///< the solid of a face of the scene; O(log solids)
   /// The number of a face within its solid.
   [[nodiscard]] std::uint32_t local(std::uint32_t face) const;
 
@@ -41,13 +41,13 @@ class Scene {
   [[nodiscard]] const Data& data() const { return *data_; }  ///< internal
 
  private:
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 /// The scene of some solids, numbered as they are listed: copies of their exact meshes. O(size of the meshes).
 [[nodiscard]] Scene scene_of(std::span<const Solid> solids);
 
-/// Where a point lies.
+/// Where a point lies: outside of a closed set, on its boundary, or in its interior.
 enum class Where : std::uint8_t { out, on, in };
 
 /// A solid that a point lies on, and the lowest of its faces that it is on.
@@ -58,13 +58,13 @@ struct Contact {
   friend bool operator==(const Contact&, const Contact&) = default;
 };
 
-/// The winding numbers of solids about a point. Those that are 0 are left out: a point is in few solids at a time.
+/// The winding numbers of solids about a point, sparse: those that are 0 are left out.
 class WindingNumbers {
  public:
   using Entry = std::pair<std::uint32_t, std::int32_t>;  ///< solid, winding number
 
   WindingNumbers() = default;
-  /// By rising solids, no winding number 0.
+  /// Requires that entries are by increasing solid, and that no winding number is 0.
   explicit WindingNumbers(std::vector<Entry> entries) : entries_(std::move(entries)) {}
 
   /// 0 for solids that are not listed. O(log size).
@@ -82,19 +82,18 @@ struct Location {
   WindingNumbers windings;        ///< of the solids that the point is not on
   std::vector<Contact> contacts;  ///< the solids that it is on, in order
 
-  /// With respect to all solids together: on a face of any; in: winding number about one of them not zero.
+  /// With respect to the union of all solids: `on` if the point is on a face of any of them; else `in` if a winding
+  /// number is not zero.
   [[nodiscard]] Where where() const {
     if (!contacts.empty()) return Where::on;
     return windings.begin() == windings.end() ? Where::out : Where::in;
   }
 };
 
-/// Tells where points lie in a scene, by signed coverings about many local origins: space is divided into cells, each
-/// with an origin whose winding numbers are known, and the way from it to a point can cross the faces of its cell only.
-/// In space without faces the origin's numbers are the answer. `SignedCovering` answers the same about one origin;
-/// the answers are the same. theory.md, "Signed covering".
-///
-/// An immutable value, cheap to copy, safe to ask from many threads.
+/// Locates points in a scene. Space is divided into cells, each with an origin whose winding numbers are known; the
+/// segment from there to a point of the cell crosses faces of the cell only, and their signs are added. In cells
+/// without faces the origin's numbers are the answer. An immutable value.
+/// Source: Feito and Torres 1997; lib/extensions/scene/theory.md, "Signed covering".
 class Locator {
  public:
   /// O(n log n), in parallel; memory O(n) unless many faces are stacked on one another. Throws Cancelled.
@@ -102,21 +101,22 @@ class Locator {
 
   [[nodiscard]] const Scene& scene() const;
 
-  /// Is q in, on or outside of the solids of the scene taken together. Exact. O(log n + faces near q); O(1) where none
-  /// is. Cells are no smaller than 2^-30 of the scene: all faces within that count as near.
+  /// Whether q is in, on or outside of the union of the solids. Exact for finite coordinates. O(log n + faces near q),
+  /// O(1) far from all faces. Cells are no smaller than 2^-30 of the scene: all faces within that count as near.
   [[nodiscard]] Where membership(const Vertex& q) const;
-  void membership(std::span<const Vertex> q, std::span<Where> answers) const;  ///< in parallel
+  /// The same for many points, in parallel. Requires as many answers as points.
+  void membership(std::span<const Vertex> q, std::span<Where> answers) const;
 
   /// Which solids q is in, and on which faces it lies. Exact; the same cost.
   [[nodiscard]] Location locate(const Vertex& q) const;
   [[nodiscard]] std::vector<Location> locate(std::span<const Vertex> q) const;  ///< in parallel
 
-  /// Memory held, the scene's own arrays left out.
+  /// Bytes of memory, without the arrays of the scene.
   [[nodiscard]] std::size_t bytes() const;
 
  private:
   struct Data;
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 /// The points from + t * direction, t >= 0. The direction is any finite vector but zero; its length is the unit of t.
@@ -129,7 +129,7 @@ struct Segment {
   Vertex from{}, to{};
 };
 
-/// What a ray does to a solid at an event, by what lies just before and just after it:
+/// How a ray passes a solid at an event, by where the ray is just before and just after it:
 ///
 /// | value    | before                | after                                                                   |
 /// |----------|-----------------------|-------------------------------------------------------------------------|
@@ -139,16 +139,16 @@ struct Segment {
 /// | touching | in                    | in                                                                      |
 /// | along    | any                   | on: the ray runs within a face or along an edge                         |
 ///
-/// In a solid that covers places more than once, a greater winding number after the event counts as entering, a smaller
-/// one as leaving, and after a stretch on the surface any winding number but zero as in.
+/// In a solid that overlaps itself, a greater winding number after the event is entering, a smaller one leaving, and
+/// after a stretch on the surface any winding number but zero is in.
 enum class Passage : std::uint8_t { entering, leaving, touching, along };
 
 /// An event of a ray and a solid.
 struct RayHit {
   Rational t;              ///< along the direction
-  RationalPoint place;     ///< from + t * direction
+  RationalPoint place;     ///< the position: from + t * direction
   Vertex rounded{};        ///< the nearest doubles
-  std::uint32_t face = 0;  ///< of the scene: the solid's lowest face at the place
+  std::uint32_t face = 0;  ///< of the scene: the solid's lowest face there
   std::uint32_t solid = 0;
   Passage passage = Passage::entering;
 
@@ -170,11 +170,10 @@ struct RoundedHit {
 ///
 /// The events of a solid along a ray are the parameters at which the ray meets the solid's closed faces, edges and
 /// corners included, and both ends of a stretch within a face; equal parameters of one solid are one event. A ray that
-/// starts on a surface has an event at 0; what lies before is what the line passes just before its beginning, also if
-/// that is another side of the surface. Events come by increasing parameter, equal ones by number of the solid.
-/// Laws: places do not depend on the direction's length; a moved or scaled scene and ray (where that is exact) have the
-/// same events; where an event is one of several faces, it does not depend on how facets are triangulated, but for
-/// events between two stretches along.
+/// starts on a surface has an event at 0; its passage compares the ray with the part of its line just before the start.
+/// Events come by increasing parameter, equal ones by number of the solid. Laws: positions do not depend on the
+/// direction's length; a moved or scaled scene and ray (where that is exact) have the same events; events do not depend
+/// on how facets are triangulated, but for the face numbers, and for events between two stretches along.
 ///
 /// Requires closed solids, as a Scene does. An immutable value, safe to ask from many threads; batches run in parallel
 /// and answer the same for any number of threads. All throw std::invalid_argument for a zero direction and for
@@ -195,12 +194,12 @@ class RayCaster {
   [[nodiscard]] std::vector<RayHit> all(const Ray& ray) const;
   [[nodiscard]] std::vector<RoundedHit> all_rounded(const Ray& ray) const;
 
-  /// Does the closed segment meet any closed face? No for one within a solid.
+  /// True when the closed segment meets any closed face; false for a segment in the interior of a solid.
   [[nodiscard]] bool any(const Segment& segment) const;
 
   [[nodiscard]] std::vector<std::optional<RayHit>> first(std::span<const Ray> rays) const;
   [[nodiscard]] std::vector<std::vector<RayHit>> all(std::span<const Ray> rays) const;
-  /// Requires as many answers as questions.
+  /// Requires as many answers as rays or segments.
   void first_rounded(std::span<const Ray> rays, std::span<std::optional<RoundedHit>> answers) const;
   void all_rounded(std::span<const Ray> rays, std::span<std::vector<RoundedHit>> answers) const;
   void any(std::span<const Segment> segments, std::span<bool> answers) const;
@@ -209,10 +208,10 @@ class RayCaster {
   [[nodiscard]] const Data& data() const { return *data_; }  ///< internal
 
  private:
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
-/// Where everything is seen from: a point, or infinitely far away, from where rays run along a direction.
+/// The point of view: a point, from which rays run in all directions, or a direction, along which parallel rays run.
 struct Origin {
   enum class Kind { point, direction };
 
@@ -229,38 +228,37 @@ struct Origin {
 /// A point from which the scene is likely to have few layers and few cuts, and that lies on no plane of a face, which
 /// is checked exactly: no face is flat. The same for any number of threads.
 ///
-/// A few places inside and outside are judged by how many faces stand one behind the other on some rays to faces, all
-/// in doubles and among some of the faces. The best one then moves by small exact steps until it is on no plane. For an
-/// empty scene it is (0, 0, 0). O(vertices + faces), a small part of what a decomposition costs. Throws
-/// std::invalid_argument where no step is on no plane, which takes planes that fill the range of doubles.
+/// A heuristic: a few positions inside and outside are compared by the number of faces one behind the other on sampled
+/// rays, in doubles. The best one then moves by small exact steps until it is on no plane. For an empty scene it is (0,
+/// 0, 0). O(vertices + faces), a small part of the cost of a decomposition.
+/// Throws std::invalid_argument if all steps are on planes, which takes planes that fill the range of doubles.
 [[nodiscard]] Origin choose_origin(const Scene& scene);
 
 /// The faces of a scene in layers as seen from an origin (after Rueda, Feito, Ortega, "Layer-based decomposition of
-/// solids"): the first layer is what nothing dominates, the faces farthest along all their rays; every other face
-/// is in the layer after the last one that dominates it. Going through the layers from the first to the last is the
-/// painter's order, back to front.
+/// solids"). A face dominates another one if it comes later on some ray from the origin. Layer 1 has the faces that
+/// nothing dominates, which are the farthest along all their rays; every other face is in the layer after the last one
+/// of those that dominate it. Going through the layers from the first to the last is the painter's order, back to
+/// front.
 ///
-/// Faces that cross are cut along each other, and rings of faces that dominate one another are cut open; the parts are
-/// numbered after the faces. Flat faces, whose planes hold the origin, are in no layer: no ray meets them inside.
-/// Faces that lie on one another in one plane do not dominate each other.
-///
-/// An immutable value, cheap to copy, safe to ask from many threads. The same for any number of threads.
+/// Faces that cross are cut along each other, and cycles of faces that dominate one another are broken by cuts; the
+/// parts are numbered after the faces. Faces whose planes contain the origin ("flat") are in no layer: no ray meets
+/// their interiors. Faces that overlap in one plane do not dominate each other. An immutable value.
 class LayerDecomposition {
  public:
   /// O((n + k) log n) in n faces and k pairs of faces that are seen in one square of directions. Throws
-  /// std::invalid_argument (an origin that is none), Cancelled.
+  /// std::invalid_argument (an origin that is not finite, or a direction 0), Cancelled.
   LayerDecomposition(Scene scene, const Origin& origin, const Monitor& monitor = {});
 
   [[nodiscard]] const Scene& scene() const;
   [[nodiscard]] const Origin& origin() const;
 
   [[nodiscard]] std::uint32_t layer_count() const;
-  /// Faces and parts of faces, replaced ones included.
+  /// The number of faces and parts of faces, those that were cut included.
   [[nodiscard]] std::uint32_t piece_count() const;
   /// From 1; 0 for flat faces and for pieces that were cut into parts.
   [[nodiscard]] std::uint32_t layer(std::uint32_t piece) const;
-  [[nodiscard]] bool is_replaced(std::uint32_t piece) const;
-  [[nodiscard]] std::uint32_t face_of(std::uint32_t piece) const;
+  [[nodiscard]] bool is_replaced(std::uint32_t piece) const;       ///< it was cut into parts, which stand for it
+  [[nodiscard]] std::uint32_t face_of(std::uint32_t piece) const;  ///< the face of the scene that it is a part of
   /// Exact; corners made by cuts are rationals. Counter-clockwise seen from outside.
   [[nodiscard]] std::array<RationalPoint, 3> triangle(std::uint32_t piece) const;
   /// The sign of a piece's tetrahedron: +1 when the outward normal points away from the origin, -1 when towards it, 0
@@ -271,67 +269,68 @@ class LayerDecomposition {
   [[nodiscard]] std::span<const std::uint32_t> layer_pieces(std::uint32_t layer) const;
   /// All pieces back to front: those of the first layer, then the second's, ...
   [[nodiscard]] std::span<const std::uint32_t> back_to_front() const;
-  /// The pieces found to dominate this one, by increasing number. All that come next on some ray are among them.
+  /// Pieces that dominate this one, by increasing number: at least those that are the next behind it on some ray.
   [[nodiscard]] std::span<const std::uint32_t> dominators(std::uint32_t piece) const;
 
   [[nodiscard]] std::uint32_t cuts_at_crossings() const;
   [[nodiscard]] std::uint32_t cuts_of_cycles() const;
   [[nodiscard]] std::uint64_t domination_count() const;
   [[nodiscard]] std::uint64_t pairs_tested() const;
-  /// Memory held, the scene's own arrays left out.
+  /// Bytes of memory, without the arrays of the scene.
   [[nodiscard]] std::size_t bytes() const;
 
-  /// The invariants that do not hold, as sentences; empty if all do: every dominator is in a lower layer, every layer
-  /// has its pieces, every piece comes right after its last dominator, and the signed covering gives at `samples`
-  /// points the winding numbers that walks from infinity past all faces give. O(n + k) and O(n) per sample.
+  /// A self-check for tests: the invariants that do not hold, as sentences; empty if all do. Every dominator is in a
+  /// lower layer, every piece is in the layer after its last dominator, and at `samples` points the winding numbers
+  /// from the signed covering equal those counted along a ray. O(n + k) and O(n) per sample.
   [[nodiscard]] std::vector<std::string> validate(std::size_t samples = 16) const;
 
   struct Data;                                               ///< internal
   [[nodiscard]] const Data& data() const { return *data_; }  ///< internal
 
  private:
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
-/// Combines two decompositions about a common origin, each of one solid: faces that meet are split along each other,
-/// each piece is judged by the winding numbers that the two coverings give about the origin, and what stays is put in
-/// layers again. The result's boundary is its scene's solid 0; as a point set it does not depend on the origin. Throws
-/// std::invalid_argument (different origins, not one solid each), Cancelled.
+/// The regularized Boolean of two solids, each given by its layers about a common origin, in layers: faces that meet
+/// are split along each other, each piece is kept or dropped by the winding numbers that the two signed coverings give,
+/// and what is kept is sorted into layers. The result is solid 0 of its scene; as a point set it does not depend on the
+/// origin. Of the options `threads`, `progress` and `cancel` count. Throws std::invalid_argument (different origins,
+/// not one solid each), Cancelled.
 [[nodiscard]] LayerDecomposition combine(const LayerDecomposition& a, const LayerDecomposition& b, Operation operation,
                                          const Options& options = {});
 
-/// Booleans and formulas by layers: the signed coverings of all operands about one common origin (`choose_origin`) say
-/// how often a point lies in each operand, in place of the cells of the arrangement. Faces are split along each other
-/// by the same exact predicates. Give it as Options::engine. Throws what `choose_origin` throws, besides.
-/// Source: Rueda, Feito, Ortega, "Layer-based decomposition of solids".
+/// Computes `combine` by layers (Options::engine): winding numbers come from the signed coverings of all operands about
+/// one common origin (`choose_origin`), in place of the cells of the arrangement. Faces are split along each other by
+/// the same exact predicates. Throws what `combine` and `choose_origin` throw. Source: Rueda, Feito, Ortega,
+/// "Layer-based decomposition of solids".
 extern const Engine layer_engine;
 
-/// A convex polygon in space, counter-clockwise like the face that it is in.
+/// A convex polygon within a face, counter-clockwise as the face is.
 using ExactPolygon = std::vector<RationalPoint>;
 
-/// A stretch of an edge from a to b: all a + t (b - a) with from <= t <= to.
+/// A part of an edge from a to b: all points a + t (b - a) with from <= t <= to.
 struct Stretch {
   Rational from, to;
 };
 
 /// What is seen of a scene of opaque faces from the origin of its decomposition, exactly.
 ///
-/// A point inside a face is hidden when another face comes before it on its ray. A point of an edge is seen when points
-/// of one of its faces that lie as near to it as one likes are seen; so edges that coincide as seen, as often happens
-/// along axes, are hidden or not by what lies on their own side. Flat faces are not seen.
+/// A point inside a face is hidden when another face comes before it on its ray. A point of an edge is seen when it is
+/// a limit of seen points of one of the edge's faces; so edges that coincide in the view, as is frequent in views along
+/// an axis, are hidden or not by what lies on their own side. Faces whose planes contain the origin are not seen.
 ///
-/// Faces that cross each other hide each other rightly. Safe to ask from many threads.
+/// Faces may cross each other. An immutable value. Source: lib/extensions/scene/theory.md.
 class Visibility {
  public:
   explicit Visibility(LayerDecomposition decomposition);
 
   [[nodiscard]] const LayerDecomposition& decomposition() const;
 
-  /// The seen stretches of the edge from a to b, vertices of `face`, as its border; in order, without common points.
-  /// O(k log k) for k faces before the face.
+  /// The seen parts of the edge from a to b, vertices of `face`, as a side of that face; in order, disjoint. O(k log k)
+  /// for k faces before the face.
   [[nodiscard]] std::vector<Stretch> seen_along(std::uint32_t face, std::uint32_t a, std::uint32_t b) const;
 
-  /// The seen region of a face as convex polygons without common inside points; empty when nothing is seen.
+  /// The seen region of a face as convex polygons with disjoint interiors; empty when nothing is seen.
   [[nodiscard]] std::vector<ExactPolygon> seen_region(std::uint32_t face) const;
 
   /// The faces of which something is seen, by increasing number. In parallel.
@@ -339,24 +338,26 @@ class Visibility {
 
  private:
   struct Data;
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
+/// Why an edge is drawn.
 enum class EdgeKind : std::uint8_t {
-  loop,    ///< faces on one side only as seen, or front and back faces meet
+  loop,    ///< a silhouette: in the view its faces are on one side only, or a front face and a back face meet
   crease,  ///< two faces meet at an angle, or more than two faces meet
 };
 
-/// An edge of a scene with the stretches of it that are seen.
+/// An edge of a scene with the parts of it that are seen.
 struct SeenEdge {
   std::uint32_t a = 0, b = 0;  ///< vertices of the scene, a < b
   EdgeKind kind = EdgeKind::loop;
   std::vector<Stretch> seen;  ///< in order
 };
 
-/// The edges that a line drawing shows, by increasing vertices: outlines, and creases whose faces' normals differ by
+/// The edges that a line drawing shows, by increasing vertices: silhouettes, and creases whose faces' normals differ by
 /// more than an angle in degrees, which is a matter of style and measured in doubles. Edges within a plane are left
-/// out, exactly. What is seen of them is exact. In parallel; the same for any number of threads.
+/// out, exactly. Which parts of the edges are seen is exact. In parallel.
+/// Throws Cancelled.
 [[nodiscard]] std::vector<SeenEdge> find_seen_edges(const Visibility& visibility, double crease_angle,
                                                     const Monitor& monitor = {});
 

@@ -103,7 +103,8 @@ TEST_CASE("an open operand is refused by its number, and a stop is obeyed, by me
   } catch (const InputError& error) {
     CHECK(error.operand() == 1);
   }
-  const std::atomic<bool> stop = true;
+  CancelToken stop;
+  stop.cancel();
   Options options = by_partitions();
   options.cancel = &stop;
   CHECK_THROWS_AS(combined(Operation::union_, {test::box({0, 0, 0}, {1, 1, 1})}, options), Cancelled);

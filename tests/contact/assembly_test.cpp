@@ -150,7 +150,8 @@ TEST_CASE("what two parts have in common is a solid", "[contact]") {
 }
 
 TEST_CASE("an assembly can be cancelled", "[contact]") {
-  const std::atomic<bool> cancel = true;
+  CancelToken cancel;
+  cancel.cancel();
   CHECK_THROWS_AS(Assembly(grid(2, 2, 2, 1)).pairs(Monitor(&cancel)), Cancelled);
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -186,13 +187,14 @@ TEST_CASE("vertices that are no doubles and scales beyond reason are decomposed 
 TEST_CASE("a decomposition can be cancelled and tells how far it is", "[convex]") {
   const Solid solid(torus(40, 20));
   double last = 0;
-  const std::function<void(double)> progress = [&](double fraction) {
+  const Progress progress = [&](double fraction) {
     CHECK(fraction >= last);
     last = fraction;
   };
   static_cast<void>(decompose(solid, Monitor(nullptr, &progress)));
   CHECK(last == Approx(1).margin(0.05));
-  const std::atomic<bool> cancel = true;
+  CancelToken cancel;
+  cancel.cancel();
   CHECK_THROWS_AS(decompose(solid, Monitor(&cancel)), Cancelled);
 }
 

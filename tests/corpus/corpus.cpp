@@ -8,6 +8,7 @@
 #include <fstream>
 #include <numeric>
 #include <stdexcept>
+#include <tuple>
 
 #include "strata/io.h"
 #include "support/transform.h"

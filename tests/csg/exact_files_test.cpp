@@ -2,9 +2,11 @@
 // that come from anywhere are checked before they are used.
 #include <unistd.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <iostream>
+#include <ostream>
 #include <stdexcept>
 
 #include "csg/recipe_solids.h"

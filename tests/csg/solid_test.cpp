@@ -157,7 +157,8 @@ TEST_CASE("a shell that is inside out is found by the complete check", "[csg]") 
 }
 
 TEST_CASE("an operation can be cancelled", "[csg]") {
-  const std::atomic<bool> cancel{true};
+  CancelToken cancel;
+  cancel.cancel();
   const Mesh a = box({0, 0, 0}, {1, 1, 1});
   const std::vector<MeshView> operands{a, a};
   CHECK_THROWS_AS(combine(Operation::union_, std::span<const MeshView>(operands), {.cancel = &cancel}), Cancelled);

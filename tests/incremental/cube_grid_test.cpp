@@ -1,8 +1,10 @@
 // A grid of cubes, one step per cube, and after every step the one right answer, which is known from the cells alone.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <iostream>
 #include <numeric>
+#include <ostream>
 #include <utility>
 
 #include "strata/incremental.h"

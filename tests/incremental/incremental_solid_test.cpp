@@ -162,7 +162,8 @@ TEST_CASE("empty workpieces and empty tools", "[workpiece]") {
 
 TEST_CASE("a step can be cancelled", "[workpiece]") {
   const IncrementalSolid cube(Solid(test::box({0, 0, 0}, {1, 1, 1})));
-  std::atomic<bool> stop{true};
+  CancelToken stop;
+  stop.cancel();
   CHECK_THROWS_AS(cube.with(Operation::union_, Solid(test::box({0, 0, 0}, {2, 2, 2})), {.cancel = &stop}), Cancelled);
 }
 

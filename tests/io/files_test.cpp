@@ -2,7 +2,10 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <system_error>
 #include <thread>
 
 #include "tetrahedron.h"

@@ -1,4 +1,5 @@
 // The lossless format: what its numbers and faces mean, and that hostile files are refused with their line.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <sstream>

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/kernel/predicates.h"
+#include "core/mesh/circle.h"
 #include "openscad/csg_text.h"
 #include "strata/check.h"
 
@@ -75,21 +76,21 @@ TEST_CASE("directions are exact where they can be, and symmetric", "[openscad]")
   const double cosines[] = {1, long_root, half_root, 0.5, 0, -0.5, -half_root, -long_root, -1};
   const double angles[] = {0, 30, 45, 60, 90, 120, 135, 150, 180};
   for (int i = 0; i < 9; ++i) {
-    CHECK(direction(angles[i]).cosine == cosines[i]);
-    CHECK_FALSE(std::signbit(direction(90).cosine));
-    if (i > 0 && i < 8) CHECK(direction(360 - angles[i]).cosine == cosines[i]);
+    CHECK(cosine_sine(angles[i]).cosine == cosines[i]);
+    CHECK_FALSE(std::signbit(cosine_sine(90).cosine));
+    if (i > 0 && i < 8) CHECK(cosine_sine(360 - angles[i]).cosine == cosines[i]);
   }
-  CHECK(direction(30).sine == 0.5);
-  CHECK(direction(180).sine == 0);
-  CHECK(direction(270).sine == -1);
+  CHECK(cosine_sine(30).sine == 0.5);
+  CHECK(cosine_sine(180).sine == 0);
+  CHECK(cosine_sine(270).sine == -1);
   for (double angle = 0.25; angle < 90; angle += 0.25) {
-    const Direction d = direction(angle);
+    const CosineSine d = cosine_sine(angle);
     CHECK(d.cosine == Approx(std::cos(angle * 3.141592653589793 / 180)));
-    CHECK(d.sine == direction(90 - angle).cosine);
-    CHECK(direction(180 - angle).cosine == -d.cosine);
-    CHECK(direction(180 + angle).sine == -d.sine);
-    CHECK(direction(360 - angle).cosine == d.cosine);
-    CHECK(direction(90 + angle).sine == d.cosine);
+    CHECK(d.sine == cosine_sine(90 - angle).cosine);
+    CHECK(cosine_sine(180 - angle).cosine == -d.cosine);
+    CHECK(cosine_sine(180 + angle).sine == -d.sine);
+    CHECK(cosine_sine(360 - angle).cosine == d.cosine);
+    CHECK(cosine_sine(90 + angle).sine == d.cosine);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <deque>
 #include <exception>
+#include <tuple>
 #include <type_traits>
 
 #include "core/exact/big_integer.h"

@@ -9,7 +9,9 @@
 #include <strata/query.h>
 #include <strata/strata.h>
 
+#include <array>
 #include <iostream>
+#include <ostream>
 #include <vector>
 
 int main() {

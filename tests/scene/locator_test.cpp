@@ -94,6 +94,7 @@ TEST_CASE("where nothing is, all is out", "[layers]") {
   CHECK(nothing.membership({0, 0, 0}) == Where::out);
   CHECK(nothing.bytes() < 1'000'000);
   CHECK(nothing.locate(Vertex{1, 2, 3}).contacts.empty());
-  const std::atomic<bool> stop = true;
+  CancelToken stop;
+  stop.cancel();
   CHECK_THROWS_AS(Locator(test::scene_of({test::icosphere({0, 0, 0}, 1, 4)}), Monitor(&stop)), Cancelled);
 }

@@ -11,7 +11,7 @@
 
 #include "strata/errors.h"
 
-ByteSource::ByteSource(const std::string& path, const std::atomic<bool>* cancel)
+ByteSource::ByteSource(const std::string& path, const strata::CancelToken* cancel)
     : name_(path == "-" ? "standard input" : path), cancel_(cancel) {
   descriptor_ = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor_ < 0) fail(errno);
@@ -51,7 +51,7 @@ void ByteSource::wait() const {
   constexpr int patience = 100;  // milliseconds between looks at the token
   pollfd ready = {descriptor_, POLLIN, 0};
   do {
-    if (cancel_ != nullptr && *cancel_) throw strata::Cancelled("cancelled while reading " + name_);
+    if (cancel_ != nullptr && cancel_->is_cancelled()) throw strata::Cancelled("cancelled while reading " + name_);
   } while (::poll(&ready, 1, patience) == 0);
 }
 

@@ -1,14 +1,15 @@
 #pragma once
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
+#include "strata/monitor.h"
+
 /// The bytes of a file or of standard input ("-"), read from the first to the last. Waiting for a slow pipe ends when
-/// `cancel` becomes true. Throws strata::IoError, strata::Cancelled.
+/// `cancel` is set. Throws strata::IoError, strata::Cancelled.
 class ByteSource {
  public:
-  explicit ByteSource(const std::string& path, const std::atomic<bool>* cancel = nullptr);
+  explicit ByteSource(const std::string& path, const strata::CancelToken* cancel = nullptr);
   ~ByteSource();
   ByteSource(const ByteSource&) = delete;
   ByteSource& operator=(const ByteSource&) = delete;
@@ -27,7 +28,7 @@ class ByteSource {
   [[noreturn]] void fail(int error) const;
 
   std::string name_;
-  const std::atomic<bool>* cancel_;
+  const strata::CancelToken* cancel_;
   std::string back_;  ///< bytes that were put back
   int descriptor_ = 0;
   std::uint64_t size_ = 0;

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "contact_file.h"
@@ -239,8 +240,8 @@ ExitCode run_contacts(const Settings& settings) {
     for (std::size_t k = 0; k < operands.size(); ++k) solids.push_back(make_solid(operands, k, settings.input));
     report["seconds"]["prepare"] = stopwatch.lap();
     ProgressBar bar(settings.progress, settings.quiet);
-    const std::function<void(double)> half = [&bar](double fraction) { bar.show(fraction / 2); };
-    const std::function<void(double)> whole = [&bar](double fraction) { bar.show(fraction); };
+    const strata::Progress half = [&bar](double fraction) { bar.show(fraction / 2); };
+    const strata::Progress whole = [&bar](double fraction) { bar.show(fraction); };
     on_threads(settings, [&] {
       parts.emplace(solids);
       pairs = listed_pairs(*parts, parts->pairs(strata::Monitor(&watch.token(), &half)), reach);

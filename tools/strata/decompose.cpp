@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "cell_file.h"
@@ -115,7 +116,7 @@ ExitCode run_decompose(const Settings& settings) {
     const strata::Solid solid = make_solid(operands, 0, settings.input);
     report["seconds"]["prepare"] = stopwatch.lap();
     ProgressBar bar(settings.progress, settings.quiet);
-    const std::function<void(double)> progress = [&bar](double fraction) { bar.show(fraction); };
+    const strata::Progress progress = [&bar](double fraction) { bar.show(fraction); };
     d = strata::convex::decompose(solid, strata::Monitor(&watch.token(), &progress));
     report["seconds"]["decompose"] = stopwatch.lap();
   } catch (const strata::Cancelled&) {

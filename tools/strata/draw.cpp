@@ -170,7 +170,7 @@ ExitCode run_draw(const DrawSettings& draw, const Settings& settings) {
   strata::Options options;
   options.threads = settings.threads;
   ProgressBar bar(settings.progress, settings.quiet);
-  const std::function<void(double)> progress = [&bar](double fraction) { bar.show(fraction); };
+  const strata::Progress progress = [&bar](double fraction) { bar.show(fraction); };
   const strata::Monitor monitor(&watch.token(), &progress);
   std::string svg;
   try {

@@ -32,7 +32,7 @@ void check_output(const Settings& settings) {
 LayerDecomposition decompose(std::span<const LoadedMesh> operands, const std::optional<strata::Origin>& asked,
                              const Settings& settings, const Watch& watch, Json& seconds) {
   ProgressBar bar(settings.progress, settings.quiet);
-  const std::function<void(double)> progress = [&bar](double fraction) { bar.show(fraction); };
+  const strata::Progress progress = [&bar](double fraction) { bar.show(fraction); };
   Stopwatch stopwatch;
   const strata::Scene scene = SceneInput(operands, settings.input).scene();
   seconds["prepare"] = stopwatch.lap();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <iterator>
@@ -133,7 +134,7 @@ auto cancellable(Watch& watch, const Settings& settings, const Work& work) {
   watch.on_stop(OnStop::ask);
   try {
     ProgressBar bar(settings.progress, settings.quiet);
-    const std::function<void(double)> progress = [&bar](double fraction) { bar.show(fraction); };
+    const strata::Progress progress = [&bar](double fraction) { bar.show(fraction); };
     return work(strata::Monitor(&watch.token(), &progress));
   } catch (const strata::Cancelled&) {
     watch.on_stop(OnStop::leave);  // says why

@@ -65,7 +65,7 @@ Watch::~Watch() {
 
 void Watch::on_stop(OnStop action) {
   const std::lock_guard lock(mutex_);
-  if (stopped_) throw strata::Cancelled(reason_);
+  if (stopped_.is_cancelled()) throw strata::Cancelled(reason_);
   action_ = action;
 }
 
@@ -91,22 +91,22 @@ void Watch::run() {
       if (read(pipe_ends[0], &why, 1) != 1 || why == by_destructor) return;
       stop("interrupted");
     } else if (ready == 0 && std::chrono::steady_clock::now() >= end) {
-      if (stopped_) leave_if_still_asked();
+      if (stopped_.is_cancelled()) leave_if_still_asked();
       stop(fmt::format("time limit of {} s reached", seconds_));
     } else {
       continue;  // woken early
     }
-    timed = stopped_;
+    timed = stopped_.is_cancelled();
     end = std::chrono::steady_clock::now() + patience;
   }
 }
 
 void Watch::stop(const std::string& reason) {
   const std::lock_guard lock(mutex_);
-  if (stopped_ || action_ == OnStop::finish) return;
+  if (stopped_.is_cancelled() || action_ == OnStop::finish) return;
   if (action_ == OnStop::leave) leave(reason);
   reason_ = reason;
-  stopped_ = true;
+  stopped_.cancel();
 }
 
 void Watch::leave_if_still_asked() {

@@ -1,8 +1,9 @@
 #pragma once
-#include <atomic>
 #include <mutex>
 #include <string>
 #include <thread>
+
+#include "strata/monitor.h"
 
 /// What a stop (Ctrl-C, SIGTERM, the time limit) does at the moment.
 enum class OnStop {
@@ -30,7 +31,7 @@ class Watch {
   /// Why it was stopped; empty if it was not.
   [[nodiscard]] std::string reason();
 
-  [[nodiscard]] const std::atomic<bool>& token() const { return stopped_; }
+  [[nodiscard]] const strata::CancelToken& token() const { return stopped_; }
 
  private:
   void run();
@@ -38,7 +39,7 @@ class Watch {
   void leave_if_still_asked();
 
   double seconds_;
-  std::atomic<bool> stopped_ = false;
+  strata::CancelToken stopped_;
   std::mutex mutex_;  // guards action_ and reason_
   OnStop action_ = OnStop::leave;
   std::string reason_;

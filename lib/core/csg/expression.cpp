@@ -19,17 +19,9 @@ std::vector<Pointer> nodes_of(std::span<const Expression> terms, const auto& nod
 
 Pointer complement_of(Pointer node) { return Expression::Node::join(Kind::complement, {std::move(node)}); }
 
-Pointer moved(Pointer node, const Transform& map, Placement placement) {
-  auto result = std::make_shared<Expression::Node>(Kind::moved, std::vector<Pointer>{std::move(node)});
-  result->map = map;
-  result->placement = placement;
-  return result;
-}
-
 }  // namespace
 
-Expression::Expression(Solid solid, std::string name)
-    : node_(std::make_shared<const Node>(std::move(solid), std::move(name))) {}
+Expression::Expression(Solid solid, std::string name) : node_(Pointer::make(std::move(solid), std::move(name))) {}
 
 Expression Expression::any(std::span<const Expression> terms) {
   return Expression(Node::join(Kind::any, nodes_of(terms, [](const Expression& e) { return e.node_; })));
@@ -59,7 +51,7 @@ Expression operator^(const Expression& a, const Expression& b) {
 Expression operator~(const Expression& a) { return Expression(complement_of(a.node_)); }
 
 Expression Expression::transformed(const Transform& map, Placement placement) const {
-  return Expression(moved(node_, map, placement));
+  return Expression(Pointer::make(node_, map, placement));
 }
 
 std::size_t Expression::size() const { return node_->size; }

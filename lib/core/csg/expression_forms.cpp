@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 
@@ -23,12 +24,9 @@ void require_size(std::size_t size, std::size_t most) {
 }
 
 Pointer placed(const Occurrence& o) {
-  auto solid = std::make_shared<const Node>(o.leaf->solid, o.leaf->name);
+  auto solid = Pointer::make(o.leaf->solid, o.leaf->name);
   if (o.map.is_identity()) return solid;
-  auto moved = std::make_shared<Node>(Kind::moved, std::vector<Pointer>{std::move(solid)});
-  moved->map = o.map;
-  moved->placement = o.placement;
-  return moved;
+  return Pointer::make(std::move(solid), o.map, o.placement);
 }
 
 Pointer complement_of(Pointer node) { return Node::join(Kind::complement, {std::move(node)}); }
@@ -177,7 +175,7 @@ Expression::Products Expression::products(std::size_t most) const {
   return products;
 }
 
-bool is_in_products(const Expression::Products& products, const std::function<bool(std::uint32_t)>& is_in) {
+bool is_in_products(const Expression::Products& products, FunctionRef<bool(std::uint32_t)> is_in) {
   std::map<std::uint32_t, bool> known;
   const auto holds = [&](const Expression::Factor& f) {
     auto at = known.find(f.primitive);

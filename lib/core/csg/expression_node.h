@@ -1,9 +1,9 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
-#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -15,7 +15,7 @@ namespace strata {
 
 struct Expression::Node {
   enum class Kind : std::uint8_t { solid, any, all, odd, complement, moved };
-  using Pointer = std::shared_ptr<const Node>;
+  using Pointer = Shared<Node>;
 
   Kind kind = Kind::solid;
   Solid solid;
@@ -28,6 +28,11 @@ struct Expression::Node {
   Node(Kind k, std::vector<Pointer> t) : kind(k), terms(std::move(t)), size(0) {
     for (const Pointer& p : terms) size += std::min(p->size, std::numeric_limits<std::size_t>::max() - size);
   }
+  /// The image of another one.
+  Node(Pointer image_of, const Transform& m, Placement p) : Node(Kind::moved, {std::move(image_of)}) {
+    map = m;
+    placement = p;
+  }
   Node(Solid s, std::string n) : solid(std::move(s)), name(std::move(n)) {}
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
@@ -38,16 +43,14 @@ struct Expression::Node {
     while (!parts.empty()) {
       const Pointer part = std::move(parts.back());
       parts.pop_back();
-      if (part.use_count() > 1) continue;
+      if (!part.is_only()) continue;
       parts.insert(parts.end(), std::make_move_iterator(part->terms.begin()),
                    std::make_move_iterator(part->terms.end()));
       part->terms.clear();
     }
   }
 
-  static Pointer join(Kind kind, std::vector<Pointer> terms) {
-    return std::make_shared<const Node>(kind, std::move(terms));
-  }
+  static Pointer join(Kind kind, std::vector<Pointer> terms) { return Pointer::make(kind, std::move(terms)); }
 };
 
 /// Where a solid occurs.

@@ -67,7 +67,7 @@ Text text_of(Kind kind, std::vector<Text> terms) {
 ParseError::ParseError(const std::string& what, std::size_t position)
     : std::runtime_error("column " + std::to_string(position + 1) + ": " + what), position_(position) {}
 
-Expression parse_expression(std::string_view text, const std::function<Solid(const std::string&)>& solid_of) {
+Expression parse_expression(std::string_view text, FunctionRef<Solid(const std::string&)> solid_of) {
   const auto leaf = [&solid_of](const std::string& name) { return Expression(solid_of(name), name); };
   return ExpressionGrammar<Expression, decltype(leaf)>(text, leaf).parse();
 }

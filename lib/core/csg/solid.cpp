@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/csg/solid_data.h"
 #include "core/mesh/prepare.h"
 #include "strata/measure.h"
 
 namespace strata {
-
-struct Solid::Data {
-  ExactMesh boundary;
-  std::vector<Source> sources;
-  std::vector<Defect> notes;
-};
 
 namespace {
 
@@ -69,17 +64,17 @@ Solid::Data accept(ExactMesh mesh, InputClass input) {
 
 }  // namespace
 
-Solid::Solid() : data_(std::make_shared<const Data>()) {}
+Solid::Solid() : data_(Shared<Data>::make()) {}
 
-Solid::Solid(Mesh mesh, InputClass input) : data_(std::make_shared<const Data>(accept(std::move(mesh), input))) {}
+Solid::Solid(Mesh mesh, InputClass input) : data_(Shared<Data>::make(accept(std::move(mesh), input))) {}
 
-Solid::Solid(ExactMesh mesh, InputClass input) : data_(std::make_shared<const Data>(accept(std::move(mesh), input))) {}
+Solid::Solid(ExactMesh mesh, InputClass input) : data_(Shared<Data>::make(accept(std::move(mesh), input))) {}
+
+Solid::Solid(Shared<Data> data) : data_(std::move(data)) {}
 
 Solid Solid::trusted(ExactMesh mesh) {
   const std::size_t faces = mesh.mesh.triangles.size();
-  Solid solid;
-  solid.data_ = std::make_shared<const Data>(Data{std::move(mesh), own_faces(faces), {}});
-  return solid;
+  return Solid(Shared<Data>::make(Data{std::move(mesh), own_faces(faces), {}}));
 }
 
 const Mesh& Solid::mesh() const { return data_->boundary.mesh; }
@@ -119,16 +114,24 @@ Options of_solids(Options options) {
 Solid combine_solids(Operation operation, std::span<const Solid> operands, const Options& options) {
   std::vector<Operand> views;
   for (const Solid& s : operands) views.push_back({MeshView(s.mesh()), s.exact_mesh().exact, true});
-  Solid result;
-  result.data_ = std::make_shared<const Solid::Data>(
-      data_of(combine(operation, std::span<const Operand>(views), of_solids(options))));
-  return result;
+  return Solid(
+      Shared<Solid::Data>::make(data_of(combine(operation, std::span<const Operand>(views), of_solids(options)))));
 }
 
 Solid combine_solids(const Formula& formula, std::span<const Operand> operands, const Options& options) {
-  Solid result;
-  result.data_ = std::make_shared<const Solid::Data>(data_of(combine(formula, operands, of_solids(options))));
-  return result;
+  return Solid(Shared<Solid::Data>::make(data_of(combine(formula, operands, of_solids(options)))));
+}
+
+namespace {
+
+using Listed = std::initializer_list<Solid>;
+
+std::span<const Solid> span_of(Listed operands) { return {operands.begin(), operands.size()}; }
+
+}  // namespace
+
+Solid combine_solids(Operation operation, Listed operands, const Options& options) {
+  return combine_solids(operation, span_of(operands), options);
 }
 
 Solid union_(std::span<const Solid> operands) { return combine_solids(Operation::union_, operands); }
@@ -137,19 +140,14 @@ Solid difference(std::span<const Solid> operands) { return combine_solids(Operat
 Solid symmetric_difference(std::span<const Solid> operands) {
   return combine_solids(Operation::symmetric_difference, operands);
 }
+Solid union_(Listed operands) { return union_(span_of(operands)); }
+Solid intersection(Listed operands) { return intersection(span_of(operands)); }
+Solid difference(Listed operands) { return difference(span_of(operands)); }
+Solid symmetric_difference(Listed operands) { return symmetric_difference(span_of(operands)); }
 
-namespace {
-
-Solid combine_two(Operation operation, const Solid& a, const Solid& b) {
-  const Solid both[] = {a, b};
-  return combine_solids(operation, both);
-}
-
-}  // namespace
-
-Solid operator|(const Solid& a, const Solid& b) { return combine_two(Operation::union_, a, b); }
-Solid operator&(const Solid& a, const Solid& b) { return combine_two(Operation::intersection, a, b); }
-Solid operator-(const Solid& a, const Solid& b) { return combine_two(Operation::difference, a, b); }
-Solid operator^(const Solid& a, const Solid& b) { return combine_two(Operation::symmetric_difference, a, b); }
+Solid operator|(const Solid& a, const Solid& b) { return union_({a, b}); }
+Solid operator&(const Solid& a, const Solid& b) { return intersection({a, b}); }
+Solid operator-(const Solid& a, const Solid& b) { return difference({a, b}); }
+Solid operator^(const Solid& a, const Solid& b) { return symmetric_difference({a, b}); }
 
 }  // namespace strata

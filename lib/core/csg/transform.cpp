@@ -61,6 +61,28 @@ Transform Transform::mirror(const RationalPoint& n) {
   return Transform(std::move(rows));
 }
 
+Transform Transform::mirror(const Plane& plane) {
+  Transform map = mirror(plane.normal);
+  const auto& n = plane.normal;
+  const Rational factor = 2 * plane.offset / (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  for (const std::size_t i : axes) map.rows_[i][3] = factor * n[i];
+  return map;
+}
+
+Transform Transform::rotation(const Quaternion& q) {
+  const Rational square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+  require_not_zero(square, "the quaternion of a rotation is zero");
+  const RationalPoint v{q.x, q.y, q.z};
+  std::array<Row, 3> rows;
+  for (const std::size_t i : axes) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    rows[i][i] = (q.w * q.w + v[i] * v[i] - v[j] * v[j] - v[k] * v[k]) / square;
+    rows[i][j] = 2 * (v[i] * v[j] - q.w * v[k]) / square;
+    rows[i][k] = 2 * (v[i] * v[k] + q.w * v[j]) / square;
+  }
+  return Transform(std::move(rows));
+}
+
 RationalPoint Transform::operator()(const RationalPoint& p) const {
   RationalPoint q;
   for (const std::size_t i : axes) q[i] = rows_[i][0] * p[0] + rows_[i][1] * p[1] + rows_[i][2] * p[2] + rows_[i][3];
@@ -74,6 +96,20 @@ Rational Transform::determinant() const {
     sum += rows_[0][i] * (rows_[1][j] * rows_[2][k] - rows_[1][k] * rows_[2][j]);
   }
   return sum;
+}
+
+Transform Transform::inverse() const {
+  const Rational d = determinant();
+  std::array<Row, 3> rows;
+  for (const std::size_t i : axes)
+    for (const std::size_t j : axes) {
+      // The cofactor of M_ji; cyclic indices give its sign.
+      const std::size_t a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, e = (i + 2) % 3;
+      rows[i][j] = (rows_[a][c] * rows_[b][e] - rows_[a][e] * rows_[b][c]) / d;
+    }
+  for (const std::size_t i : axes)
+    for (const std::size_t j : axes) rows[i][3] -= rows[i][j] * rows_[j][3];
+  return Transform(std::move(rows));
 }
 
 Transform operator*(const Transform& a, const Transform& b) {

@@ -76,8 +76,8 @@ std::vector<std::string> write(MeshView mesh, ExactPositions exact, Format forma
 
 }  // namespace
 
-Format format_of(const std::filesystem::path& path) {
-  const std::string extension = lower(path.extension().string());
+Format format_of(const FilePath& path) {
+  const std::string extension = lower(std::filesystem::path(path.text()).extension().string());
   for (const auto& [word, format] : names)
     if (extension.starts_with('.') && extension.substr(1) == word) return format;
   return Format::other;
@@ -96,7 +96,8 @@ std::string_view name(Format format) {
   return found == names.end() ? "other" : found->first;
 }
 
-MeshFile read_mesh(const std::filesystem::path& path, std::optional<Format> format) {
+MeshFile read_mesh(const FilePath& given, std::optional<Format> format) {
+  const std::filesystem::path path(given.text());
   const Format chosen = format.value_or(format_of(path));
   // Files that are not there are told apart from formats that are not known.
   const io::File file(path);
@@ -146,13 +147,12 @@ std::string write_to_string(MeshView mesh, ExactPositions exact, Format format) 
 
 }  // namespace
 
-std::vector<std::string> write_mesh(const std::filesystem::path& path, MeshView mesh, std::optional<Format> format) {
-  return write_to_file(path, mesh, {}, format);
+std::vector<std::string> write_mesh(const FilePath& path, MeshView mesh, std::optional<Format> format) {
+  return write_to_file(path.text(), mesh, {}, format);
 }
 
-std::vector<std::string> write_mesh(const std::filesystem::path& path, const ExactMesh& mesh,
-                                    std::optional<Format> format) {
-  return write_to_file(path, mesh.mesh, mesh.exact, format);
+std::vector<std::string> write_mesh(const FilePath& path, const ExactMesh& mesh, std::optional<Format> format) {
+  return write_to_file(path.text(), mesh.mesh, mesh.exact, format);
 }
 
 std::vector<std::string> write_mesh(std::ostream& stream, MeshView mesh, Format format, std::string name) {

@@ -84,7 +84,7 @@ void for_each_node_front_to_back(const Partition<D>& region, const RationalVecto
 
 template <int D>
 void for_each_front_to_back(const Partition<D>& region, const RationalVector<D>& from,
-                            const std::function<void(const BoundaryFacet<D>& facet)>& visit) {
+                            FunctionRef<void(const BoundaryFacet<D>& facet)> visit) {
   const Tree& tree = tree_of(region);
   const Paths<D> paths(tree);
   for_each_node_front_to_back<D>(region, from, [&](Link node) {
@@ -100,7 +100,7 @@ void for_each_front_to_back(const Partition<D>& region, const RationalVector<D>&
   template void for_each_node_front_to_back<D>(const Partition<D>&, const RationalVector<D>&, \
                                                const std::function<void(Link)>&);             \
   template void for_each_front_to_back<D>(const Partition<D>&, const RationalVector<D>&,      \
-                                          const std::function<void(const BoundaryFacet<D>&)>&);
+                                          FunctionRef<void(const BoundaryFacet<D>&)>);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)
 STRATA_INSTANTIATE(3)

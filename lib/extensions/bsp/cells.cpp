@@ -51,8 +51,7 @@ void for_each_inside_leaf(const Partition<D>& region,
 }
 
 template <int D>
-void for_each_cell(const Partition<D>& region,
-                   const std::function<void(const std::vector<AffineForm<D>>& cell)>& visit) {
+void for_each_cell(const Partition<D>& region, FunctionRef<void(const std::vector<AffineForm<D>>& cell)> visit) {
   for_each_inside_leaf<D>(region, [&](const std::vector<Facet<D>>& facets) {
     std::vector<AffineForm<D>> cell;
     for (const Facet<D>& f : facets) cell.push_back(form_of(table_of(region)[f.piece.hyperplane], f.faces_plus));
@@ -63,7 +62,7 @@ void for_each_cell(const Partition<D>& region,
 #define STRATA_INSTANTIATE(D)                                                                      \
   template void for_each_inside_leaf<D>(const Partition<D>&,                                       \
                                         const std::function<void(const std::vector<Facet<D>>&)>&); \
-  template void for_each_cell<D>(const Partition<D>&, const std::function<void(const std::vector<AffineForm<D>>&)>&);
+  template void for_each_cell<D>(const Partition<D>&, FunctionRef<void(const std::vector<AffineForm<D>>&)>);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)
 STRATA_INSTANTIATE(3)

@@ -42,7 +42,7 @@ PartitionLocator::PartitionLocator(Scene scene, const Monitor& monitor) {
     const Partition<3> partition = partition_of(data.scene.solid(s), monitor);
     data.regions.push_back({partition, faces_by_plane(data.scene, s, table_of(partition))});
   }
-  data_ = std::make_shared<const Data>(std::move(data));
+  data_ = Shared<Data>::make(std::move(data));
 }
 
 Location PartitionLocator::locate(const Vertex& q) const {

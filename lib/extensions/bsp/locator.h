@@ -1,10 +1,9 @@
 #pragma once
-#include <memory>
-
 #include "extensions/scene/location.h"
 #include "strata/mesh.h"
 #include "strata/options.h"
 #include "strata/query.h"
+#include "strata/shared.h"
 
 namespace strata::bsp {
 
@@ -21,7 +20,7 @@ class PartitionLocator {
 
  private:
   struct Data;
-  std::shared_ptr<const Data> data_;
+  Shared<Data> data_;
 };
 
 }  // namespace strata::bsp

@@ -66,7 +66,7 @@ OrientedHyperplane<D> oriented(const AffineForm<D>& f) {
 }  // namespace
 
 template <int D>
-Partition<D>::Partition() : Partition(std::make_shared<const Data>()) {}
+Partition<D>::Partition() : Partition(Shared<Data>::make()) {}
 
 template <int D>
 Partition<D> Partition<D>::all() {

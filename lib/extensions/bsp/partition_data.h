@@ -36,7 +36,7 @@ template <int D>
 template <int D>
 [[nodiscard]] Partition<D> partition_from(HyperplaneTable<D> table, Tree tree) {
   using Data = typename Partition<D>::Data;
-  return Partition<D>(std::make_shared<const Data>(Data{std::move(table), std::move(tree)}));
+  return Partition<D>(Shared<Data>::make(Data{std::move(table), std::move(tree)}));
 }
 
 /// What is behind a hyperplane as it was given, the side that it does not look to.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <utility>
@@ -45,14 +46,14 @@ Cells one_cell(int dimension, bool mark) {
 
 }  // namespace
 
-SelectiveComplex::SelectiveComplex(int dimension) : data_(std::make_shared<const Data>(one_cell(dimension, false))) {}
+SelectiveComplex::SelectiveComplex(int dimension) : data_(Shared<Data>::make(one_cell(dimension, false))) {}
 
 SelectiveComplex SelectiveComplex::all(int dimension) {
-  return SelectiveComplex(std::make_shared<const Data>(one_cell(dimension, true)));
+  return SelectiveComplex(Shared<Data>::make(one_cell(dimension, true)));
 }
 
 SelectiveComplex SelectiveComplex::of(const Cells& cells) {
-  return SelectiveComplex(std::make_shared<const Data>(simplified(cells)));
+  return SelectiveComplex(Shared<Data>::make(simplified(cells)));
 }
 
 const Cells& SelectiveComplex::cells() const { return data_->cells; }
@@ -72,12 +73,11 @@ SelectiveComplex SelectiveComplex::with_marks(std::span<const std::uint8_t> mark
     std::copy_n(next, list.size(), list.begin());
     next += static_cast<std::ptrdiff_t>(list.size());
   }
-  if (auto fewer = simplified_if_needed(changed))
-    return SelectiveComplex(std::make_shared<const Data>(*std::move(fewer)));
-  return SelectiveComplex(std::make_shared<const Data>(std::move(changed), data_->incidences));
+  if (auto fewer = simplified_if_needed(changed)) return SelectiveComplex(Shared<Data>::make(*std::move(fewer)));
+  return SelectiveComplex(Shared<Data>::make(std::move(changed), data_->incidences));
 }
 
-SelectiveComplex SelectiveComplex::with_marks(const std::function<bool(Cell)>& mark) const {
+SelectiveComplex SelectiveComplex::with_marks(FunctionRef<bool(Cell)> mark) const {
   std::vector<std::uint8_t> marks(incidences().count());
   for (std::uint32_t c = 0; c < marks.size(); ++c) marks[c] = mark(incidences().cell(c)) ? 1 : 0;
   return with_marks(marks);

@@ -48,7 +48,7 @@ Box grown(Box box, double reach) {
 
 }  // namespace
 
-Assembly::Assembly(std::span<const Solid> parts) : parts_(std::make_shared<const Parts>(parts)) {}
+Assembly::Assembly(std::span<const Solid> parts) : parts_(Shared<Parts>::make(parts)) {}
 
 std::uint32_t Assembly::size() const { return parts_->size(); }
 const Solid& Assembly::part(std::uint32_t number) const { return parts_->solid(number); }

@@ -286,7 +286,7 @@ Decomposition decompose(const Solid& solid, const Monitor& monitor) {
   const std::size_t cuts = Divider(boundary, maker, pool, monitor).run();
   Decomposition result = Gatherer(boundary, maker, pool, monitor).gather();
   refuse_loss(solid.mesh(), result);
-  result.planes = std::make_shared<const HyperplaneTable<3>>(std::move(boundary.table));
+  result.planes = Shared<HyperplaneTable<3>>::make(std::move(boundary.table));
   result.cuts = cuts;
   result.reflex_edges = static_cast<std::size_t>(
       std::count_if(boundary.wedges.begin(), boundary.wedges.end(), [](const Wedge& w) { return w.is_reflex; }));

@@ -1,7 +1,6 @@
 #include "extensions/convex/wedges.h"
 
-#include <algorithm>
-
+#include "core/mesh/across_solid.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/equal_vertices.h"
 
@@ -21,18 +20,20 @@ class WedgeFinder {
     for (Triangle& t : triangles_)
       for (std::uint32_t& v : t) v = first[v];
     const std::vector<EdgeUse> uses = edge_table(triangles_, mesh_.mesh.vertices.size());
+    const AcrossSolid across_solid(
+        [&](const EdgeUse& use, const EdgeUse& other) { return outer_side(use.triangle, apex(other)); });
     std::vector<Wedge> wedges;
     for_each_edge(uses, [&](std::span<const EdgeUse> around) {
       for (const EdgeUse& f : around)
-        if (f.forward) wedges.push_back(wedge(f, across_solid(f, around)));
+        if (f.forward) {
+          const EdgeUse& g = across_solid(f, around);
+          wedges.push_back(wedge(f, g, across_solid.angle(f, g) == WedgeAngle::more));
+        }
     });
     return wedges;
   }
 
  private:
-  /// Where a face lies as seen from another one at the same edge, going round the edge into the solid.
-  enum class Turn { less, straight, more };  ///< than 180 degrees
-
   [[nodiscard]] std::uint32_t apex(const EdgeUse& use) const {
     return mesh_.mesh.triangles[use.triangle][(use.corner + 2U) % 3];
   }
@@ -43,29 +44,7 @@ class WedgeFinder {
                                         : table_.side(f.piece.hyperplane, mesh_.position(vertex));
     return f.faces_plus ? side : -side;
   }
-  [[nodiscard]] Turn orientation(const EdgeUse& from, const EdgeUse& to) const {
-    const Sign side = outer_side(from.triangle, apex(to));
-    return side == Sign::negative ? Turn::less : side == Sign::zero ? Turn::straight : Turn::more;
-  }
-
-  /// The face that bounds the solid on the other side of its wedge behind `from`: the first one met.
-  [[nodiscard]] const EdgeUse& across_solid(const EdgeUse& from, std::span<const EdgeUse> around) const {
-    const EdgeUse* best = nullptr;
-    for (const EdgeUse& g : around)
-      if (g.forward != from.forward && (best == nullptr || is_before(from, g, *best))) best = &g;
-    return *best;
-  }
-  /// True when g comes before h in going round from `from`.
-  [[nodiscard]] bool is_before(const EdgeUse& from, const EdgeUse& g, const EdgeUse& h) const {
-    const Turn to_g = orientation(from, g), to_h = orientation(from, h);
-    if (to_g != to_h) return to_g < to_h;
-    if (to_g == Turn::straight) return false;
-    // Within one half-turn h is less than 180 degrees beyond g, or g beyond h. Both face against `from`, so that what
-    // is next beyond g is on its outer side.
-    return outer_side(g.triangle, apex(h)) == Sign::positive;
-  }
-
-  [[nodiscard]] Wedge wedge(const EdgeUse& f, const EdgeUse& g) const {
+  [[nodiscard]] Wedge wedge(const EdgeUse& f, const EdgeUse& g, bool is_reflex) const {
     const bsp::Facet<3>& facet = facets_[f.triangle];
     const std::uint32_t plane = facet.piece.hyperplane, other = facets_[g.triangle].piece.hyperplane;
     const auto corner = [&](std::uint32_t c) { return facet.faces_plus ? c : (3 - c) % 3; };
@@ -75,7 +54,7 @@ class WedgeFinder {
             {plane, plane == other ? facet.piece.walls[side] : other},
             {triangles_[f.triangle][begin], triangles_[f.triangle][end]},
             {facet.piece.corners[corner(begin)], facet.piece.corners[corner(end)]},
-            orientation(f, g) == Turn::more};
+            is_reflex};
     return w;
   }
 

@@ -24,10 +24,9 @@ RationalPoint position(const IncrementalVertex& corner) {
 
 }  // namespace
 
-IncrementalSolid::IncrementalSolid() : data_(std::make_shared<const Data>()) {}
+IncrementalSolid::IncrementalSolid() : data_(Shared<Data>::make()) {}
 
-IncrementalSolid::IncrementalSolid(const Solid& solid)
-    : data_(std::make_shared<const Data>(Data{FaceTree(faces_of(solid))})) {}
+IncrementalSolid::IncrementalSolid(const Solid& solid) : data_(Shared<Data>::make(Data{FaceTree(faces_of(solid))})) {}
 
 IncrementalSolid IncrementalSolid::with(Operation operation, const Solid& tool, const Options& options) const {
   return with(operation, std::span(&tool, 1), options);
@@ -38,7 +37,7 @@ IncrementalSolid IncrementalSolid::with(Operation operation, std::span<const Sol
   const auto is_empty_tool = [](const Solid& tool) { return tool.is_empty(); };
   if (operation == Operation::intersection && std::any_of(tools.begin(), tools.end(), is_empty_tool)) return {};
   IncrementalSolid result;
-  result.data_ = std::make_shared<const Data>(Data{take_steps(data_->faces, operation, group_tools(tools), options)});
+  result.data_ = Shared<Data>::make(Data{take_steps(data_->faces, operation, group_tools(tools), options)});
   return result;
 }
 

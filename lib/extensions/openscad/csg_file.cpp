@@ -14,8 +14,8 @@ CsgModel read_csg(std::string_view text, std::string name, Placement placement) 
   return {std::move(expression), report.notes()};
 }
 
-CsgModel read_csg_file(const std::filesystem::path& path, Placement placement) {
-  const io::File file(path);
+CsgModel read_csg_file(const FilePath& path, Placement placement) {
+  const io::File file(path.text());
   const io::FileBytes bytes(file);
   return read_csg(bytes.view(), file.name(), placement);
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "core/mesh/circle.h"
+#include "core/primitives/stack.h"
 #include "extensions/openscad/arguments.h"
 #include "extensions/openscad/tessellation.h"
 
@@ -120,7 +122,7 @@ std::optional<Solid> Primitives::sphere(const SyntaxNode& node) {
   return shared({1, radius, static_cast<double>(sides)}, [&] {
     std::vector<Ring> rings;
     for (std::uint32_t i = count; i-- > 0;) {
-      const Direction d = direction(180.0 * (i + 0.5) / count);
+      const CosineSine d = cosine_sine(180.0 * (i + 0.5) / count);
       rings.push_back({radius * d.sine, radius * d.cosine});
     }
     return stack(rings, sides);

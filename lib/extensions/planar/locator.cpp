@@ -1,4 +1,5 @@
 #include <cmath>
+#include <memory>
 
 #include "extensions/planar/predicates.h"
 #include "extensions/planar/strips.h"
@@ -84,7 +85,7 @@ Sign Locator::Data::side(const Query& q, std::uint32_t edge) const {
   return sign_of(Rational((r[0] - p[0]) * (x[1] - p[1]) - (r[1] - p[1]) * (x[0] - p[0])));
 }
 
-Locator::Locator(const Region& region) : data_(std::make_shared<const Data>(region)) {}
+Locator::Locator(const Region& region) : data_(Shared<Data>::make(region)) {}
 
 Membership Locator::locate(const PlanePoint& p) const { return data_->locate(Query{{p[0], p[1]}, &p, nullptr}); }
 

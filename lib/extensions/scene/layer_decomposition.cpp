@@ -25,27 +25,27 @@ std::uint32_t LayerDecomposition::cuts_of_cycles() const { return data_->order.c
 std::uint64_t LayerDecomposition::domination_count() const { return data_->order.dominators.size(); }
 std::uint64_t LayerDecomposition::pairs_tested() const { return data_->pairs_tested; }
 
-LayerDecomposition::LayerDecomposition(Scene scene, const Origin& origin, const Monitor& monitor) {
-  const auto data = std::make_shared<Data>(SignedCovering(std::move(scene), origin, true));
-  SignedCovering& covering = data->covering;
+LayerDecomposition::LayerDecomposition(Scene scene, const Origin& origin, const Monitor& monitor)
+    : data_(Shared<Data>::make(std::move(scene), origin, monitor)) {}
+
+LayerDecomposition::Data::Data(Scene scene, const Origin& origin, const Monitor& monitor)
+    : covering(std::move(scene), origin, true), pieces(covering.scene()) {
   monitor.report(0.3);
   const Sight sight(input_complex_of(covering.scene()), origin);
   Dominance dominance = find_dominance(sight, covering.index(), covering.orientations(), monitor);
   covering.index().forget_footprints();
-  data->pairs_tested = dominance.pairs_tested;
+  pairs_tested = dominance.pairs_tested;
   monitor.report(0.7);
   std::vector<Sign> orientations = covering.orientations();
-  data->order = order_in_layers(data->pieces, origin, std::move(dominance), orientations, monitor);
+  order = order_in_layers(pieces, origin, std::move(dominance), orientations, monitor);
   monitor.report(0.9);
-  const LayerOrder& order = data->order;
-  data->first.assign(order.layer_count + 2, 0);
-  for (const std::uint32_t l : order.layer) data->first[l + 1] += l != 0;
-  for (std::uint32_t l = 1; l <= order.layer_count; ++l) data->first[l + 1] += data->first[l];
-  data->sorted.resize(data->first[order.layer_count + 1]);
-  std::vector<std::uint32_t> next = data->first;
+  first.assign(order.layer_count + 2, 0);
+  for (const std::uint32_t l : order.layer) first[l + 1] += l != 0;
+  for (std::uint32_t l = 1; l <= order.layer_count; ++l) first[l + 1] += first[l];
+  sorted.resize(first[order.layer_count + 1]);
+  std::vector<std::uint32_t> next = first;
   for (std::uint32_t p = 0; p < order.layer.size(); ++p)
-    if (order.layer[p] != 0) data->sorted[next[order.layer[p]]++] = p;
-  data_ = data;
+    if (order.layer[p] != 0) sorted[next[order.layer[p]]++] = p;
 }
 
 std::array<RationalPoint, 3> LayerDecomposition::triangle(std::uint32_t piece) const {

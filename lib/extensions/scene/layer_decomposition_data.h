@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "extensions/scene/painters_order.h"
@@ -11,7 +10,7 @@
 namespace strata {
 
 struct LayerDecomposition::Data {
-  explicit Data(SignedCovering c) : covering(std::move(c)), pieces(covering.scene()) {}
+  Data(Scene scene, const Origin& origin, const Monitor& monitor);
 
   SignedCovering covering;
   Pieces pieces;

@@ -40,8 +40,7 @@ struct Locator::Data {
   }
 };
 
-Locator::Locator(Scene scene, const Monitor& monitor)
-    : data_(std::make_shared<const Data>(std::move(scene), monitor)) {}
+Locator::Locator(Scene scene, const Monitor& monitor) : data_(Shared<Data>::make(std::move(scene), monitor)) {}
 
 const Scene& Locator::scene() const { return data_->scene; }
 

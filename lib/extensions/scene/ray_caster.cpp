@@ -96,7 +96,7 @@ std::optional<Found> find_first(const RayCaster::Data& data, const RayLine& line
 
 }  // namespace
 
-RayCaster::RayCaster(Scene scene) : data_(std::make_shared<const Data>(std::move(scene))) {}
+RayCaster::RayCaster(Scene scene) : data_(Shared<Data>::make(std::move(scene))) {}
 const Scene& RayCaster::scene() const { return data_->scene; }
 
 bool RayCaster::any(const Segment& segment) const {

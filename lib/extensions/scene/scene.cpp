@@ -56,21 +56,20 @@ std::uint32_t Scene::local(std::uint32_t face) const {
   return face - data_->input.first_face(data_->input.operand_of_face(face));
 }
 
-Scene::Scene(std::vector<ExactMesh> solids) {
-  const auto data = std::make_shared<Data>();
-  data->solids = std::move(solids);
+Scene::Scene(std::vector<ExactMesh> solids) : data_(Shared<Data>::make(std::move(solids))) {}
+
+Scene::Data::Data(std::vector<ExactMesh> listed) : solids(std::move(listed)) {
   std::uint64_t vertices = 0, faces = 0;
-  for (std::size_t i = 0; i < data->solids.size(); ++i) {
-    const Mesh& mesh = data->solids[i].mesh;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const Mesh& mesh = solids[i].mesh;
     check_arrays(mesh, i);
     vertices += mesh.vertices.size();
     faces += mesh.triangles.size();
   }
   if (vertices > 0xfffffffdu || faces > 0xfffffffdu)
     throw std::length_error("a scene of more than 2^32 - 3 vertices or faces");
-  for (const ExactMesh& s : data->solids) data->input.add(s.mesh.vertices, s.mesh.triangles, s.exact);
-  check_faces(data->input);
-  data_ = data;
+  for (const ExactMesh& s : solids) input.add(s.mesh.vertices, s.mesh.triangles, s.exact);
+  check_faces(input);
 }
 
 }  // namespace strata

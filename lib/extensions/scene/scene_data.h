@@ -7,6 +7,8 @@
 namespace strata {
 
 struct Scene::Data {
+  explicit Data(std::vector<ExactMesh> listed);
+
   std::vector<ExactMesh> solids;
   InputComplex input;
 };

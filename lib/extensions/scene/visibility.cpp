@@ -169,8 +169,7 @@ std::vector<ExactPolygon> Visibility::Data::seen_region(std::uint32_t face) cons
   return seen;
 }
 
-Visibility::Visibility(LayerDecomposition decomposition)
-    : data_(std::make_shared<const Data>(std::move(decomposition))) {}
+Visibility::Visibility(LayerDecomposition decomposition) : data_(Shared<Data>::make(std::move(decomposition))) {}
 
 const LayerDecomposition& Visibility::decomposition() const { return data_->decomposition_; }
 

@@ -121,8 +121,8 @@ std::optional<PlanarFormat> planar_format_named(std::string_view name) {
   return std::nullopt;
 }
 
-std::optional<PlanarFormat> planar_format_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
+std::optional<PlanarFormat> planar_format_of(const FilePath& path) {
+  std::string extension = std::filesystem::path(path.text()).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension.empty() ? std::nullopt : planar_format_named(std::string_view(extension).substr(1));
 }
@@ -149,7 +149,8 @@ PlanarFile read_planar(std::string_view data, PlanarFormat format, std::string n
   return file;
 }
 
-PlanarFile read_planar(const std::filesystem::path& path, std::optional<PlanarFormat> format) {
+PlanarFile read_planar(const FilePath& given, std::optional<PlanarFormat> format) {
+  const std::filesystem::path path(given.text());
   if (!format) format = planar_format_of(path);
   if (!format) throw IoError(path.string(), {}, "unknown format: .wkt, .geojson and .svg are known");
   const io::File file(path);

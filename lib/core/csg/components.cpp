@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/csg/solid_data.h"
+#include "core/kernel/disjoint_sets.h"
+#include "core/kernel/predicates.h"
+#include "core/mesh/across_solid.h"
+#include "core/mesh/equal_vertices.h"
+#include "core/mesh/prepare.h"
+
+namespace strata {
+namespace {
+
+/// A part of the boundary that is connected over edges as seen from the interior. It bounds a component of the interior
+/// from outside, or it is the boundary of a cavity of one.
+struct Shell {
+  std::vector<std::uint32_t> faces;  ///< rising
+  bool is_outer = false;
+};
+
+/// The boundary of a solid, with one number for equal vertices.
+class Boundary {
+ public:
+  explicit Boundary(const ExactMesh& mesh) : mesh_(mesh), triangles_(mesh.mesh.triangles) {
+    const std::vector<std::uint32_t> first = equal_vertices(mesh);
+    for (Triangle& t : triangles_)
+      for (std::uint32_t& v : t) v = first[v];
+    input_.add(mesh_.mesh.vertices, triangles_, mesh_.exact);
+  }
+  Boundary(const Boundary&) = delete;
+  Boundary& operator=(const Boundary&) = delete;
+
+  [[nodiscard]] const InputComplex& input() const { return input_; }
+  [[nodiscard]] const Triangle& triangle(std::uint32_t face) const { return triangles_[face]; }
+  [[nodiscard]] const Vertex& vertex(std::uint32_t v) const { return mesh_.mesh.vertices[v]; }
+
+  /// In the order of their first faces.
+  [[nodiscard]] std::vector<Shell> shells() const {
+    const std::vector<std::uint32_t> shell = shell_of_faces();
+    std::vector<Shell> shells;
+    for (std::uint32_t f = 0; f < shell.size(); ++f) {
+      if (shell[f] == shells.size()) shells.emplace_back();
+      shells[shell[f]].faces.push_back(f);
+    }
+    for (Shell& s : shells)
+      s.is_outer =
+          orientation(ExactMeshView(MeshView(mesh_.mesh.vertices, triangles_of(s)), mesh_.exact)) == Sign::positive;
+    return shells;
+  }
+
+  [[nodiscard]] Rational volume(const Shell& shell) const {
+    return strata::volume(ExactMeshView(MeshView(mesh_.mesh.vertices, triangles_of(shell)), mesh_.exact));
+  }
+
+ private:
+  [[nodiscard]] std::vector<Triangle> triangles_of(const Shell& shell) const {
+    std::vector<Triangle> triangles;
+    for (const std::uint32_t f : shell.faces) triangles.push_back(triangles_[f]);
+    return triangles;
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> shell_of_faces() const {
+    const AcrossSolid across_solid([&](const EdgeUse& use, const EdgeUse& other) {
+      const Triangle &t = triangles_[use.triangle], &o = triangles_[other.triangle];
+      return orient3d(input_, t[0], t[1], t[2], o[(other.corner + 2U) % 3]);
+    });
+    DisjointSets<std::uint32_t> sets(triangles_.size());
+    const std::vector<EdgeUse> uses = edge_table(triangles_, mesh_.mesh.vertices.size());
+    for_each_edge(uses, [&](std::span<const EdgeUse> around) {
+      if (around.size() == 2) return sets.unite(around[0].triangle, around[1].triangle);
+      for (const EdgeUse& use : around)
+        if (use.forward) sets.unite(use.triangle, across_solid(use, around).triangle);
+    });
+    // The representative is the lowest face: shells are numbered when it comes.
+    std::vector<std::uint32_t> shell(triangles_.size());
+    std::uint32_t count = 0;
+    for (std::uint32_t f = 0; f < shell.size(); ++f) {
+      const std::uint32_t lowest = sets.find(f);
+      shell[f] = lowest == f ? count++ : shell[lowest];
+    }
+    return shell;
+  }
+
+  const ExactMesh& mesh_;
+  std::vector<Triangle> triangles_;
+  InputComplex input_;
+};
+
+/// A point inside a face of a cavity's boundary, from where a ray runs in the direction of x.
+struct Query {
+  std::size_t shell = 0;
+  Point point;
+  Vertex nearest{};
+  std::map<std::size_t, int> windings;  ///< of outer shells about the point
+};
+
+/// Winding number about a point of the projection of a face along x, as seen from positive x. A point in line with a
+/// side counts as if it were moved a little towards positive y, and then z, whichever face asks.
+int winding_yz(const InputComplex& input, const std::array<Point, 3>& corners, const Point& q) {
+  int winding = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point &a = corners[k], &b = corners[(k + 1) % 3];
+    const bool a_below = compare(input, 2, a, q) != Sign::positive, b_below = compare(input, 2, b, q) != Sign::positive;
+    if (a_below && !b_below) winding += orient2d(input, {1, 2}, a, b, q) == Sign::positive;
+    if (!a_below && b_below) winding -= orient2d(input, {1, 2}, b, a, q) == Sign::positive;
+  }
+  return winding;
+}
+
+/// The queries that the ray of may meet a face, by doubles, which are sorted by z.
+template <class Visit>
+void for_each_near(const Boundary& boundary, const Triangle& t, std::vector<Query>& queries, const Visit& visit) {
+  Vertex lower = boundary.vertex(t[0]), upper = lower;
+  for (const std::uint32_t v : t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      lower[i] = std::min(lower[i], boundary.vertex(v)[i]);
+      upper[i] = std::max(upper[i], boundary.vertex(v)[i]);
+    }
+  auto q = std::lower_bound(queries.begin(), queries.end(), lower[2],
+                            [](const Query& a, double z) { return a.nearest[2] < z; });
+  for (; q != queries.end() && q->nearest[2] <= upper[2]; ++q)
+    if (lower[1] <= q->nearest[1] && q->nearest[1] <= upper[1] && q->nearest[0] <= upper[0]) visit(*q);
+}
+
+void count_crossings(const Boundary& boundary, const std::vector<Shell>& shells, std::vector<Query>& queries) {
+  const InputComplex& input = boundary.input();
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    if (!shells[s].is_outer) continue;
+    for (const std::uint32_t f : shells[s].faces) {
+      std::optional<std::array<Point, 3>> corners;
+      for_each_near(boundary, boundary.triangle(f), queries, [&](Query& q) {
+        if (!corners) {
+          corners.emplace();
+          for (std::size_t i = 0; i < 3; ++i)
+            (*corners)[i] = make_point(input, SymbolicPoint::input(boundary.triangle(f)[i]));
+        }
+        const int winding = winding_yz(input, *corners, q.point);
+        if (winding != 0 && winding * to_int(side_of_face(input, f, q.point)) < 0) q.windings[s] += winding;
+      });
+    }
+  }
+}
+
+/// Per shell the outer shell of its component. Shells around a point of a cavity's boundary lie within one another, and
+/// the innermost is that of the cavity's component: it has the least volume.
+std::vector<std::size_t> outer_shells(const Boundary& boundary, const std::vector<Shell>& shells) {
+  std::vector<std::size_t> outer(shells.size());
+  std::vector<Query> queries;
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    outer[s] = s;
+    if (shells[s].is_outer) continue;
+    const Point inside = make_point(boundary.input(), SymbolicPoint::weighted(shells[s].faces.front(), 1));
+    queries.push_back({s, inside, nearest_doubles(boundary.input(), inside), {}});
+  }
+  std::sort(queries.begin(), queries.end(), [](const Query& a, const Query& b) { return a.nearest[2] < b.nearest[2]; });
+  count_crossings(boundary, shells, queries);
+  std::map<std::size_t, Rational> volumes;
+  const auto volume_of = [&](std::size_t s) -> const Rational& {
+    const auto known = volumes.find(s);
+    return known != volumes.end() ? known->second : volumes.emplace(s, boundary.volume(shells[s])).first->second;
+  };
+  for (const Query& q : queries) {
+    std::optional<std::size_t> innermost;
+    for (const auto& [s, winding] : q.windings)
+      if (winding != 0 && (!innermost || volume_of(s) < volume_of(*innermost))) innermost = s;
+    if (innermost) outer[q.shell] = *innermost;
+  }
+  return outer;
+}
+
+/// Some triangles of a solid, rising, with the vertices that they use, in their order.
+Solid::Data part_of(const Solid& solid, const std::vector<std::uint32_t>& faces, std::vector<std::uint32_t>& number) {
+  const ExactMesh& whole = solid.exact_mesh();
+  std::vector<std::uint32_t> used;
+  for (const std::uint32_t f : faces)
+    used.insert(used.end(), whole.mesh.triangles[f].begin(), whole.mesh.triangles[f].end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  Solid::Data part;
+  for (const std::uint32_t v : used) {
+    number[v] = static_cast<std::uint32_t>(part.boundary.mesh.vertices.size());
+    part.boundary.mesh.vertices.push_back(whole.mesh.vertices[v]);
+    const auto exact = std::lower_bound(whole.exact.begin(), whole.exact.end(), v,
+                                        [](const ExactVertex& e, std::uint32_t w) { return e.vertex < w; });
+    if (exact != whole.exact.end() && exact->vertex == v) part.boundary.exact.push_back({number[v], exact->position});
+  }
+  for (const std::uint32_t f : faces) {
+    const auto [a, b, c] = whole.mesh.triangles[f];
+    part.boundary.mesh.triangles.push_back({number[a], number[b], number[c]});
+    part.sources.push_back(solid.sources()[f]);
+  }
+  return part;
+}
+
+}  // namespace
+
+std::vector<Solid> Solid::components() const {
+  if (is_empty()) return {};
+  const Boundary boundary(exact_mesh());
+  const std::vector<Shell> shells = boundary.shells();
+  const std::vector<std::size_t> outer = outer_shells(boundary, shells);
+  std::map<std::size_t, std::vector<std::uint32_t>> faces;  // by outer shell
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    std::vector<std::uint32_t>& list = faces[outer[s]];
+    list.insert(list.end(), shells[s].faces.begin(), shells[s].faces.end());
+  }
+  if (faces.size() == 1) return {*this};
+  std::vector<std::vector<std::uint32_t>> lists;
+  for (auto& [shell, list] : faces) {
+    std::sort(list.begin(), list.end());
+    lists.push_back(std::move(list));
+  }
+  std::sort(lists.begin(), lists.end(), [](const auto& a, const auto& b) { return a.front() < b.front(); });
+  std::vector<Solid> components;
+  std::vector<std::uint32_t> number(mesh().vertices.size());
+  for (const auto& list : lists) components.push_back(Solid(Shared<Data>::make(part_of(*this, list, number))));
+  return components;
+}
+
+}  // namespace strata
