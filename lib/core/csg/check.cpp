@@ -15,7 +15,7 @@
 namespace strata {
 namespace {
 
-/// The mesh with every triangle on the first of its equal vertices: sheets that touch in a vertex share it.
+/// The mesh with every triangle on the first of its equal vertices. Sheets that touch in a vertex then share it.
 std::vector<Triangle> on_first_vertices(ExactMeshView mesh) {
   const auto first = equal_vertices(mesh);
   std::vector<Triangle> triangles(mesh.mesh.triangles.begin(), mesh.mesh.triangles.end());

@@ -24,7 +24,7 @@ bool is_integer_text(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// Of digits that may have leading zeros, which Boost would take for octal numbers.
+/// From digits that may have leading zeros, which Boost would parse as octal numbers.
 Native::I parse_integer(std::string_view text) {
   if (!is_integer_text(text)) throw std::invalid_argument("not an integer: '" + std::string(text) + "'");
   const bool is_negative = text[0] == '-';
@@ -308,8 +308,8 @@ std::uint64_t nearest_multiple(Integer n, Integer d, long scale) {
 
 std::uint64_t low_limb(const Integer& x) { return x.is_zero() ? 0 : limbs_of(x)[0]; }
 
-/// The Float nearest to q. The significand is rounded once, at the last bit that the exponent of q leaves to it;
-/// what follows is exact or overflows to infinity. Values that round to zero give +0.
+/// The Float nearest to q. The significand is rounded once, at the last bit that the exponent of q permits. All later
+/// steps are exact or overflow to infinity. Values that round to zero give +0.
 template <class Float>
 Float to_nearest(const Rational& q) {
   using Limits = std::numeric_limits<Float>;

@@ -80,13 +80,13 @@ class BoundaryEdges {
   std::vector<std::uint8_t> straight_;
 };
 
-/// A directed run of sides between two vertices that stay; on its left lie triangles of one verdict.
+/// A directed run of sides between two kept vertices, with triangles of one verdict on its left.
 struct Run {
   Id from = 0, to = 0;
-  Verdict left = Verdict::drop;  ///< drop: the run only divides
+  Verdict left = Verdict::drop;  ///< drop: the run only divides the face
 };
 
-/// Triangulates one face anew.
+/// Triangulates one face again.
 class FaceMerger {
  public:
   FaceMerger(const InputComplex& input, const PointTable& table, const BoundaryEdges& edges)
@@ -130,8 +130,8 @@ class FaceMerger {
     join(sides, face.face);
   }
 
-  /// Runs through redundant vertices are joined. Two sides meet in such a vertex, and each face that has one of them
-  /// has both; a dividing side is met from either triangle, once in each direction.
+  /// Joins runs at redundant vertices. Two sides meet in such a vertex, and each face that has one of them has both. A
+  /// dividing side occurs once in each direction, from its two triangles.
   void join(const std::vector<Run>& sides, std::uint32_t face) {
     std::unordered_map<Id, std::vector<Run>> leaving;  // per redundant vertex
     for (const Run& s : sides)
