@@ -6,8 +6,8 @@
 
 namespace strata::contact {
 
-/// Names of the corners of what two faces share: a point, the ends of a segment, or the corners of a convex polygon in
-/// no order. Different names are different places.
+/// Names of the corners of the intersection of two faces: a point, the ends of a segment, or the corners of a convex
+/// polygon in no order. Different names are different positions.
 using CommonPoints = boost::container::static_vector<SymbolicPoint, 32>;
 
 /// What two faces, and no others, have in common, from what `meet_faces` says about them. Where two vertices meet, the

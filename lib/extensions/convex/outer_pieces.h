@@ -18,8 +18,8 @@ struct PieceOfFace {
   std::array<PointId, 3> corners{};
 };
 
-/// On which side of a solid a place just in front of a piece is: another place for every number > 0, of which nearly
-/// all are known. Called from several threads.
+/// The side of a solid on which a position just in front of a piece lies. Every number > 0 gives another position;
+/// nearly all of them are decided. Called from several threads.
 using SideInFront = std::function<Side(const PieceOfFace&, int)>;
 
 /// Drops those pieces of an arrangement that are no part of the boundary of a bounded solid, which pieces make up, each

@@ -30,7 +30,7 @@ class WedgeFinder {
   }
 
  private:
-  /// Where a face lies as seen from another one at the same edge, going round the edge into the solid.
+  /// The angle from one face to another at the same edge, through the solid.
   enum class Turn { less, straight, more };  ///< than 180 degrees
 
   [[nodiscard]] std::uint32_t apex(const EdgeUse& use) const {
@@ -48,20 +48,20 @@ class WedgeFinder {
     return side == Sign::negative ? Turn::less : side == Sign::zero ? Turn::straight : Turn::more;
   }
 
-  /// The face that bounds the solid on the other side of its wedge behind `from`: the first one met.
+  /// The face that bounds the solid on the other side of its wedge behind `from`: the first one in rotation.
   [[nodiscard]] const EdgeUse& across_solid(const EdgeUse& from, std::span<const EdgeUse> around) const {
     const EdgeUse* best = nullptr;
     for (const EdgeUse& g : around)
       if (g.forward != from.forward && (best == nullptr || is_before(from, g, *best))) best = &g;
     return *best;
   }
-  /// True when g comes before h in going round from `from`.
+  /// True when g is before h in the rotation that starts at `from`.
   [[nodiscard]] bool is_before(const EdgeUse& from, const EdgeUse& g, const EdgeUse& h) const {
     const Turn to_g = orientation(from, g), to_h = orientation(from, h);
     if (to_g != to_h) return to_g < to_h;
     if (to_g == Turn::straight) return false;
-    // Within one half-turn h is less than 180 degrees beyond g, or g beyond h. Both face against `from`, so that what
-    // is next beyond g is on its outer side.
+    // Within one half-turn h is less than 180 degrees beyond g, or g beyond h. Both have their outer side towards
+    // `from`, so the next face beyond g is on its outer side.
     return outer_side(g.triangle, apex(h)) == Sign::positive;
   }
 

@@ -29,7 +29,7 @@ Direction in_first_quadrant(double degrees) {
 /// Of 0 it is 0, not -0.
 double opposite(double x) { return 0 - x; }
 
-/// Writes rings and what joins them into a mesh.
+/// Builds a mesh from rings and the faces between them.
 class Stack {
  public:
   Stack(std::span<const Ring> rings, std::uint32_t sides) : sides_(sides) {
