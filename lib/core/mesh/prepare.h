@@ -64,8 +64,8 @@ struct Prepared {
 /// `prepare_soup` for `repair`. Throws as these do.
 [[nodiscard]] Prepared prepare(ExactMeshView mesh, InputClass input, std::size_t operand = 0);
 
-/// Diagnosis of everything that can be told without intersecting faces: all defects but self-intersection and
-/// inside-out shells. Lists the first few of each kind with coordinates and face numbers, and counts the rest.
+/// Diagnosis without intersecting faces: all defects except self-intersection and inside-out shells. Lists the first
+/// few of each kind with coordinates and face numbers, and counts the rest.
 [[nodiscard]] std::vector<Defect> diagnose(MeshView mesh);
 /// The same for exact positions. Nothing is repaired: with rationals, triangles of zero area are errors.
 [[nodiscard]] std::vector<Defect> diagnose(ExactMeshView mesh);

@@ -46,7 +46,7 @@ struct EqualVertices {
   friend auto operator<=>(const EqualVertices&, const EqualVertices&) = default;
 };
 
-/// What was found between some pairs of faces, collected pair by pair.
+/// The intersections of some pairs of faces, collected pair by pair.
 struct PairIntersections {
   /// The number of a point: its own if it is an input vertex, else the vertex count plus its index in `constructed`. A
   /// constructed point is appended to that list unless it is among the last entries.

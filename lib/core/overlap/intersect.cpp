@@ -118,7 +118,7 @@ class CellPairs {
   std::vector<std::optional<FilteredFace>> filtered_;  ///< filled when a face is needed
 };
 
-/// The cells in which faces may meet. Cells come in any order, these by their lower corners.
+/// The cells in which faces may meet. The cells themselves are in any order; these are sorted by their lower corners.
 std::vector<const Cell*> mixed_cells(const CellTree& cells) {
   std::vector<const Cell*> mixed;
   for (const Cell& cell : cells.cells())
@@ -127,8 +127,8 @@ std::vector<const Cell*> mixed_cells(const CellTree& cells) {
   return mixed;
 }
 
-/// What all cells found, constraints sorted by face and other face. All constraints of a pair come from one cell, in
-/// one run.
+/// The intersections of all cells, with constraints sorted by face and other face. All constraints of a pair come from
+/// one cell and are consecutive.
 Intersections gathered(const std::vector<PairIntersections>& per_cell, const InputComplex& input,
                        const Monitor& monitor) {
   Intersections all{.constraints = {}, .equal = {}, .points = PointTable(input)};

@@ -77,7 +77,8 @@ class TransversalMeeting {
         of_g_(of_g) {}
 
   bool find(PairIntersections& intersections) {
-    // Both sections lie on one line; directed along n_f x n_g, g's is as it comes and f's the other way round.
+    // Both sections lie on one line. Along n_f x n_g, the section of g has its own direction and that of f the opposite
+    // one.
     const Section on_g = section(of_g_), on_f = section(of_f_);
     const auto tail = later(on_f.head, on_g.tail);
     if (!tail) return false;

@@ -15,7 +15,7 @@ using PointId = std::uint32_t;
 /// All points of an evaluation, each constructed one once. Reading is thread-safe. The input must outlive it.
 class PointTable {
  public:
-  /// Knows the input vertices.
+  /// Starts with the input vertices.
   explicit PointTable(const InputComplex& input) : input_(&input) {}
 
   /// Numbers of symbolic points. New names are numbered in the order of their first occurrence, and their coordinates

@@ -12,7 +12,7 @@
 namespace strata {
 namespace {
 
-/// Labels faces of one operand one after the other; faces with near numbers are often near in space.
+/// Labels the faces of one operand in order; faces with near numbers are often near in space.
 class FaceJudge {
  public:
   FaceJudge(const InputComplex& input, const Classifier& classifier, std::uint32_t operand)

@@ -20,7 +20,7 @@ constexpr Id none = 0xffffffffu;
 
 Edge undirected(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// The boundary edges of all pieces, and what meets in each vertex.
+/// The boundary edges of all pieces, and their number at each vertex.
 class BoundaryEdges {
  public:
   BoundaryEdges(const InputComplex& input, const PointTable& table, const std::vector<SubdividedFace>& faces) {
@@ -48,7 +48,7 @@ class BoundaryEdges {
   [[nodiscard]] bool has(Id a, Id b) const {
     return std::binary_search(edges_.begin(), edges_.end(), undirected(a, b));
   }
-  /// True when nothing needs the vertex: no boundary edge ends there, or two that run straight on.
+  /// True when the vertex is not needed: no boundary edge ends there, or two that form a straight line.
   [[nodiscard]] bool is_redundant(Id v) const { return concerned_[v] != 0 && (degree_[v] == 0 || straight_[v] != 0); }
 
  private:
@@ -114,7 +114,7 @@ class FaceMerger {
   }
   [[nodiscard]] static bool is_bare(const PieceTriangle& t, std::size_t side) { return (t.boundary >> side & 1) == 0; }
 
-  /// Sides that stay, in the face's own orientation, joined across redundant vertices.
+  /// The kept sides, in the face's own orientation, joined across redundant vertices.
   void gather_runs(const SubdividedFace& face) {
     std::vector<Run> sides;
     for (const PieceTriangle& t : face.triangles)

@@ -20,7 +20,7 @@ class InteriorSides {
 
   /// What two faces share, the first of a and the second of b. Requires that they do not prove interference.
   void note(const PairIntersections& intersections);
-  /// Faces with the same corners, which look opposite ways.
+  /// Records coincident faces, which have opposite orientations.
   void note_coincident_faces(std::uint32_t f, std::uint32_t g);
 
   /// True when the interiors of the parts meet. Requires that all intersections of their faces have been recorded. O(n
