@@ -107,7 +107,7 @@ class Patches {
   std::vector<SideOfPiece> sides_;  ///< by edges
 };
 
-/// All that an arrangement holds: whole faces, then pieces of the others.
+/// All pieces of an arrangement: whole faces, then pieces of the others.
 std::vector<PieceOfFace> list_pieces(const InputComplex& input, const std::vector<Verdict>& verdicts,
                                      const Subdivision& subdivision) {
   std::vector<PieceOfFace> all;
