@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::size_t few = 32;
 
-/// What vertices show to be in the plane of a face.
+/// The vertices that are known to lie in the plane of a face.
 class PlaneOfFace {
  public:
   PlaneOfFace(const InputComplex& input, std::uint32_t face) : input_(input), face_(face), corners_(input.face(face)) {}
 
-  /// Certain where the answer is yes: an edge or a face through the point is in the plane.
+  /// A positive answer is certain: an edge or a face through the point lies in the plane.
   [[nodiscard]] bool has(const SymbolicPoint& name) const {
     const auto& id = name.id;
     switch (name.kind) {
@@ -117,7 +117,7 @@ Sign FacePoints::orientation(std::int32_t a, std::int32_t b, std::int32_t c) con
   return exact_orient2d(input_, projection_, p, q, r);
 }
 
-/// Three points of this face are collinear when they lie in another source plane too.
+/// Three points of this face are collinear when they also lie in another source plane.
 bool FacePoints::collinear_by_planes(const Point& p, const Point& q, const Point& r) const {
   if (!input_.has_planes()) return false;
   const KnownPlanes of_p(input_, p), of_q(input_, q), of_r(input_, r);
@@ -145,7 +145,7 @@ bool FacePoints::leaves_plane(const InputComplex::Indices& vertices) const {
   return false;
 }
 
-/// Three points of this face are collinear when one edge carries them, or when they lie on a face in another plane.
+/// Three points of this face are collinear when they lie on one edge, or on a face in another plane.
 bool FacePoints::collinear_by_name(const Point& p, const Point& q, const Point& r) const {
   const auto all_on_edge = [&](std::uint32_t a, std::uint32_t b) {
     return named_on_edge(p.name, a, b) && named_on_edge(q.name, a, b) && named_on_edge(r.name, a, b);
@@ -178,9 +178,9 @@ bool FacePoints::collinear_by_name(const Point& p, const Point& q, const Point& 
   return false;
 }
 
-/// Three points where edges cross this face are collinear when the edges lie in one plane: it is not the face's, which
-/// they cross. Asked of edges that have four vertices in all, as next to each other on the sides of a quadrilateral and
-/// on its diagonal: degree 3, where the turn has 11.
+/// Three points where edges cross this face are collinear when the edges lie in one plane. It is not the plane of the
+/// face, which they cross. The test is used for edges with four vertices in all, such as neighbouring sides of a
+/// quadrilateral and its diagonal. It has degree 3; the orientation test has degree 11.
 bool FacePoints::collinear_by_edges(const Point& p, const Point& q, const Point& r) const {
   std::array<std::uint32_t, 6> ends{};
   std::size_t count = 0;
@@ -194,8 +194,8 @@ bool FacePoints::collinear_by_edges(const Point& p, const Point& q, const Point&
   return orient3d(input_, ends[0], ends[1], ends[2], ends[3]) == Sign::zero;
 }
 
-/// Three points of this face are collinear when they lie in the plane of another face, too: as where edges of coplanar
-/// faces cross this one. Degree 3, where the turn has 11.
+/// Three points of this face are collinear when they also lie in the plane of another face, as where edges of coplanar
+/// faces cross this one. Degree 3; the orientation test has degree 11.
 bool FacePoints::collinear_by_faces(const Point& p, const Point& q, const Point& r) const {
   for (const Point* x : {&p, &q, &r}) {
     const std::uint32_t g = x->name.id[2];

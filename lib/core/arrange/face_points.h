@@ -10,8 +10,8 @@
 
 namespace strata {
 
-/// Points of one face under local numbers, the face's corners first, and how three of them turn, seen with the face
-/// counter-clockwise.
+/// The points of one face under local numbers, the face's corners first, and the orientation of three of them, seen
+/// with the face counter-clockwise.
 class FacePoints {
  public:
   /// The number of a point that is not in the table.
@@ -19,24 +19,24 @@ class FacePoints {
 
   FacePoints(const InputComplex& input, const PointTable& table) : input_(input), table_(table) {}
 
-  /// Starts over with the corners of a face, as points 0, 1, 2.
+  /// Starts again with the corners of a face, as points 0, 1, 2.
   void start(std::uint32_t face);
-  /// Appends a point of the table, which `find` then finds.
+  /// Appends a point of the table. `find` then finds it.
   std::int32_t add(PointId id);
   /// Appends a point that has no number.
   std::int32_t add(const Point& point);
-  /// Gives point v, which is that point of the table, its number.
+  /// Gives point v its number in the table.
   void number(std::int32_t v, PointId id);
-  /// From now on `find(id)` finds the point `known`.
+  /// After this `find(id)` returns the point `known`.
   void remember(PointId id, std::int32_t known);
   /// The local number of a point of the table, or -1.
   [[nodiscard]] std::int32_t find(PointId id) const;
-  /// Takes back the last point, if it is not in the table.
+  /// Removes the last point, if it is not in the table.
   void drop_last();
 
-  /// Positive when a, b, c are a left turn; exact.
+  /// Positive when a, b, c are counter-clockwise; exact.
   [[nodiscard]] Sign orientation(std::int32_t a, std::int32_t b, std::int32_t c) const;
-  /// True when the names of both points tell that they lie on corner k's edge, from corner k to the next.
+  /// True when the names of both points show that they lie on corner k's edge, from corner k to the next.
   [[nodiscard]] bool are_on_edge(int k, std::int32_t a, std::int32_t b) const;
 
   [[nodiscard]] std::uint32_t face() const { return face_; }
@@ -64,8 +64,8 @@ class FacePoints {
   Projection projection_;
   std::vector<Point> points_;
   std::vector<PointId> ids_;
-  std::vector<std::pair<PointId, std::int32_t>> known_;   ///< what is asked when there are few
-  std::unordered_map<PointId, std::int32_t> many_known_;  ///< else
+  std::vector<std::pair<PointId, std::int32_t>> known_;   ///< searched while there are few points
+  std::unordered_map<PointId, std::int32_t> many_known_;  ///< searched when there are many
 };
 
 }  // namespace strata

@@ -16,12 +16,12 @@ bool PathPolygons::find(std::span<const Constraint> constraints) {
   traced_.assign(border_.size(), false);
   for (std::size_t i = 0; i < border_.size(); ++i)
     if (!traced_[i]) trace(static_cast<std::int32_t>(i));
-  // Every constraint bounds two polygons, unless it is in a ring that does not reach the border.
+  // Every constraint bounds two polygons, unless it is in a ring that does not reach the boundary of the face.
   return sides_.size() == border_.size() + 2 * constraints.size();
 }
 
-/// Where a point is that a surface's crossing constructed: on an edge of this face and a face of the other, or inside
-/// this face on an edge of the other.
+/// The position of a point that a crossing surface constructed: on an edge of this face and a face of the other
+/// operand, or inside this face on an edge of the other operand.
 int PathPolygons::edge_of(const SymbolicPoint& name) const {
   if (name.kind != SymbolicPoint::Kind::edge_face) return elsewhere;
   if (name.id[2] == points_.face()) return inside;
@@ -55,7 +55,7 @@ bool PathPolygons::add_ends(std::span<const Constraint> constraints) {
   });
 }
 
-/// Lists the points on the border in order. False when two are at one place.
+/// Lists the points on the boundary in order. False when two coincide.
 bool PathPolygons::walk_border() {
   border_.clear();
   for (int k = 0; k < 3; ++k) {
@@ -79,7 +79,7 @@ bool PathPolygons::walk_border() {
   return true;
 }
 
-/// The polygon on the left of a piece of the border: along the border, then along each path that begins there.
+/// The polygon on the left of a piece of the boundary: follows the boundary, then each path that begins there.
 void PathPolygons::trace(std::int32_t start) {
   int edge = 0;
   for (std::int32_t i = start; !traced_[at(i)];) {
@@ -93,7 +93,7 @@ void PathPolygons::trace(std::int32_t start) {
   first_.push_back(sides_.size());
 }
 
-/// Adds the sides of a path from one end of it; the other end.
+/// Adds the sides of a path from one end of it. Returns the other end.
 std::int32_t PathPolygons::follow(std::int32_t from) {
   const bool forward = stations_[at(from)].leaving >= 0;
   std::int32_t p = from;

@@ -9,9 +9,9 @@
 
 namespace strata {
 
-/// The polygons into which a face falls where another surface does nothing but cross it: the constraints are then
-/// segments of paths from border to border, whose points have names that say where they are. No geometry is asked but
-/// the order of points along the face's edges.
+/// The polygons of a face that another surface crosses and does not meet otherwise. Then the constraints are segments
+/// of paths from boundary to boundary, and the names of their points show where they are. The only geometric test is
+/// the order of points along the face's edges. theory.md, "Fast path: simple paths".
 class PathPolygons {
  public:
   /// A side of a polygon, from its point to that of the next side; the polygon is on its left.
@@ -23,8 +23,8 @@ class PathPolygons {
 
   PathPolygons(const InputComplex& input, FacePoints& points) : input_(input), points_(points) {}
 
-  /// Adds the ends of all constraints to the points, which hold the face's corners only, and finds the polygons.
-  /// False when the constraints are anything else than simple paths as far as names tell. O(n log n).
+  /// Adds the ends of all constraints to the points, which contain the face's corners only, and finds the polygons.
+  /// False when names do not show that the constraints are simple paths. O(n log n).
   bool find(std::span<const Constraint> constraints);
 
   [[nodiscard]] std::size_t count() const { return first_.size() - 1; }
@@ -34,11 +34,11 @@ class PathPolygons {
   }
 
  private:
-  /// What the paths do at a point.
+  /// The paths at a point.
   struct Station {
     std::int32_t leaving = -1, arriving = -1;  ///< constraints
     int edge = inside;                         ///< the face's edge on which it is
-    std::int32_t place = -1;                   ///< in the order of the border
+    std::int32_t place = -1;                   ///< in the order of the boundary
   };
   static constexpr int inside = -1, elsewhere = -2;
 
@@ -53,7 +53,7 @@ class PathPolygons {
   std::vector<std::array<std::int32_t, 2>> ends_;  ///< tail and head per constraint
   std::vector<Station> stations_;                  ///< per point
   std::vector<std::int32_t> border_;               ///< points around the face, counter-clockwise
-  std::vector<bool> traced_;                       ///< per border point: the way to the next
+  std::vector<bool> traced_;                       ///< per point of the boundary: the way to the next one
   std::vector<Side> sides_;
   std::vector<std::size_t> first_;  ///< side per polygon
 };

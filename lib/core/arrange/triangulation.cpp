@@ -7,7 +7,7 @@ namespace strata {
 
 using namespace triangle_index;
 
-// Points: names, turns, location, insertion.
+// Points: names, orientations, location, insertion.
 
 void Triangulation::start(std::uint32_t face, Names names) {
   given_names_ = names;
@@ -53,7 +53,7 @@ Triangulation::Location Triangulation::locate(std::int32_t p) {
   const std::size_t patience = 2 * triangles_.size() + 16;
   std::int32_t t = last_;
   for (std::size_t step = 0; t >= 0; ++step) {
-    // A walk from triangle to triangle may run in a circle; past all patience every triangle is asked in turn.
+    // A walk from triangle to triangle may not terminate. After a limit every triangle is tested in turn.
     if (step >= patience) t = static_cast<std::int32_t>(step - patience);
     if (at(t) >= triangles_.size()) break;
     int zeros = 0, zero = 0, other = 0, beyond = -1;
@@ -81,11 +81,12 @@ Triangulation::Location Triangulation::locate(std::int32_t p) {
   fail("a point of a face lies outside its triangulation", face());
 }
 
-/// Turn of a side on the border and a point: positive inside.
+/// Orientation of a side on the boundary and a point: positive inside.
 ///
-/// Names of the lowest features tell where points constructed with an edge are. Otherwise, a point where another face's
-/// edge crosses this face is on the inner side of an own edge ab when orient3d(a, b, above, below) is negative for the
-/// ends of that edge: degree 3, where the turn itself has 8. Edges that nearly cross make this frequent.
+/// Names of the lowest features decide for points constructed on an edge. Otherwise, a point where another face's edge
+/// crosses this face is on the inner side of this face's edge ab when orient3d(a, b, above, below) is negative for the
+/// ends of that edge. This has degree 3; the orientation test has degree 8. Nearly crossing edges make this case
+/// frequent.
 Sign Triangulation::inner_side(Side s, std::int32_t p) const {
   const std::int32_t from = tri(s.triangle).v[at(s.index)], to = tri(s.triangle).v[at(next(s.index))];
   const SymbolicPoint& name = points_[p].name;
@@ -113,7 +114,7 @@ std::int32_t Triangulation::new_vertex(const Point& p) {
   return points_.add(p);
 }
 
-/// Takes back the last vertex, which is in no triangle.
+/// Removes the last vertex, which is in no triangle.
 void Triangulation::drop_vertex() {
   points_.drop_last();
   at_.pop_back();

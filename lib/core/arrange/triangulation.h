@@ -11,20 +11,20 @@
 
 namespace strata {
 
-/// A triangulation of one input face that holds named points and constraint segments, exactly.
+/// A triangulation of one input face that contains symbolic points and constraint segments, exactly.
 ///
-/// Points are inserted by exact location, so points of different names that coincide are found and noted as equal.
-/// Segments are inserted by walking; where two cross, their common point is named and inserted; where they overlap, an
-/// edge carries both. What comes out meets only along shared vertices and edges. The shape of the triangles follows
-/// shortest diagonals, judged in doubles: any choice would be right.
+/// Points are inserted by exact location, so points with different names that coincide are found and recorded as equal.
+/// Segments are inserted by walking. Where two cross, their common point is named and inserted. Where they overlap, an
+/// edge carries both. The resulting pieces meet only along shared vertices and edges. The triangles have short
+/// diagonals, compared in doubles; every choice is correct.
 /// Source: Sloan 1993 (insertion of edges by flips); theory.md.
 class Triangulation {
  public:
   /// A triangle: vertices counter-clockwise in the face's projection; side i runs from v[i] to v[i + 1].
   struct Triangle {
     std::array<std::int32_t, 3> v;  ///< local vertices
-    std::array<std::int32_t, 3> n;  ///< triangle across side i, or -1 at the border of the face
-    std::array<std::int32_t, 3> c;  ///< constraints on side i: first note, or -1
+    std::array<std::int32_t, 3> n;  ///< triangle across side i, or -1 on the boundary of the face
+    std::array<std::int32_t, 3> c;  ///< constraints on side i: the first of a list, or -1
   };
   /// One constraint on a side: its index as given, and whether the side runs along tail -> head.
   struct Note {
@@ -43,27 +43,28 @@ class Triangulation {
   Triangulation(const Triangulation&) = delete;
   Triangulation& operator=(const Triangulation&) = delete;
 
-  /// What the names of points given to `add_point` tell about the face's own edges.
+  /// What the names of points passed to `add_point` show about the face's own edges.
   enum class Names : std::uint8_t {
     any,     ///< nothing
-    lowest,  ///< a name with the face in it is of a point inside, one with an own edge of a point inside that edge
+    lowest,  ///< a point whose name contains this face is in its interior; one whose name contains an edge of this face
+             ///< is inside that edge
   };
 
-  /// Starts over with one triangle: the face itself, its corners being local vertices 0, 1, 2.
+  /// Starts again with one triangle: the face itself, its corners being local vertices 0, 1, 2.
   void start(std::uint32_t face, Names names);
 
   /// Inserts all constraints at once, right after `start`, if they are simple paths through the face, as where two
-  /// surfaces cross and nothing else happens: constraint i gets the number i. Else returns false, and nothing is done.
-  /// Requires names of the lowest features.
+  /// surfaces only cross. Constraint i gets the number i. Otherwise returns false and changes nothing. Requires names
+  /// of the lowest features.
   bool add_paths(std::span<const Constraint> constraints);
 
   /// Inserts the ends of all constraints, then those that are segments: constraint i gets the number i.
   void add_constraints(std::span<const Constraint> constraints);
 
-  /// Local vertex of a point; inserted if there is none at its place. Requires a point of the closed face.
+  /// Local vertex of a point. The point is inserted if no vertex has its position. Requires a point of the closed face.
   std::int32_t add_point(PointId id);
 
-  /// A name that was found to be a vertex, too.
+  /// Records a name that was found to be a vertex, too.
   struct OtherName {
     std::int32_t vertex = 0;
     SymbolicPoint name;
@@ -72,12 +73,12 @@ class Triangulation {
   /// Inserts a segment between two local vertices as constraint number `constraint`, carried by `line`.
   void add_segment(std::int32_t tail, std::int32_t head, std::int32_t constraint, const ConstraintLine& line);
 
-  /// Notes, for every vertex in which lines of different faces' operands meet, the names that those lines give it. A
-  /// point that was found under one name here may be known by another to the faces that carry those lines.
-  /// `same_operand`: lines of one operand count as well. Only of vertices for which `wanted` is not negative.
+  /// Reports, for every vertex in which lines of different faces' operands meet, the names that those lines give it. A
+  /// point found under one name here may have another name in the faces that carry those lines. `same_operand`: lines
+  /// of one operand count as well. Only vertices for which `wanted` is not negative are reported.
   void connect_names(bool same_operand, std::span<const std::int32_t> wanted);
 
-  /// Where a point of the closed face lies.
+  /// Location of a point of the closed face.
   [[nodiscard]] Location locate(const Point& p);
 
   [[nodiscard]] std::uint32_t face() const { return points_.face(); }
@@ -86,7 +87,7 @@ class Triangulation {
   [[nodiscard]] const Note& note(std::int32_t i) const { return notes_[static_cast<std::size_t>(i)]; }
   /// Some triangle at a vertex.
   [[nodiscard]] std::int32_t triangle_at(std::int32_t vertex) const { return at_[static_cast<std::size_t>(vertex)]; }
-  /// Other names of vertices than their own.
+  /// The names of vertices beside their own.
   [[nodiscard]] std::span<const OtherName> other_names() const { return other_names_; }
 
  private:
@@ -94,7 +95,7 @@ class Triangulation {
     std::int32_t triangle = -1;
     int index = 0;
   };
-  /// Where a segment that leaves a vertex goes first.
+  /// The first step of a segment that leaves a vertex.
   struct Departure {
     Side side;                 ///< the side it crosses, if it does
     std::int32_t vertex = -1;  ///< else the vertex it reaches along a side
@@ -121,10 +122,10 @@ class Triangulation {
   void improve(std::int32_t vertex);
   [[nodiscard]] bool prefers_flip(Side s) const;
 
-  /// A side of the polygon of which ears are cut.
+  /// A side of the polygon from which ears are cut.
   struct PolygonSide {
-    PathPolygons::Side side;        ///< with its carrier, unless
-    Side inner;                     ///< a triangle is there already
+    PathPolygons::Side side;        ///< with its constraint or edge, unless
+    Side inner;                     ///< a triangle is already there
     Sign orientation = Sign::zero;  ///< at `from`, if known
     bool orientation_known = false;
   };
@@ -161,7 +162,7 @@ class Triangulation {
   std::vector<OtherName> other_names_;
   std::vector<std::pair<std::int32_t, std::int32_t>> crossed_;
   std::vector<std::pair<std::int32_t, std::int32_t>> ends_;  ///< of the constraints that are added
-  std::vector<std::int32_t> stack_;  ///< triangles at a new vertex whose opposite sides are to be judged
+  std::vector<std::int32_t> stack_;  ///< triangles at a new vertex whose opposite sides are to be tested
   std::int32_t last_ = 0;
 };
 

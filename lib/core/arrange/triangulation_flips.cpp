@@ -5,7 +5,7 @@ namespace strata {
 
 using namespace triangle_index;
 
-// Triangles and their neighbours: splits, flips, the search for a side.
+// Triangles and their neighbours: splits, flips, search for a side.
 
 int Triangulation::index_of(std::int32_t triangle, std::int32_t vertex) const {
   const auto& v = tri(triangle).v;
@@ -18,7 +18,7 @@ Triangulation::Side Triangulation::partner(Side s) const {
   return {u, index_of(u, tri(s.triangle).v[at(next(s.index))])};
 }
 
-/// Side i of t now borders on u: tells u, too.
+/// Makes u the neighbour of t across side i, and t that of u.
 void Triangulation::link(std::int32_t t, int i, std::int32_t u) {
   tri(t).n[at(i)] = u;
   if (u < 0) return;
@@ -65,7 +65,7 @@ void Triangulation::split_side(Side s, std::int32_t v) {
   tri(o.triangle).n[0] = near;
 }
 
-/// Turns the diagonal of the quadrilateral around a side: (p, q, c) and (q, p, d) become (p, d, c) and (d, q, c).
+/// Flips the diagonal of the quadrilateral around a side: (p, q, c) and (q, p, d) become (p, d, c) and (d, q, c).
 void Triangulation::flip(Side s) {
   const Side o = partner(s);
   const Triangle t = tri(s.triangle), u = tri(o.triangle);
@@ -105,8 +105,8 @@ bool Triangulation::prefers_flip(Side s) const {
   return squared_length(c, d) < squared_length(tri(s.triangle).v[at(s.index)], tri(s.triangle).v[at(next(s.index))]);
 }
 
-/// Flips sides opposite to a new vertex for shorter diagonals. Ends: every flip replaces a side by one whose length, as
-/// computed, is smaller, and lengths are a fixed function of the finitely many vertex pairs.
+/// Flips sides opposite to a new vertex for shorter diagonals. This terminates: every flip replaces a side by one whose
+/// computed length is smaller, and lengths are a fixed function of the finitely many vertex pairs.
 void Triangulation::improve(std::int32_t vertex) {
   stack_.clear();
   const auto visit = [&](std::int32_t start, bool forward) {

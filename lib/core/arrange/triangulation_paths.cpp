@@ -7,10 +7,10 @@ namespace strata {
 
 using namespace triangle_index;
 
-// Simple paths, all at once: the polygons between them, cut into triangles ear by ear.
+// Simple paths, all at once: the polygons between them, triangulated by cutting ears.
 
 namespace {
-/// Larger polygons are for the general way: cutting ears takes quadratic time.
+/// Larger polygons use the general algorithm: cutting ears takes quadratic time.
 constexpr std::size_t many_sides = 24;
 }  // namespace
 
@@ -35,10 +35,10 @@ bool Triangulation::add_paths(std::span<const Constraint> constraints) {
   return false;
 }
 
-/// Fills a polygon with triangles that turn left, or returns false. Triangles that turn left and share every side, but
-/// those along the face's border, with one other in the opposite direction cover each place of the face once: the
-/// places where they would not, ask for nothing more. Of all ears that hold no other point the one with the shortest
-/// base is cut first.
+/// Fills a polygon with counter-clockwise triangles, or returns false. Counter-clockwise triangles that share every
+/// side, except those on the face's boundary, with one other triangle in the opposite direction cover each position of
+/// the face once (theory.md, "Fast path: simple paths"). Of all ears that contain no other point, the one with the
+/// shortest base is cut first.
 bool Triangulation::cut_ears(std::span<const PathPolygons::Side> sides) {
   if (sides.size() > many_sides) return false;
   polygon_.clear();
@@ -77,14 +77,14 @@ Sign Triangulation::corner_orientation(std::size_t i) {
   return here.orientation;
 }
 
-/// True at a point where the polygon runs on along an edge of the face.
+/// True at a point where the polygon continues straight along an edge of the face.
 bool Triangulation::is_straight(std::size_t i) const {
   const PolygonSide &before = polygon_[i == 0 ? polygon_.size() - 1 : i - 1], &here = polygon_[i];
   return here.inner.triangle < 0 && before.inner.triangle < 0 && here.side.carrier < 0 &&
          here.side.carrier == before.side.carrier;
 }
 
-/// True at a point where the polygon runs on along the same source plane, from one part of it to another.
+/// True at a point where the polygon continues along the same source plane, from one part of it to another.
 bool Triangulation::crosses_one_plane(std::size_t i) const {
   if (crossed_planes_.empty()) return false;
   const PolygonSide &before = polygon_[i == 0 ? polygon_.size() - 1 : i - 1], &here = polygon_[i];
@@ -94,7 +94,7 @@ bool Triangulation::crosses_one_plane(std::size_t i) const {
   return plane != nullptr && plane == crossed_planes_[at(before.side.carrier)];
 }
 
-/// Requires a left turn. No point of the polygon may be in the triangle or on its base.
+/// Requires a counter-clockwise corner. No point of the polygon may be in the triangle or on its base.
 bool Triangulation::is_ear(std::size_t i) {
   const std::size_t n = polygon_.size();
   const std::int32_t a = polygon_[(i + n - 1) % n].side.from, b = polygon_[i].side.from,
@@ -127,7 +127,7 @@ std::int32_t Triangulation::new_triangle(std::int32_t a, std::int32_t b, std::in
   return t;
 }
 
-/// Makes a triangle's side that side of the polygon.
+/// Attaches a triangle's side to that side of the polygon.
 void Triangulation::attach(Side s, const PolygonSide& given) {
   const auto join = [&](Side o) {
     tri(s.triangle).n[at(s.index)] = o.triangle;

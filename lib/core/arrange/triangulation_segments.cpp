@@ -8,7 +8,7 @@ namespace strata {
 
 using namespace triangle_index;
 
-// Segments: walked, crossed, made sides, noted on them.
+// Segments: walking, crossing, inserting as sides, recording constraints on sides.
 
 void Triangulation::add_constraints(std::span<const Constraint> constraints) {
   ends_.clear();
@@ -33,7 +33,7 @@ void Triangulation::add_segment(std::int32_t tail, std::int32_t head, std::int32
 }
 
 /// First step of the segment from -> to. Among the triangles (from, x, y) there is one with x not left and y not right
-/// of it; x or y on the line is ahead, since the angle at `from` is less than a half turn.
+/// of it. If x or y is on the line, it is ahead, because the angle at `from` is less than 180 degrees.
 Triangulation::Departure Triangulation::depart(std::int32_t from, std::int32_t to) const {
   if (find_side(from, to).triangle >= 0 || find_side(to, from).triangle >= 0) return {{}, to};
   const std::int32_t start = at_[at(from)];
@@ -53,7 +53,7 @@ Triangulation::Departure Triangulation::depart(std::int32_t from, std::int32_t t
   fail("a segment leaves its face", face());
 }
 
-/// Makes the segment's first part, up to the first vertex or constraint that it meets, a side. Returns where it ends.
+/// Makes the first part of the segment, up to the first vertex or constraint that it meets, a side. Returns its end.
 std::int32_t Triangulation::advance(std::int32_t from, std::int32_t to, const ConstraintLine& line) {
   const Departure first = depart(from, to);
   if (first.vertex >= 0) return first.vertex;
@@ -123,7 +123,7 @@ void Triangulation::connect_names(bool same_operand, std::span<const std::int32_
     for (int i = 0; i < 3; ++i) {
       const std::int32_t a = t.v[at(i)], b = t.v[at(next(i))];
       for (std::int32_t n = t.c[at(i)]; n >= 0; n = note(n).next) {
-        if (t.n[at(i)] >= 0 && !note(n).forward) continue;  // met from the other side
+        if (t.n[at(i)] >= 0 && !note(n).forward) continue;  // found from the other side
         add(a, b, lines_[at(note(n).constraint)]);
         add(b, a, lines_[at(note(n).constraint)]);
       }

@@ -6,7 +6,7 @@
 namespace strata {
 namespace {
 
-/// The shift at which all of a grid is one brick.
+/// The shift at which the whole grid is one brick.
 constexpr int coarsest = 31;
 
 }  // namespace
@@ -52,10 +52,10 @@ GridBox BrickGrid::box(BrickCode code) const {
 
 double BrickGrid::centre(int axis, std::uint32_t k) const {
   const GridBox b = box(k << (8 * axis));
-  // Off the middle: inputs are often symmetric, and an origin in a face's plane costs an exact evaluation.
+  // Not the middle: inputs are often symmetric, and an origin in a face's plane costs an exact evaluation.
   const double low = b.lower[at(axis)], side = static_cast<double>(b.upper[at(axis)]) - low;
   const double middle = grid_.inverse(axis, static_cast<std::int32_t>(low + side * 0.4638));
-  // The corner itself if that is all doubles have to offer.
+  // The corner itself, if doubles have no other point.
   return k == 1 && along(axis, grid_.at(axis, middle)) != k ? corner_[at(axis)] : middle;
 }
 
@@ -72,7 +72,7 @@ bool BrickGrid::has_centres() const {
 }
 
 double BrickGrid::lower_bound(int axis, std::uint32_t k) const {
-  // Doubles in the order of integers, searched by halves: the map to bricks is monotone.
+  // Binary search over doubles in the order of integers: the map to bricks is monotone.
   const auto ordered = [](double x) {
     const auto i = std::bit_cast<std::int64_t>(x);
     return i < 0 ? std::numeric_limits<std::int64_t>::min() - i : i;
@@ -83,7 +83,7 @@ double BrickGrid::lower_bound(int axis, std::uint32_t k) const {
   const auto is_below = [&](std::int64_t i) { return along(axis, grid_.at(axis, value(i))) < k; };
   std::int64_t low = ordered(-std::numeric_limits<double>::max()), high = ordered(std::numeric_limits<double>::max());
   if (!is_below(low)) return value(low);
-  // As a rule it is not far from where the grid's inverse has it.
+  // The bound is usually near the value of the grid's inverse.
   constexpr std::int64_t far = 64;
   const std::int64_t start = lower_[at(axis)] + (std::int64_t{k - 1} << shift_);
   const double inverse =

@@ -12,7 +12,7 @@
 
 namespace strata {
 
-/// The place of a point among the bricks: one byte per axis, lowest byte x. 0 and count + 1 are outside.
+/// The brick of a point: one byte per axis, lowest byte x. 0 and count + 1 are outside.
 using BrickCode = std::uint32_t;
 
 /// A corner of the box of bricks that two points span: their bytewise minimum or maximum.
@@ -31,7 +31,7 @@ template <bool upper>
 [[nodiscard]] inline BrickCode lower_corner(BrickCode a, BrickCode b) { return corner<false>(a, b); }
 [[nodiscard]] inline BrickCode upper_corner(BrickCode a, BrickCode b) { return corner<true>(a, b); }
 
-/// A box of bricks, closed.
+/// A closed box of bricks.
 struct BrickBox {
   BrickCode lower = 0, upper = 0;
 
@@ -48,19 +48,20 @@ struct BrickBox {
   }
 };
 
-/// The space of interest, cut into cubic bricks of equal size, the last ones cut short, with one layer of outside
-/// around them. Bricks are numbered x fastest, the outside layer included. A brick holds the points whose grid
-/// coordinates are in its box; like the grid, the map of points to bricks is monotone along each axis.
+/// The uniform grid: the space of interest, divided into cubic bricks of equal size, the last ones cut short, with one
+/// layer of outside bricks around them. Bricks are numbered x fastest, the outside layer included. A brick contains the
+/// points whose grid coordinates are in its box. Like the grid map, the map of points to bricks is monotone along each
+/// axis.
 class BrickGrid {
  public:
   static constexpr std::uint32_t most_per_axis = 254;
 
   BrickGrid() = default;
-  /// Up to `budget` bricks with sides of at least `least_side` on the grid, as many as fit; fewer where doubles are too
-  /// coarse to put a point into each.
+  /// At most `budget` bricks with sides of at least `least_side` on the grid, as many as fit. There are fewer where
+  /// doubles are too coarse to put a point into each.
   BrickGrid(const Space& space, std::size_t budget, std::int32_t least_side);
 
-  /// Bricks along an axis, the two outside included.
+  /// Number of bricks along an axis, the two outside bricks included.
   [[nodiscard]] std::uint32_t size(int axis) const { return size_[at(axis)]; }
   [[nodiscard]] std::size_t brick_count() const { return std::size_t{size_[0]} * size_[1] * size_[2]; }
 
@@ -91,9 +92,9 @@ class BrickGrid {
     }
     return false;
   }
-  /// Grid box of a brick inside, half-open.
+  /// Grid box of an inner brick, half-open.
   [[nodiscard]] GridBox box(BrickCode code) const;
-  /// A point in a brick inside. Bricks in line have it at the same coordinates across.
+  /// A point in an inner brick. Bricks in a row along an axis have equal coordinates across it.
   [[nodiscard]] InputComplex::Coordinates centre(BrickCode code) const;
   /// The least double of brick k along an axis, for k in 1 .. size - 1.
   [[nodiscard]] double lower_bound(int axis, std::uint32_t k) const;

@@ -14,7 +14,7 @@ struct CellFace {
   bool is_thinned = false;  ///< not in all bricks of its box
 };
 
-/// Faces of one cell: a plain array, since millions of them are written once and read once.
+/// Faces of one cell: a plain array, because millions of them are written once and read once.
 class FaceList {
  public:
   FaceList() = default;
@@ -37,10 +37,10 @@ class FaceList {
 };
 
 /// A convex piece of space with a local origin whose winding numbers are known. A point belongs to the one cell with
-/// lower <= grid coordinates < upper. In a mixed cell faces may meet, and all whose boxes reach into it are listed, so
-/// every walk inside the cell meets listed faces only: the grid being monotone, a cell is convex. The faces in any
-/// other cell belong to one operand; all other operands have the origin's winding numbers throughout.
-/// The bricks of a region count as one cell; `box` is one of them.
+/// lower <= grid coordinates < upper. In a mixed cell faces may meet, and all faces whose boxes meet the cell are
+/// listed. So every walk inside the cell meets listed faces only: the grid is monotone, hence a cell is convex. The
+/// faces in any other cell belong to one operand; the winding numbers about all other operands are the origin's
+/// throughout. The bricks of a region count as one cell; `box` is one of them.
 struct Cell {
   GridBox box;
   InputComplex::Coordinates origin{};

@@ -27,7 +27,7 @@ std::int32_t typical_extent(const InputComplex& input, const Grid& grid) {
   return *middle;
 }
 
-/// Bricks that hold a few faces each, if these are of about the same size.
+/// Bricks that contain a few faces each, if these have about the same size.
 BrickGrid bricks_for(const InputComplex& input, const Space& space) {
   constexpr std::size_t few = 512, most = std::size_t{1} << 21;
   const std::size_t faces = input.face_count();
@@ -110,7 +110,7 @@ PlaneFilter CellTree::plane_of(std::uint32_t face) const {
   return {input_.vertex(v[0]), input_.vertex(v[1]), input_.vertex(v[2])};
 }
 
-/// The pair is owned in the first brick common to both faces.
+/// The first brick common to both faces owns the pair.
 bool CellTree::owns_thinned(const Cell& cell, const CellFace& a, const CellFace& b,
                             std::array<std::int32_t, 3> corner) const {
   const BrickCode own = bricks_.code(cell.box.lower);

@@ -13,22 +13,23 @@
 
 namespace strata {
 
-/// Space subdivided where faces that may meet are near each other: into bricks of equal size, and the bricks with faces
-/// of different operands further, by cuts. theory.md.
+/// A subdivision of space where faces that may meet are near each other: into bricks of equal size, and further, by
+/// cuts, of the bricks with faces of different operands. theory.md.
 class CellTree {
  public:
   /// Runs in the current task arena. The subdivision does not depend on the number of threads; the numbering of the
-  /// cells does. A few streaming passes over all faces; O(m log m) for the m faces of even density near the meeting
-  /// surfaces. `input complex` must outlive it.
+  /// cells does. A few streaming passes over all faces; O(m log m) for the m faces of even density near the
+  /// intersections of surfaces. `input` must outlive it.
   CellTree(const InputComplex& input, const CellOptions& options);
 
   [[nodiscard]] const Grid& grid() const { return space_.grid; }
   [[nodiscard]] std::span<const Cell> cells() const { return cells_; }
-  /// The cell that holds a point of a face, by grid coordinates; any point, if there are cells everywhere. The first
-  /// cell is all space in which no operand is met by another: there the winding numbers about all operands but a
-  /// point's own are 0.
+  /// The cell that contains a point of a face, by grid coordinates; any point, if there are cells everywhere. Cell 0 is
+  /// all space in which no operand is met by another: there the winding numbers about all operands but the point's own
+  /// are 0.
   [[nodiscard]] std::uint32_t cell_at(const std::array<std::int32_t, 3>& g) const;
-  /// Of all cells that list two faces whose boxes overlap, one owns the pair, and it is a cell in which both are.
+  /// True when this cell owns the pair. Of all cells that list two faces whose boxes overlap, exactly one owns the
+  /// pair, so the pair is tested once.
   [[nodiscard]] bool owns(const Cell& cell, const CellFace& a, const CellFace& b) const {
     std::array<std::int32_t, 3> corner{};
     for (std::size_t i = 0; i < 3; ++i) corner[i] = std::max(a.box.lower[i], b.box.lower[i]);
@@ -38,9 +39,9 @@ class CellTree {
   [[nodiscard]] bool is_near_others(std::uint32_t vertex) const {
     return !space_.empty && (regions_->place(bricks_.index(codes_->of(vertex))) & Regions::mixed_flag) != 0;
   }
-  /// Memory held.
+  /// Memory used, in bytes.
   [[nodiscard]] std::size_t bytes() const;
-  /// The cell that holds a vertex of a face.
+  /// The cell that contains a vertex of a face.
   [[nodiscard]] std::uint32_t cell_of_vertex(std::uint32_t vertex) const {
     if (space_.empty) return outside_cell;
     const std::uint32_t place = regions_->place(bricks_.index(codes_->of(vertex)));

@@ -11,12 +11,12 @@
 
 namespace strata {
 
-/// A run of faces of one operand, by local numbers: a piece of work.
+/// A range of faces of one operand, by local numbers: a unit of work.
 struct FaceBlock {
   std::uint32_t operand = 0, first = 0, last = 0;
 };
 
-/// All faces in runs, in order.
+/// All faces in ranges, in order.
 [[nodiscard]] inline std::vector<FaceBlock> face_blocks(const InputComplex& input) {
   constexpr std::uint32_t size = 1 << 14;
   std::vector<FaceBlock> blocks;

@@ -29,8 +29,8 @@ struct GridBox {
 };
 
 /// A monotone map of doubles to integers, one per axis: x <= y implies at(x) <= at(y), because scaling, subtraction,
-/// clamping and truncation each round monotonically. So points that are ordered stay ordered or become equal, boxes
-/// that overlap in space overlap on the grid, and nothing else is ever concluded from grid coordinates.
+/// clamping and truncation each round monotonically. So ordered points remain ordered or become equal, and boxes that
+/// overlap in space overlap on the grid. Nothing else is concluded from grid coordinates.
 class Grid {
  public:
   static constexpr std::int32_t extent = 1 << 30;
@@ -46,7 +46,7 @@ class Grid {
   [[nodiscard]] std::array<std::int32_t, 3> at(const InputComplex::Coordinates& p) const {
     return {at(0, p[0]), at(1, p[1]), at(2, p[2])};
   }
-  /// A double in [low, high] whose grid coordinate is as near to g as doubles allow.
+  /// A double in [low, high] whose grid coordinate is as near to g as doubles permit.
   [[nodiscard]] double inverse(int axis, std::int32_t g) const;
 
   /// Grid box of a triangle.

@@ -31,14 +31,14 @@ class Lines {
   std::vector<std::uint32_t> numbers_;
 };
 
-/// A face whose box a line goes through.
+/// A face whose box meets a line.
 struct LineFace {
   std::uint32_t line = 0, face = 0;
 
   friend auto operator<=>(const LineFace&, const LineFace&) = default;
 };
 
-/// The faces that matter to the cells; all others are passed by.
+/// The faces that the cells need. All others are skipped.
 struct NearFaces {
   std::vector<CellFace> faces;       ///< those in mixed bricks, by increasing face
   std::vector<LineFace> line_faces;  ///< sorted

@@ -54,7 +54,7 @@ Occupancy::Occupancy(const InputComplex& input, const BrickGrid& bricks, const R
   mark_outside(bricks);
 }
 
-/// The outcome does not depend on the order of marks.
+/// The result does not depend on the order of marks.
 void Occupancy::mark(std::uint32_t brick, Owner own) {
   const std::atomic_ref<Owner> owner(owners_[brick]);
   Owner known = owner.load(std::memory_order_relaxed);

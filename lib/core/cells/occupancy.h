@@ -39,12 +39,12 @@ class Occupancy {
   Occupancy(const InputComplex& input, const BrickGrid& bricks, const Raster& raster, const BrickCodes& codes,
             bool self, const Monitor& monitor);
 
-  /// Nobody, mixed, outside, or one operand's number + 1.
+  /// No operand, mixed, outside, or one operand's number + 1.
   [[nodiscard]] Owner owner(std::uint32_t brick) const { return owners_[brick]; }
 
-  /// Faces of a block come in runs of so many; the last one may be shorter.
+  /// Faces of a block are grouped into runs of this length; the last one may be shorter.
   static constexpr std::size_t run_length = 32;
-  /// The box of all bricks of a run of faces, which are near each other in most meshes.
+  /// The box of all bricks of a run of faces. In most meshes the faces of a run are near each other.
   [[nodiscard]] const BrickBox& run(std::size_t block, std::size_t number) const { return runs_[block][number]; }
 
  private:

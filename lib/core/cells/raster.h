@@ -7,7 +7,7 @@
 
 namespace strata {
 
-/// Bounds of the bricks in space: brick k along an axis holds points between bounds k and k + 1 only.
+/// Bounds of the bricks in space: brick k along an axis contains only points between bounds k and k + 1.
 class BrickBounds {
  public:
   explicit BrickBounds(const BrickGrid& bricks);
@@ -19,7 +19,7 @@ class BrickBounds {
   std::array<std::vector<double>, 3> bounds_;
 };
 
-/// Tells the bricks in which a face's plane may pass, by doubles with a bound on all errors. It never misses one.
+/// Decides in which bricks the plane of a face may be, by doubles with a bound on all errors. It never misses one.
 class PlaneFilter {
  public:
   PlaneFilter(const InputComplex::Coordinates& a, const InputComplex::Coordinates& b,
@@ -27,7 +27,7 @@ class PlaneFilter {
 
   static constexpr double slack = 0x1p-47;  ///< for errors, in units of the sizes of terms
 
-  /// May the plane meet the box? A box inside one that is refused with eight times the slack is refused.
+  /// May the plane meet the box? A box inside one that is rejected with eight times the slack is rejected.
   [[nodiscard]] bool meets(const InputComplex::Coordinates& lower, const InputComplex::Coordinates& upper,
                            double error = slack) const {
     double value = 0, reach = 0, size = 0;
@@ -44,16 +44,16 @@ class PlaneFilter {
   InputComplex::Coordinates a_, n_{}, scale_{};
 };
 
-/// Names the bricks of faces: all of a face's box, or, where those are many, the ones that its plane may meet. So every
-/// brick that holds a point of a face is named.
+/// Lists the bricks of faces: all bricks of a face's box, or, where these are many, those that its plane may meet. So
+/// every brick that contains a point of a face is listed.
 class Raster {
  public:
   Raster(const InputComplex& input, const BrickGrid& bricks);
 
-  /// True when a face that spans `box` is not in all of its bricks.
+  /// True when a face that spans `box` is not listed in all of its bricks.
   [[nodiscard]] bool thins(const BrickBox& box) const { return is_exact_ && box.size() > few_bricks; }
 
-  /// May the plane pass through the brick?
+  /// May the plane meet the brick?
   [[nodiscard]] bool meets(const PlaneFilter& plane, BrickCode brick) const {
     return meets(plane, {brick, brick}, PlaneFilter::slack);
   }
@@ -107,7 +107,7 @@ class Raster {
 
   const BrickGrid& bricks_;
   BrickBounds bounds_;
-  bool is_exact_;  ///< vertices are where their doubles say
+  bool is_exact_;  ///< true when all vertices are doubles
 };
 
 }  // namespace strata

@@ -84,7 +84,7 @@ void Refinement::finish(Branch& branch) const {
   branch.cell = static_cast<std::uint32_t>(cell - cells_.begin());
 }
 
-/// Finds what the faces of a branch fill.
+/// Finds the boxes of the faces of a branch.
 void Refinement::measure(Branch& branch) const {
   branch.content = {empty_box(), empty_box()};
   if (branch.faces.empty()) return;
@@ -103,8 +103,8 @@ bool Refinement::is_mixed(const FaceList& faces) const {
   return options_.self || (faces.end() - 1)->face >= end_of_operand(faces[0].face);
 }
 
-/// Best first: a plane that separates two operands; a plane that cuts off space where nothing can meet; the middles of
-/// the sides, longest first.
+/// Best first: a plane that separates two operands; a plane that cuts off space in which no faces can meet; the middles
+/// of the sides, longest first.
 Refinement::Cuts Refinement::cuts(const Branch& branch) const {
   const bool two = !options_.self && input_.operand_of_face(branch.faces.begin()->face) + 1 ==
                                          input_.operand_of_face((branch.faces.end() - 1)->face);
@@ -134,7 +134,7 @@ Refinement::Cuts Refinement::cuts(const Branch& branch) const {
   return r;
 }
 
-/// Cuts a cell in two. False, and nothing changed, when the cut would not help or no origin can be placed.
+/// Divides a cell in two. Returns false and changes nothing when the cut would not help or no origin can be placed.
 bool Refinement::divide(Branch& branch, const Cut& cut) const {
   const std::size_t a = at(cut.axis), n = branch.faces.size();
   options_.monitor.check();
@@ -151,7 +151,7 @@ bool Refinement::divide(Branch& branch, const Cut& cut) const {
   low->faces = FaceList(n);
   high->faces = FaceList(n);
   const Windings windings = share(branch, cut, *moved, *low, *high);
-  for (Branch* half : {low.get(), high.get()})  // whose first operand is another one now
+  for (Branch* half : {low.get(), high.get()})  // whose first operand has changed
     if (half->faces.size() > 0 && half->faces.begin()->face >= end_of_operand(branch.faces.begin()->face))
       measure(*half);
   if (!is_worthwhile(n, low->faces, high->faces)) return false;
@@ -171,9 +171,9 @@ bool Refinement::divide(Branch& branch, const Cut& cut) const {
   return true;
 }
 
-/// A cut of a large cell is good when it takes faces away from either side or many from one. Small cells are about to
-/// be compared pair by pair: there a cut is good when it leaves clearly fewer pairs, which it does not where many
-/// sheets lie on one another.
+/// A cut of a large cell is good when it removes faces from either side or many from one. In small cells all pairs are
+/// about to be compared: there a cut is good when it leaves clearly fewer pairs. It does not where many sheets lie on
+/// one another.
 bool Refinement::is_worthwhile(std::size_t n, const FaceList& low, const FaceList& high) const {
   const std::size_t most = std::max(low.size(), high.size()), least = std::min(low.size(), high.size());
   if (n > 1024) return most < n || least * 4 <= n * 3;
@@ -183,8 +183,8 @@ bool Refinement::is_worthwhile(std::size_t n, const FaceList& low, const FaceLis
   return pairs(low) + pairs(high) < 0.9 * static_cast<double>(n) * static_cast<double>(n);
 }
 
-/// One pass over the faces of a cell: hands them down to the halves, measures what fills those, and walks from the
-/// cell's origin to a new one. Returns the winding numbers there.
+/// One pass over the faces of a cell: distributes them to the halves, measures the boxes of their faces, and walks from
+/// the cell's origin to a new one. Returns the winding numbers there.
 Windings Refinement::share(const Branch& branch, const Cut& cut, const InputComplex::Coordinates& to, Branch& low,
                            Branch& high) const {
   const std::size_t a = at(cut.axis);
@@ -208,11 +208,11 @@ Windings Refinement::share(const Branch& branch, const Cut& cut, const InputComp
   return windings;
 }
 
-/// The origin moved along one axis well into a box, unless doubles are too coarse there.
+/// The origin moved along one axis into the interior of a box, unless doubles are too coarse there.
 std::optional<InputComplex::Coordinates> Refinement::place_origin(InputComplex::Coordinates origin, const GridBox& box,
                                                                   int axis) const {
   const std::size_t a = at(axis);
-  // Off the middle: inputs are often symmetric, and an origin in a face's plane costs an exact evaluation.
+  // Not the middle: inputs are often symmetric, and an origin in a face's plane costs an exact evaluation.
   const double g = box.lower[a] + (static_cast<double>(box.upper[a]) - box.lower[a]) * 0.4638;
   origin[a] = grid_.inverse(axis, static_cast<std::int32_t>(g));
   const std::int32_t placed = grid_.at(axis, origin[a]);

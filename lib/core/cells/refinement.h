@@ -14,14 +14,15 @@ namespace strata {
 
 struct CellOptions {
   bool self = false;            ///< faces of one operand may meet each other
-  bool everywhere = false;      ///< origins for space without faces, too
+  bool everywhere = false;      ///< origins for space without faces as well
   std::size_t leaf_faces = 64;  ///< refine cells with more faces
-  Monitor monitor = {};         ///< asked at every cut
+  Monitor monitor = {};         ///< checked at every cut
 };
 
-/// A cell while it is refined; its halves once it is cut. Linked by pointers, so that subtrees grow independently.
+/// A cell during refinement, and its halves once it is divided. Linked by pointers, so that subtrees grow
+/// independently.
 struct Branch {
-  /// What faces fill: the boxes of those of the first operand present, and of the others.
+  /// The extent of the faces: the boxes of those of the first operand present, and of the others.
   struct Content {
     GridBox first, rest;
   };
@@ -29,7 +30,7 @@ struct Branch {
   GridBox box;
   InputComplex::Coordinates origin{};
   std::shared_ptr<const Windings> windings;
-  FaceList faces;  ///< all whose boxes reach into the cell, by increasing face
+  FaceList faces;  ///< all whose boxes meet the cell, by increasing face
   Content content;
   int axis = -1;  ///< of the cut: below are grid coordinates < split, above those >= split; -1: a leaf
   std::int32_t split = 0;
@@ -37,7 +38,7 @@ struct Branch {
   std::unique_ptr<Branch> below, above;
 };
 
-/// Cuts cells where faces that may meet are near each other.
+/// Divides cells where faces that may meet are near each other.
 class Refinement {
  public:
   /// Leaves are appended to `cells`.
@@ -45,7 +46,8 @@ class Refinement {
              tbb::concurrent_vector<Cell>& cells)
       : input_(input), options_(options), grid_(grid), cells_(cells) {}
 
-  /// Refines a cell that has everything but its content. Thread-safe; forks where cells are large.
+  /// Refines a cell of which everything but `content` is set. Thread-safe; runs tasks in parallel where cells are
+  /// large.
   void refine(Branch& root) const;
 
  private:

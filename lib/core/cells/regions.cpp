@@ -30,7 +30,7 @@ Regions::Regions(const BrickGrid& bricks, const Occupancy& occupancy, bool every
   }
 }
 
-/// Lists what is in a row.
+/// Lists the runs of a row.
 void Regions::find_runs(const Occupancy& occupancy, bool everywhere, std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t b = first; b < last;) {
     const Occupancy::Owner owner = occupancy.owner(b);
@@ -47,7 +47,7 @@ void Regions::find_runs(const Occupancy& occupancy, bool everywhere, std::uint32
   }
 }
 
-/// Joins the runs of the last row with those of an earlier one that lie beside them, `distance` bricks back.
+/// Joins the runs of the last row with the adjacent ones of an earlier row, `distance` bricks back.
 void Regions::join_rows(std::size_t row, std::size_t other, std::uint32_t distance) {
   std::uint32_t j = first_run_[other];
   const std::uint32_t end = first_run_[other + 1];

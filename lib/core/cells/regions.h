@@ -6,21 +6,21 @@
 
 namespace strata {
 
-/// What the bricks with faces are to the cells.
+/// The assignment of bricks to cells.
 ///
-/// Bricks that adjoin and have faces of the same one operand form a region. No face of another operand is in it, so the
-/// winding numbers about all others are the same throughout. Empty bricks belong to nothing, since nothing is asked
-/// there; unless regions are made `everywhere`: then those that adjoin form regions, too.
+/// Adjacent bricks with faces of the same single operand form a region. No face of another operand is in it, so the
+/// winding numbers about all others are constant in it. Empty bricks belong to no cell, because no winding number is
+/// needed there; with `everywhere`, adjacent empty bricks form regions as well.
 class Regions {
  public:
-  /// One pass over the bricks; runs of bricks along x are joined by union-find.
+  /// One pass over the bricks; union-find joins runs of bricks along x.
   Regions(const BrickGrid& bricks, const Occupancy& occupancy, bool everywhere);
 
   /// Some brick of each region.
   [[nodiscard]] const std::vector<std::uint32_t>& regions() const { return regions_; }
   /// Bricks with faces that may meet, in order.
   [[nodiscard]] const std::vector<std::uint32_t>& mixed() const { return mixed_; }
-  /// What a brick belongs to: 0 for empty ones (unless everywhere) and those outside, else a region's number + 1, or
+  /// The cell of a brick: 0 for empty bricks (unless everywhere) and those outside, otherwise a region's number + 1, or
   /// the number among the mixed bricks with `mixed_flag`.
   [[nodiscard]] std::uint32_t place(std::uint32_t brick) const { return places_[brick]; }
   static constexpr std::uint32_t mixed_flag = 0x80000000u;

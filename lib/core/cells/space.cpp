@@ -29,7 +29,7 @@ Box bounds_of_operand(const InputComplex& input, std::uint32_t operand) {
       });
 }
 
-/// The box around everything that bounds of two operands share.
+/// The box around everything that the bounds of two operands share.
 Box shared_bounds(std::vector<Box> operands) {
   std::sort(operands.begin(), operands.end(), [](const Box& a, const Box& b) { return a.lower[0] < b.lower[0]; });
   Box shared;
@@ -64,7 +64,7 @@ Space find_space(const InputComplex& input, bool self) {
   space.interest.lower = space.grid.at(shared.lower);
   space.interest.upper = space.grid.at(shared.upper);
   for (std::int32_t& x : space.interest.upper) ++x;
-  // In the sense of walk.h a point on the upper x side of everything is outside. A rational point may lie above its
+  // In the sense of walk.h, a point on the upper x side of everything is outside. A rational point may lie above its
   // nearest double, but below the next one.
   space.beyond = input.has_rationals() ? std::nextafter(all.upper[0], HUGE_VAL) : all.upper[0];
   return space;

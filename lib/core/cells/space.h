@@ -4,7 +4,7 @@
 
 namespace strata {
 
-/// Where faces may meet, on a grid over everything.
+/// The space in which faces may meet, on a grid over all operands.
 struct Space {
   Grid grid;
   GridBox interest;                    ///< half-open: outside of it no operand is met by another

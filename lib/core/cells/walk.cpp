@@ -33,7 +33,7 @@ Sign side_of_line_along(const InputComplex& input, const InputComplex::Coordinat
   });
 }
 
-/// Turn of O', a, b seen along `axis`; a line parallel to the axis through O' never meets the line ab.
+/// Orientation of O', a, b seen along `axis`; a line parallel to the axis through O' never meets the line ab.
 Sign turn_about_axis(const InputComplex& input, int axis, const Point& origin, const Point& a, const Point& b) {
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   const Sign s = orient2d(input, {i, j}, origin, a, b);
@@ -43,11 +43,11 @@ Sign turn_about_axis(const InputComplex& input, int axis, const Point& origin, c
   return first != Sign::zero ? first : second;
 }
 
-/// Does the line from O' to q pass through the inside of a triangle? Requires that q is not in its plane; where it is,
-/// the answer may be no.
+/// Does the line from O' to q cross the interior of a triangle? Requires that q is not in its plane; if it is, the
+/// result may be false.
 bool passes(const InputComplex& input, const InputComplex::Indices& f, const InputComplex::Coordinates& origin,
             const Point& q) {
-  if (input.has_doubles(f)) {  // a look in doubles
+  if (input.has_doubles(f)) {  // a first test in doubles
     const auto &a = input.vertex(f[0]), &b = input.vertex(f[1]), &c = input.vertex(f[2]);
     const int ab = FilteredPlane(origin, a, b).side_within(q.at), bc = FilteredPlane(origin, b, c).side_within(q.at);
     if (ab * bc < 0) return false;
@@ -75,7 +75,7 @@ Sign side_of_origin(const InputComplex& input, std::uint32_t face, const InputCo
 int crossing(const InputComplex& input, std::uint32_t face, const InputComplex::Coordinates& origin, const Point& q) {
   const auto quick = filtered_side_of_face(input, face, q);
   if (quick == Sign::zero || (quick && *quick == side_of_origin(input, face, origin))) return 0;
-  // Faces in q's own plane come here; of most of them the walk's line keeps clear.
+  // This is reached for faces in q's own plane. The walk's line does not meet most of them.
   if (!passes(input, input.face(face), origin, q)) return 0;
   const Sign target = quick ? *quick : side_of_face(input, face, q), start = side_of_origin(input, face, origin);
   return target == Sign::zero || start == target ? 0 : to_int(start);

@@ -6,8 +6,8 @@
 
 namespace strata {
 
-/// The winding numbers of all operands at one point; operands that are not listed have 0. Points are inside few
-/// operands at a time, so the vector is kept sparse: (operand, winding number), by increasing operand.
+/// The winding numbers about all operands at one point. Operands that are not listed have 0. A point is inside few
+/// operands at a time, so the vector is sparse: (operand, winding number), by increasing operand.
 class Windings {
  public:
   using Entry = std::pair<std::uint32_t, std::int32_t>;

@@ -9,8 +9,8 @@
 
 namespace strata {
 
-/// The threads an evaluation may use: as many as asked for, but no more than there are cores, and one where waking
-/// another takes longer than the work.
+/// The threads that an evaluation may use: as many as requested, at most as many as there are cores, and one where
+/// starting another takes longer than the work.
 [[nodiscard]] inline tbb::task_arena arena_for(const Options& options, std::size_t faces = ~std::size_t{0}) {
   constexpr std::size_t few_faces = 1000;
   if (faces < few_faces) return tbb::task_arena(1);

@@ -19,7 +19,7 @@
 namespace strata {
 namespace {
 
-/// Ends stages: notes their time, reports progress, throws Cancelled when asked to.
+/// Records the time of each stage at its end, reports progress, throws Cancelled on request.
 class Stages {
  public:
   Stages(Profile& profile, const Monitor& monitor) : watch_(profile), monitor_(monitor) { monitor.check(); }
@@ -52,14 +52,15 @@ void count(const Subdivision& subdivision, Profile& profile) {
   profile.counts.emplace_back("pieces", pieces);
 }
 
-/// Which tiers of the kernel decided how much since `before`.
+/// Adds the number of decisions per tier since `before` to the profile.
 void count_tiers(const TierCounts& before, Profile& profile) {
   const TierCounts now = tier_counts_now();
   for (std::size_t i = 0; i < now.size(); ++i)
     if (now[i] != before[i]) profile.counts.emplace_back(tier_names[i], now[i] - before[i]);
 }
 
-/// The boundary of operands that are what was declared is closed. If it is not, finds out which operand was not.
+/// If all operands satisfy their input classes, the boundary is closed. If it is not closed, this finds the operand
+/// that does not.
 void ensure_closed(const Mesh& result, std::span<const Operand> given, const Options& options) {
   if (chain_is_closed(result)) return;
   refuse_broken_operands(given, options);

@@ -8,16 +8,15 @@ namespace strata {
 
 /// The Boolean itself, stage by stage, in the current task arena:
 ///
-/// | stage             | in -> out                                        | what it does |
-/// |-------------------|--------------------------------------------------|-------------------------------------------------|
-/// | `prepare`         | operands -> input complex                        | checks or repairs operands, numbers all
-/// faces   | | `find_candidates` | input complex -> cells                           | sorts faces that may meet into
-/// cells            | | `intersect`       | cells -> constraints, constructed points         | intersects the pairs of
-/// faces in each cell      | | `subdivide`       | constraints -> pieces of the faces that meet     | triangulates
-/// these faces and labels each piece  | | `label`           | pieces -> verdicts on the faces that meet no other |
-/// looks up winding numbers                      | | `extract`         | pieces, verdicts -> boundary | merges pieces,
-/// numbers vertices and triangles   | | `round`           | boundary -> mesh                                 | rounds
-/// constructed points to the nearest double |
+/// | stage             | in -> out                    | what it does                                        |
+/// |-------------------|------------------------------|-----------------------------------------------------|
+/// | `prepare`         | operands -> input complex    | checks or repairs operands, numbers all faces       |
+/// | `find_candidates` | input complex -> cells       | sorts faces that may meet into cells                |
+/// | `intersect`       | cells -> constraints, points | intersects the pairs of faces in each cell          |
+/// | `subdivide`       | constraints -> pieces        | triangulates the faces that meet, labels each piece |
+/// | `label`           | pieces -> verdicts           | finds winding numbers of faces that meet no other   |
+/// | `extract`         | pieces, verdicts -> boundary | merges pieces, numbers vertices and triangles       |
+/// | `round`           | boundary -> mesh             | rounds constructed points to the nearest double     |
 ///
 /// Every stage takes values and returns a value. All decisions are made before `round`. The names are those of
 /// Profile::seconds; the last lap, `validate`, ensures that the result is closed.

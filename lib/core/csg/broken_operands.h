@@ -5,8 +5,8 @@
 
 namespace strata {
 
-/// To be called when a result shows that an operand was not what was declared: throws InputError for the first operand,
-/// declared a solid, that is none. Returns when all are.
+/// Called when a result shows that an operand does not satisfy its input class. Throws InputError for the first operand
+/// that was declared a solid and is none. Returns if there is no such operand.
 void refuse_broken_operands(std::span<const Operand> operands, const Options& options);
 
 }  // namespace strata

@@ -15,7 +15,7 @@
 namespace strata {
 namespace {
 
-/// The mesh with every triangle on the first of its equal vertices: sheets that touch in a vertex share it.
+/// The mesh with every triangle on the first of its equal vertices. Sheets that touch in a vertex then share it.
 std::vector<Triangle> on_first_vertices(ExactMeshView mesh) {
   const auto first = equal_vertices(mesh);
   std::vector<Triangle> triangles(mesh.mesh.triangles.begin(), mesh.mesh.triangles.end());
@@ -31,9 +31,9 @@ InputComplex complex_of(ExactMeshView mesh, const std::vector<Triangle>& triangl
   return complex;
 }
 
-/// Finds where faces of a mesh meet elsewhere than along shared edges and vertices, and shells whose interior is not
-/// inside. Requires a closed mesh without degenerate triangles. `source` gives the caller's face numbers; empty: the
-/// same.
+/// The intersections of faces of a mesh other than shared edges and vertices, and the shells that do not enclose what
+/// is inside them. Requires a closed mesh without degenerate triangles. `source` maps to the caller's face numbers;
+/// empty: the same numbers.
 class Inspection {
  public:
   Inspection(ExactMeshView mesh, const std::vector<std::uint32_t>& source, const Monitor& monitor)
@@ -72,7 +72,7 @@ class Inspection {
     return defects;
   }
 
-  /// Without self-intersections a face is right when just above it the winding number is 0.
+  /// Without self-intersections, a face is right when the winding number just above it is 0.
   [[nodiscard]] std::vector<Defect> wrong_shells() const {
     const LocalWindings windings(input_, candidates_.cells());
     std::vector<std::int32_t> above(triangles_.size());

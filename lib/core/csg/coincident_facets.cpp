@@ -11,7 +11,7 @@
 namespace strata {
 namespace {
 
-/// More operands in one arrangement than this cost more than a second round.
+/// More operands than this in one arrangement cost more than a second round.
 constexpr std::size_t most_in_group = 32;
 
 std::uint64_t hash_of(const Vertex& p) {
@@ -21,7 +21,7 @@ std::uint64_t hash_of(const Vertex& p) {
   return h ^ h >> 32;
 }
 
-/// The operands of which another one's box is not apart.
+/// The operands whose box meets that of another one.
 std::vector<std::uint32_t> with_neighbours(std::span<const OperandBox> united) {
   std::vector<OperandBox> sorted(united.begin(), united.end());
   std::sort(sorted.begin(), sorted.end(),
@@ -37,7 +37,7 @@ std::vector<std::uint32_t> with_neighbours(std::span<const OperandBox> united) {
   return found;
 }
 
-/// Finds pairs of opposite faces in a hash table of all.
+/// Finds pairs of coincident faces with opposite orientation in a hash table of all faces.
 class Walls {
  public:
   Walls(std::span<const Operand> operands, std::span<const std::uint32_t> united)
@@ -65,7 +65,7 @@ class Walls {
     for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
       std::uint64_t key = 0;
       for (const std::uint32_t v : mesh.triangles[f]) {
-        if (v >= hashes_.size()) return;  // to be refused
+        if (v >= hashes_.size()) return;  // refused later
         key += hashes_[v];
       }
       add(Face{key, operand, f});

@@ -24,8 +24,8 @@ BooleanResult combine_in_arena(const Rule& rule, std::span<const Operand> given,
   return result;
 }
 
-/// The number of faces of solids with double coordinates that take as long. Faces with rational vertices, and faces
-/// that may cross others of their operand, take ten times as long and more.
+/// The number of faces of solids with double coordinates that have the same cost. Faces with rational vertices, and
+/// faces that may cross others of their operand, take ten times as long or more.
 std::size_t worth_in_faces(std::span<const Operand> operands, InputClass input) {
   std::size_t worth = 0;
   for (const Operand& o : operands)

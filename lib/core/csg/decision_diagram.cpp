@@ -31,7 +31,7 @@ DecisionDiagram::Function DecisionDiagram::make(const Node& node) {
   return at->second;
 }
 
-/// As deep as there are variables.
+/// The depth of recursion is at most the number of variables.
 DecisionDiagram::Function DecisionDiagram::choose(Function condition, Function then, Function otherwise) {
   if (condition == always || then == otherwise) return then;
   if (condition == never) return otherwise;

@@ -10,8 +10,9 @@
 
 namespace strata {
 
-/// Boolean functions as reduced ordered decision diagrams (Bryant 1986): equal functions have equal numbers, so what a
-/// function depends on is seen. Gives up beyond a size: diagrams can be exponentially large.
+/// Boolean functions as reduced ordered decision diagrams (Bryant 1986). Equal functions have equal numbers, so the
+/// variables on which a function depends can be read off. Beyond a size it gives up, because diagrams can be
+/// exponentially large.
 class DecisionDiagram {
  public:
   using Function = std::uint32_t;
@@ -21,9 +22,9 @@ class DecisionDiagram {
   Function negate(Function f) { return choose(f, never, always); }
   Function join(Formula::Join join, std::span<const Function> terms);
 
-  /// True once functions are no longer right.
+  /// True once functions are no longer right, because the limit was exceeded.
   [[nodiscard]] bool is_too_large() const { return nodes_.size() > most; }
-  /// Which of so many variables a function depends on.
+  /// For each variable, whether a function depends on it.
   [[nodiscard]] std::vector<bool> support(Function f, std::size_t variables) const;
 
  private:

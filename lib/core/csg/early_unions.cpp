@@ -34,8 +34,8 @@ void EarlyUnions::restore(BooleanResult& result) const {
   for (const BooleanResult& u : unions_) result.notes.insert(result.notes.end(), u.notes.begin(), u.notes.end());
 }
 
-/// The union takes the place of its first member; the others become empty, which adds nothing to it. If an operand is
-/// not what was declared, all stay as they are: the evaluation of all tells which one.
+/// The union replaces its first member. The others become empty, which adds nothing to it. If an operand does not
+/// satisfy its input class, all operands are unchanged, and the evaluation of all of them finds which one it is.
 void EarlyUnions::unite(const Options& options, const Evaluate& evaluate) {
   Options inner;
   inner.cancel = options.cancel;

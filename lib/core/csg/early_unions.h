@@ -10,18 +10,19 @@
 
 namespace strata {
 
-/// Some operands of unions are united first: where they have walls in common or crowd one another, what the result does
-/// not have need not be met by anything else. Speed alone depends on it, not the point set.
+/// Unites some operands of unions first: those with coincident facets, and mutually overlapping ones. The parts of them
+/// that are not in the result are then not intersected with the other operands. This affects the speed, not the point
+/// set of the result.
 class EarlyUnions {
  public:
   using Evaluate = std::function<BooleanResult(const Rule&, std::span<const Operand>, const Options&)>;
 
-  /// Unites what `rule` unites. The operands given must outlive this.
+  /// Unites operands that `rule` unites. The given operands must outlive this.
   EarlyUnions(const Rule& rule, std::span<const Operand> given, const Options& options, const Evaluate& evaluate);
 
-  /// As many as were given: unions in the places of their first members, and nothing in those of the others.
+  /// As many as were given: each union replaces its first member, and the other members are empty.
   [[nodiscard]] std::span<const Operand> operands() const { return operands_; }
-  /// Sources of a result of these operands become those of the operands given; notes of the unions are added.
+  /// Maps the sources of a result of these operands to the given operands, and adds the notes of the unions.
   void restore(BooleanResult& result) const;
 
  private:
@@ -35,7 +36,7 @@ class EarlyUnions {
   std::vector<Operand> operands_;
   std::vector<std::vector<std::uint32_t>> groups_;
   std::vector<BooleanResult> unions_;  ///< per group
-  std::vector<std::size_t> group_of_;  ///< per operand: whose union is in its place
+  std::vector<std::size_t> group_of_;  ///< per operand: the group whose union replaces it
 };
 
 }  // namespace strata

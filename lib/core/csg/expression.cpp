@@ -62,7 +62,7 @@ Formula::Join join_of(Kind kind) {
   return kind == Kind::any ? Formula::Join::any : kind == Kind::all ? Formula::Join::all : Formula::Join::odd;
 }
 
-/// By the formula alone; all do, where there are many of them.
+/// The operands on which the formula depends; all of them, where there are too many for a decision diagram.
 std::vector<bool> find_what_matters(const Expression::Node& root, const NumberedSolids& numbering) {
   constexpr std::size_t many = 256, large = 4096;
   const std::size_t count = numbering.occurrences().size();

@@ -14,7 +14,7 @@ using Node = Expression::Node;
 using Kind = Node::Kind;
 using Pointer = Node::Pointer;
 
-/// A part and its complement, both with complements at solids only.
+/// A subexpression and its complement, both with complements at solids only.
 struct Both {
   Pointer part, complement;
 };
@@ -49,11 +49,11 @@ Both exactly_one_of(const Both& a, const Both& b) {
   return {either(a.part, b.complement, a.complement, b.part), either(a.part, b.part, a.complement, b.complement)};
 }
 
-/// An intersection of solids, by number + 1, negative for complemented ones; sorted.
+/// An intersection of solids: numbers + 1, negative for complemented solids; sorted.
 using Clause = std::vector<std::int64_t>;
 using Clauses = std::vector<Clause>;
 
-/// Without a solid together with its complement: those would be nothing.
+/// The intersection of two clauses. False if it contains a solid and its complement, which makes it empty.
 bool intersect(const Clause& a, const Clause& b, Clause& both) {
   const auto by_solid = [](std::int64_t x, std::int64_t y) { return std::abs(x) < std::abs(y); };
   both.clear();
@@ -63,7 +63,7 @@ bool intersect(const Clause& a, const Clause& b, Clause& both) {
          both.end();
 }
 
-/// Drops what another clause holds: short ones hold long ones. O(n^2).
+/// Removes clauses that contain another clause: the union does not need them. O(n^2).
 void drop_held(Clauses& clauses) {
   const auto by_solid = [](std::int64_t x, std::int64_t y) {
     return std::pair(std::abs(x), x) < std::pair(std::abs(y), y);

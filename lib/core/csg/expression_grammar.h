@@ -9,8 +9,8 @@
 
 namespace strata {
 
-/// The grammar of `parse_expression`, for values of any kind that have the operators |, ^, &, - and ~.
-/// `leaf(name)` is the value of a name; it may throw std::out_of_range. Throws ParseError.
+/// The grammar of `parse_expression`, for values of any type with the operators |, ^, &, - and ~. `leaf(name)` is the
+/// value of a name; it may throw std::out_of_range. Throws ParseError.
 template <class Value, class Leaf>
 class ExpressionGrammar {
  public:

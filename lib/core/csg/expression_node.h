@@ -22,7 +22,7 @@ struct Expression::Node {
   std::string name;
   Transform map;
   Placement placement = Placement::exact;
-  mutable std::vector<Pointer> terms;  ///< changed by the destructor alone
+  mutable std::vector<Pointer> terms;  ///< changed only by the destructor
   std::size_t size = 1;                ///< solids, counted as often as they occur; the largest number for more
 
   Node(Kind k, std::vector<Pointer> t) : kind(k), terms(std::move(t)), size(0) {
@@ -37,7 +37,7 @@ struct Expression::Node {
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
 
-  /// Parts that are nobody else's go one after the other: chains are too deep for one within the other.
+  /// Terms that no other node owns are destroyed one after the other: chains are too deep for recursion.
   ~Node() {
     std::vector<Pointer> parts = std::move(terms);
     while (!parts.empty()) {
@@ -53,17 +53,17 @@ struct Expression::Node {
   static Pointer join(Kind kind, std::vector<Pointer> terms) { return Pointer::make(kind, std::move(terms)); }
 };
 
-/// Where a solid occurs.
+/// An occurrence of a solid.
 struct Occurrence {
   const Expression::Node* leaf = nullptr;
-  Transform map;  ///< of all above it
+  Transform map;  ///< the product of all transforms above it
   Placement placement = Placement::exact;
-  /// Where odd joints are written out the solid occurs as it is, as its complement, or both.
+  /// With symmetric differences written out, the solid occurs as it is, as its complement, or both.
   bool positive = true, negative = false;
 };
 
-/// Values of an expression from the values of its parts, without recursion: `leaf(Occurrence)`, `complement(value)`,
-/// `join(Kind, values)`. O(size).
+/// Evaluates an expression bottom-up, without recursion: `leaf(Occurrence)`, `complement(value)`, `join(Kind, values)`.
+/// O(size).
 template <class Value, class Leaf, class Complement, class Join>
 Value fold(const Expression::Node& root, const Leaf& leaf, const Complement& complement, const Join& join) {
   using Kind = Expression::Node::Kind;
@@ -76,7 +76,7 @@ Value fold(const Expression::Node& root, const Leaf& leaf, const Complement& com
   const auto enter = [&](const Expression::Node& node, Occurrence place) {
     if (node.kind == Kind::moved) {
       place.map = place.map * node.map;
-      // What is rounded once on the way is rounded in the end.
+      // A transform that is rounded anywhere above is rounded.
       if (node.placement == Placement::rounded) place.placement = Placement::rounded;
     }
     if (node.kind == Kind::complement) std::swap(place.positive, place.negative);
@@ -113,7 +113,7 @@ Value fold(const Expression::Node& root, const Leaf& leaf, const Complement& com
   }
 }
 
-/// Solids by what they are and where, numbered by first occurrence.
+/// Solids by identity and transform, numbered by first occurrence.
 class NumberedSolids {
  public:
   explicit NumberedSolids(const Expression::Node& root) {

@@ -11,13 +11,13 @@ namespace {
 using Node = Expression::Node;
 using Kind = Node::Kind;
 
-/// How strongly the outermost operator of a text binds.
+/// The precedence of the outermost operator of a text.
 enum class Binding : std::uint8_t { union_, symmetric_difference, intersection, difference, complement, atom };
 
 struct Text {
   std::string text;
   Binding binding = Binding::atom;
-  bool is_complement = false;  ///< of `text`, whose binding it is
+  bool is_complement = false;  ///< the complement of `text`, whose binding it is
 };
 
 std::string enclosed(Text t, Binding least) {
@@ -28,7 +28,7 @@ std::string enclosed(Text t, Binding least) {
   return t.binding >= least ? std::move(t.text) : "(" + t.text + ")";
 }
 
-/// The first term may be long, as in chains: nothing is copied of it.
+/// The first term may be long, as in chains, so it is moved and not copied.
 std::string joined(std::vector<Text> terms, const char* between, Binding first, Binding others) {
   std::string text = enclosed(std::move(terms.front()), first);
   for (auto t = terms.begin() + 1; t != terms.end(); ++t) text += between + enclosed(std::move(*t), others);
@@ -39,7 +39,7 @@ bool are_complements(std::vector<Text>::const_iterator first, std::vector<Text>:
   return std::all_of(first, last, [](const Text& t) { return t.is_complement; });
 }
 
-/// A difference and names: a - b + c, which may go on without parentheses.
+/// A difference and names: a - b + c, which needs no parentheses.
 bool goes_on(const std::vector<Text>& terms) {
   return terms.front().binding == Binding::difference && !terms.front().is_complement &&
          std::all_of(terms.begin() + 1, terms.end(), [](const Text& t) { return t.binding >= Binding::complement; });

@@ -8,7 +8,7 @@
 
 namespace strata {
 
-/// Where an operand lies.
+/// An operand and its box.
 struct OperandBox {
   Box box;  ///< empty for an operand without vertices
   std::uint32_t operand = 0;

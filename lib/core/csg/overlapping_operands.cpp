@@ -9,7 +9,7 @@
 namespace strata {
 namespace {
 
-/// Operands that overlap fewer others, or less than half of them, are cheaper to evaluate at once.
+/// Operands that overlap fewer others, or less than half of them, are faster to evaluate together.
 constexpr std::size_t crowd = 16;
 constexpr std::size_t most_in_group = 13;
 constexpr std::size_t most_operands = 2000;
@@ -35,7 +35,7 @@ std::size_t longest_axis(std::span<const OperandBox> group) {
   return axis;
 }
 
-/// Halves along the axis along which the boxes are spread most.
+/// Divides a group into halves along the axis along which the boxes extend most.
 void divide(std::span<OperandBox> group, std::vector<std::vector<std::uint32_t>>& groups) {
   if (group.size() > most_in_group) {
     const std::size_t axis = longest_axis(group);

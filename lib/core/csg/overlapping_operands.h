@@ -7,10 +7,10 @@
 
 namespace strata {
 
-/// Operands of a union that crowd one another: each one's box overlaps those of most others, and of 16 at least. Much
-/// of their surfaces is hidden in some other one, yet in one arrangement everything meets everything. Returns groups of
-/// neighbours, of up to 13, to be united first; none where operands are spread. O(n^2) for n operands, of which there
-/// may be up to 2,000.
+/// Mutually overlapping operands of a union: each one's box overlaps those of most others, and of at least 16. Much of
+/// their surfaces is hidden inside other operands, yet in one arrangement every face meets many others. Returns groups
+/// of neighbours, of up to 13, to be united first. There are none where operands overlap few others. O(n^2) for n
+/// operands, at most 2,000.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> groups_of_overlapping_operands(
     std::span<const OperandBox> united);
 

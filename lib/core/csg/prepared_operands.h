@@ -8,8 +8,8 @@
 
 namespace strata {
 
-/// Operands that have been found to be what the caller declared, repaired where that was asked for. Refers to the
-/// arrays of the operands given.
+/// Operands that satisfy their input class, after repair where the class is `repair`. Refers to the arrays of the given
+/// operands.
 class PreparedOperands {
  public:
   /// Throws InputError that names the operand.
@@ -18,9 +18,9 @@ class PreparedOperands {
   /// All operands in one numbering. Refers to this object. Winding numbers of a `solid` are 0 and 1, so its faces are
   /// not compared with each other.
   [[nodiscard]] InputComplex complex() const;
-  /// What was resolved, operand by operand.
+  /// The defects that were resolved, operand by operand.
   [[nodiscard]] std::vector<Defect> notes() const;
-  /// Replaces face numbers of prepared operands by those of the operands given. In parallel.
+  /// Replaces face numbers of prepared operands by those of the given operands. In parallel.
   void restore(std::vector<Source>& sources) const;
 
  private:

@@ -5,8 +5,9 @@
 
 namespace strata {
 
-/// The solid that an operand stands for: its union with nothing, by the arrangement, with exact vertices. It does not
-/// cross itself; its sources are the operand's faces, under operand 0. Throws InputError that names operand `index`.
+/// The solid that an operand represents: its union with the empty solid, by the arrangement, with exact vertices. It
+/// does not cross itself. Its sources are the operand's faces, under operand 0. Throws InputError that names operand
+/// `index`.
 [[nodiscard]] BooleanResult resolved_operand(const Operand& operand, const Options& options, std::uint32_t index);
 
 }  // namespace strata

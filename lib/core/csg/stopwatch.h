@@ -6,7 +6,7 @@
 
 namespace strata {
 
-/// Writes the time since the last lap into a profile.
+/// Adds the time since the last lap to a profile.
 class Stopwatch {
  public:
   explicit Stopwatch(Profile& profile) : profile_(profile) {}

@@ -6,13 +6,13 @@
 
 namespace strata {
 
-/// A double with a bound on its distance from the exact value it stands for (running error analysis).
+/// A double with a bound on its distance from the exact value that it represents (running error analysis).
 ///
-/// Every operation adds to the bound: the operands' errors carried through, |result| * 2^-52 for its own rounding
-/// (twice the unit roundoff), and 2^-1000 for anything lost to underflow (at most 2^-1074 in each partial result).
-/// The bounds are themselves computed in doubles; each step loses at most a relative 2^-50 of them, so an expression of
-/// at most 2^19 steps loses less than 2^-30, which `sign()`, `lower()` and `upper()` give back. Overflow makes the
-/// bound infinite or NaN, and then nothing is certain. See theory.md, "Running errors".
+/// Every operation adds to the bound: the propagated errors of the operands, |result| * 2^-52 for its own rounding
+/// (twice the unit roundoff), and 2^-1000 for underflow (which loses at most 2^-1074 in each partial result). The
+/// bounds are themselves computed in doubles. Each step loses at most a relative 2^-50 of them, so an expression of at
+/// most 2^19 steps loses less than 2^-30, which `sign()`, `lower()` and `upper()` compensate. Overflow makes the bound
+/// infinite or NaN, and then nothing is certain. See theory.md, "Running errors".
 struct Bounded {
   double value = 0;
   double error = 0;

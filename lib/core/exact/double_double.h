@@ -36,7 +36,7 @@ struct DoubleDouble {
     return {r.high, r.low, carried + std::abs(r.high) * rounding + Bounded::underflow};
   }
   /// Requires that b is certainly not zero; otherwise the error is infinite or NaN.
-  /// What the remainder loses to underflow is divided by b: it counts like an error of a.
+  /// Underflow in the remainder is divided by b as well: it counts as an error of a.
   friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
     const double first = a.value / b.value;
     const DoubleDouble rest = a.without_error() - b.without_error() * DoubleDouble(first);

@@ -5,7 +5,7 @@
 
 namespace strata {
 
-/// Throws LogicError naming the face in question.
+/// Throws LogicError that names the face.
 [[noreturn]] inline void fail(const char* what, unsigned face) {
   throw LogicError(std::string(what) + " (face " + std::to_string(face) + ")");
 }

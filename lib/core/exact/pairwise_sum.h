@@ -7,7 +7,7 @@
 
 namespace strata {
 
-/// Sums rationals in pairs of equal rank, as a binary counter does, so that denominators stay small for long.
+/// Sums rationals in pairs of equal rank, as a binary counter does, so that most denominators stay small.
 class PairwiseSum {
  public:
   void add(Rational term) {

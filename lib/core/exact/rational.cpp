@@ -318,8 +318,8 @@ std::uint64_t nearest_multiple(Integer n, Integer d, long scale) {
 
 std::uint64_t low_limb(const Integer& x) { return x.is_zero() ? 0 : limbs_of(x)[0]; }
 
-/// The Float nearest to q. The significand is rounded once, at the last bit that the exponent of q leaves to it;
-/// what follows is exact or overflows to infinity. Values that round to zero give +0.
+/// The Float nearest to q. The significand is rounded once, at the last bit that the exponent of q permits. All later
+/// steps are exact or overflow to infinity. Values that round to zero give +0.
 template <class Float>
 Float to_nearest(const Rational& q) {
   using Limits = std::numeric_limits<Float>;

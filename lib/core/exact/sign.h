@@ -2,7 +2,7 @@
 
 namespace strata {
 
-/// The sign of an exact value: what every geometric decision rests on.
+/// The sign of an exact value. Every geometric decision is one.
 enum class Sign : signed char { negative = -1, zero = 0, positive = 1 };
 
 [[nodiscard]] constexpr int to_int(Sign s) noexcept { return static_cast<int>(s); }

@@ -6,8 +6,8 @@
 
 namespace strata {
 
-/// Signed integer of 64 * Limbs bits in two's complement; arithmetic modulo 2^(64 * Limbs).
-/// The caller sizes it so that nothing wraps: theory.md of the kernel gives the width of every predicate.
+/// Signed integer of 64 * Limbs bits in two's complement; arithmetic modulo 2^(64 * Limbs). The caller chooses a size
+/// for which no sign wraps: core/kernel/theory.md gives the width of every predicate.
 template <int Limbs>
 class WideInt {
  public:
@@ -20,7 +20,7 @@ class WideInt {
     for (int i = 1; i < Limbs; ++i) limb_[i] = x < 0 ? ~Limb{0} : 0;
   }
 
-  /// magnitude * 2^shift, negated if asked. Requires shift + 64 < bits.
+  /// magnitude * 2^shift, negated if `negative`. Requires shift + 64 < bits.
   static constexpr WideInt shifted(std::uint64_t magnitude, int shift, bool negative) {
     WideInt r;
     const int word = shift / 64, bit = shift % 64;

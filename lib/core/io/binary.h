@@ -7,7 +7,7 @@
 
 namespace strata::io {
 
-/// The unsigned integer of a number of bytes.
+/// The unsigned integer with a given number of bytes.
 template <std::size_t Bytes>
 using Bits = std::conditional_t<
     Bytes == 1, std::uint8_t,
@@ -30,7 +30,7 @@ template <class T>
   return std::bit_cast<T>(order == std::endian::native ? raw : swapped(raw));
 }
 
-/// Stores a number at `bytes` in the given byte order. Returns the place behind it.
+/// Stores a number at `bytes` in the given byte order. Returns the position after it.
 template <class T>
 char* store(char* bytes, T value, std::endian order) {
   const auto raw = std::bit_cast<Bits<sizeof(T)>>(value);

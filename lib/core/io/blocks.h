@@ -15,8 +15,8 @@ namespace strata::io {
 
 inline constexpr std::size_t items_per_block = 2048;
 
-/// Writes items 0..count-1 in order. `format(first, last, storage)` gives the bytes of some items, kept in a `Storage`.
-/// Blocks of items are formatted in parallel, while earlier ones are written.
+/// Writes items 0..count-1 in order. `format(first, last, storage)` returns the bytes of some items, stored in a
+/// `Storage`. Blocks of items are formatted in parallel, while earlier ones are written.
 template <class Storage, class Format>
 void write_formatted(Sink& sink, std::size_t count, const Format& format) {
   constexpr std::size_t block = items_per_block;
@@ -24,7 +24,7 @@ void write_formatted(Sink& sink, std::size_t count, const Format& format) {
     Storage storage;
     std::string_view bytes;
   };
-  // Blocks are written in order, so the one that had the same storage is gone when the next one takes it.
+  // Blocks are written in order, so a storage is free when the next block uses it.
   const auto under_way = 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) + 1;
   std::vector<Block> blocks(under_way);
   std::size_t next = 0;
@@ -45,7 +45,7 @@ void write_formatted(Sink& sink, std::size_t count, const Format& format) {
                              tbb::make_filter<std::size_t, void>(in_order, write_block));
 }
 
-/// `format(i, at)` puts item i at `at`, in no more than `most` bytes, and returns the place behind it.
+/// `format(i, at)` writes item i to `at`, in at most `most` bytes, and returns the position after it.
 template <class Format>
 void write_blocks(Sink& sink, std::size_t count, std::size_t most, const Format& format) {
   using Bytes = std::unique_ptr<char[]>;

@@ -13,7 +13,7 @@
 namespace strata::io {
 namespace {
 
-/// The first item that is not as it must be, or the end. In parallel as long as all are.
+/// The first invalid item, or the end. In parallel while all are valid.
 template <class Item, class IsGood>
 auto find_bad(std::span<const Item> items, const IsGood& is_good) {
   std::atomic<bool> all = true;

@@ -25,7 +25,7 @@ Sign EarClipper::orientation_at(std::uint32_t corner) const {
   return orient2d(points_[previous_[corner]], points_[corner], points_[next_[corner]]);
 }
 
-/// Column or row of a coordinate. Monotone, so that a box of points maps into a box of cells; no decision rests on it.
+/// Column or row of a coordinate. Monotone, so a box of points maps into a box of cells. Nothing is decided from it.
 std::uint32_t EarClipper::cell(double x, std::size_t axis) const {
   const double place = (x - lower_[axis]) * scale_[axis];
   return place > 0 ? static_cast<std::uint32_t>(std::min(place, static_cast<double>(side_ - 1))) : 0;
@@ -101,7 +101,7 @@ void EarClipper::cut(std::uint32_t corner, Triangle& triangle) {
   }
 }
 
-/// A corner without area, so that nothing is overlapped by cutting it; `start` if there is none.
+/// A corner without area, which can be cut without an overlap; `start` if there is none.
 std::uint32_t EarClipper::flat_corner(std::uint32_t start) const {
   std::uint32_t i = start;
   do {
@@ -112,7 +112,7 @@ std::uint32_t EarClipper::flat_corner(std::uint32_t start) const {
 }
 
 bool EarClipper::clip(std::span<Triangle> triangles) {
-  // Rounds without an ear prove a defect. After a few of them the rest is fanned: linear, whatever the input.
+  // A round without an ear proves a defect. After a few of them the rest becomes a fan: linear time for any input.
   constexpr int most_failures = 16;
   int failures = 0;
   std::uint32_t i = 0, since_last = 0;
@@ -127,7 +127,7 @@ bool EarClipper::clip(std::span<Triangle> triangles) {
     }
     since_last = 0;
     cut(i, triangle);
-    // Stepping over a corner spreads the cuts and keeps triangles from fanning out of one vertex.
+    // Skipping a corner distributes the cuts and avoids many triangles at one vertex.
     i = next_[next_[i]];
   }
   return failures == 0;

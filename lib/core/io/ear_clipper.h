@@ -9,11 +9,10 @@
 
 namespace strata::io {
 
-/// Cuts ears off a counter-clockwise polygon until nothing is left.
-/// An ear is a strictly convex corner v with neighbours u and w such that no other vertex lies in the closed triangle
-/// uvw, vertices at the places of u, v and w aside. A polygon that is simple, or meets itself in corners
-/// and along whole sides only, has one always.
-/// Only corners that are not convex can be in the way, so they are kept in a grid.
+/// Triangulates a counter-clockwise polygon by cutting ears. An ear is a strictly convex corner v with neighbours u and
+/// w such that no other vertex lies in the closed triangle uvw, except vertices at the positions of u, v and w. A
+/// polygon that is simple, or meets itself in corners and along whole sides only, always has one. Only corners that are
+/// not convex can prevent an ear, so these are stored in a grid.
 class EarClipper {
  public:
   explicit EarClipper(std::span<const PlanePoint> points);
@@ -36,7 +35,7 @@ class EarClipper {
   std::span<const PlanePoint> points_;
   std::vector<std::uint32_t> previous_, next_;
   std::vector<Sign> shape_;              ///< positive: convex; zero: straight or a spike
-  std::vector<std::uint32_t> obstacle_;  ///< a vertex known to be in the way of this corner
+  std::vector<std::uint32_t> obstacle_;  ///< a vertex known to be in the triangle of this corner
   std::vector<bool> cut_;
   std::uint32_t remaining_ = 0;
 

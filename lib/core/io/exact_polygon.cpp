@@ -13,7 +13,7 @@
 namespace strata::io {
 namespace {
 
-/// The corners of a face as points, seen along an axis from the side that shows the first loop counter-clockwise.
+/// The corners of a face as points, projected along an axis such that the first loop is counter-clockwise.
 class CornerPoints {
  public:
   /// Throws NoRegion when the corners are on a line or not in one plane.
@@ -41,9 +41,10 @@ class CornerPoints {
     const Sign sign = strata::compare(input_, view_.u, points_[i], points_[j]);
     return sign != Sign::zero ? sign : strata::compare(input_, view_.v, points_[i], points_[j]);
   }
-  /// Of what the corners first..last - 1 go round, every part as often as they do.
+  /// The sign of the area of the corners first..last - 1 as a closed polygon, every part counted with its winding
+  /// number.
   [[nodiscard]] Sign area_sign(std::uint32_t first, std::uint32_t last) const {
-    constexpr std::uint32_t most = 1u << 16;  // corners for which bounds are bounds
+    constexpr std::uint32_t most = 1u << 16;  // corners for which the error bounds hold
     const std::optional<Sign> filtered = last - first <= most ? bounded_area(first, last).sign() : std::nullopt;
     return filtered ? *filtered : exact_area_sign(first, last);
   }
@@ -70,7 +71,7 @@ class CornerPoints {
       if (d != c && orient3d(input_, 0, b, c, d) != Sign::zero)
         throw NoRegion("has corners that are not in one plane, exactly");
   }
-  /// Finds axes in which the corners 0, b and c are not on one line.
+  /// Finds axes in which the corners 0, b and c are not collinear.
   bool find_view(std::uint32_t b, std::uint32_t c) {
     for (int axis = 2; axis >= 0; --axis) {
       view_ = {(axis + 1) % 3, (axis + 2) % 3};
@@ -86,7 +87,7 @@ class CornerPoints {
       const auto& q = p[i + 1 < p.size() ? i + 1 : 0];
       terms.emplace_back(p[i][0] * q[1] - q[0] * p[i][1]);
     }
-    // In pairs, so that denominators stay small for long.
+    // In pairs, so that most denominators stay small.
     for (std::size_t step = 1; step < terms.size(); step *= 2)
       for (std::size_t i = 0; i + step < terms.size(); i += 2 * step) terms[i] += terms[i + step];
     return sign_of(terms[0].sign());
@@ -99,15 +100,15 @@ class CornerPoints {
 
   std::vector<Vertex> rounded_;
   std::vector<ExactVertex> exact_;
-  InputComplex input_;  ///< looks at them
+  InputComplex input_;  ///< refers to the corners
   std::vector<Point> points_;
   Projection view_;
 };
 
-/// Corners at one place are one.
+/// Coincident corners, identified.
 struct Places {
   std::vector<std::uint32_t> of_corner;
-  std::vector<std::uint32_t> corner;  ///< the first one of each place
+  std::vector<std::uint32_t> corner;  ///< the first one at each position
 };
 
 Places find_places(const CornerPoints& points, std::size_t count) {
@@ -148,7 +149,7 @@ std::vector<PolygonSide> sides_of(const LoopFace& face, const Places& places) {
   return sides;
 }
 
-/// Sides without those that are run along in both directions, which bound nothing. Every place must keep some.
+/// The sides without those that occur in both directions, which bound nothing. Every position must keep some.
 std::vector<PolygonSide> without_keyholes(std::vector<PolygonSide> sides, std::size_t place_count) {
   const auto ends = [](const PolygonSide& s) { return std::minmax(s.from, s.to); };
   std::stable_sort(sides.begin(), sides.end(),
@@ -166,7 +167,7 @@ std::vector<PolygonSide> without_keyholes(std::vector<PolygonSide> sides, std::s
   return kept;
 }
 
-/// The first loop is made to be counter-clockwise; then all others are clockwise.
+/// Makes the first loop counter-clockwise; then all others are clockwise.
 void orient(const LoopFace& face, CornerPoints& points) {
   std::size_t loop = 0;
   for_each_loop(face, [&](std::uint32_t first, std::uint32_t last) {

@@ -12,7 +12,7 @@
 namespace strata::io {
 namespace {
 
-/// The faces that are worth a note.
+/// The faces that require a note.
 struct Findings {
   Tally dropped, bent, crossing;
 
@@ -48,7 +48,7 @@ bool has_three_different(std::span<const std::uint32_t> c) {
   return std::any_of(second, c.end(), [&](std::uint32_t v) { return v != c[0] && v != *second; });
 }
 
-/// Writes the triangles of one list to their place in the file.
+/// Writes the triangles of one list to their position in the file.
 class ListWriter {
  public:
   ListWriter(MeshFile& file, Start start) : file_(file), face_(start.face), triangle_(start.triangle) {}

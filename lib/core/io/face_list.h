@@ -8,12 +8,11 @@
 
 namespace strata::io {
 
-/// Most vertices, faces or triangles: indices are 32 bits and the largest one is nobody's.
+/// The largest number of vertices, faces or triangles: indices have 32 bits and the largest value is not used.
 inline constexpr std::uint64_t most_items = 0xffff'fffe;
 
-/// The faces of a file, or of a piece of it, as they come in.
-/// Consecutive repetitions of a vertex are dropped; so are faces with fewer than three different vertices, whose
-/// sides cancel each other.
+/// The faces of a file, or of a piece of it, in order. Consecutive repetitions of a vertex are dropped. So are faces
+/// with fewer than three different vertices, whose sides cancel each other.
 class FaceList {
  public:
   void add(const Triangle& t) {
@@ -29,16 +28,16 @@ class FaceList {
   /// Vertex v becomes v + by, modulo 2^32.
   void shift(std::uint32_t by);
 
-  /// Faces added, dropped ones included.
+  /// Number of faces added, dropped ones included.
   [[nodiscard]] std::uint64_t count() const { return triangles_.size() + sizes_.size(); }
-  /// Triangles once the faces are triangulated.
+  /// Number of triangles after triangulation.
   [[nodiscard]] std::uint64_t triangle_count() const { return triangles_.size() + triangles_of_polygons_; }
 
-  /// The first faces, as long as they are triangles.
+  /// The first faces, up to the first one that is no triangle.
   [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
   /// Numbers of corners of all other faces, triangles or not; 0 for a face that was dropped.
   [[nodiscard]] std::span<const std::uint32_t> sizes() const { return sizes_; }
-  /// The corners of these faces, one face behind the other.
+  /// The corners of these faces, one face after the other.
   [[nodiscard]] std::span<const std::uint32_t> corners() const { return corners_; }
 
  private:
@@ -50,8 +49,8 @@ class FaceList {
   std::uint64_t triangles_of_polygons_ = 0;
 };
 
-/// Moves faces into the file, whose vertices are all there, list after list, as triangles, and notes what was done.
-/// Lists are triangulated in parallel. Requires indices in range. Throws IoError when there are too many.
+/// Moves faces into the file, which has all their vertices, list after list, as triangles, and adds notes on the
+/// changes. Lists are triangulated in parallel. Requires indices in range. Throws IoError when there are too many.
 void gather_faces(std::span<const FaceList> lists, MeshFile& file, const std::string& name);
 
 }  // namespace strata::io

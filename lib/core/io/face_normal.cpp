@@ -20,7 +20,7 @@ Vertex half_difference(const Vertex& a, const Vertex& b) {
   return {0.5 * b[0] - 0.5 * a[0], 0.5 * b[1] - 0.5 * a[1], 0.5 * b[2] - 0.5 * a[2]};
 }
 
-/// Scaled to a largest component of 1; 0 stays.
+/// Scaled to a largest component of 1; 0 is unchanged.
 Vertex scaled(const Vertex& v) {
   const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
   if (largest == 0) return v;
@@ -33,7 +33,7 @@ std::array<float, 3> face_normal(MeshView mesh, const Triangle& triangle) {
   const auto [a, b, c] = std::tie(mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]);
   Vertex n = cross(difference(a, b), difference(a, c));
   double square = squared_length(n);
-  // Where the square is a normal number, nothing on the way to it overflowed or lost digits that matter.
+  // If the square is a normal number, no step before it overflowed or lost significant digits.
   if (!std::isnormal(square)) {
     n = scaled(cross(scaled(half_difference(a, b)), scaled(half_difference(a, c))));
     square = squared_length(n);

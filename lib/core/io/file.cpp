@@ -16,7 +16,7 @@
 namespace strata::io {
 namespace {
 
-/// Reads the first bytes in parallel. False when the file turns out to be shorter.
+/// Reads the first bytes in parallel. False when the file is shorter than expected.
 bool read_in_parts(const File& file, char* bytes, std::size_t size) {
   constexpr std::size_t part = std::size_t{1} << 21;
   std::atomic<bool> whole = true;
@@ -72,7 +72,8 @@ void File::go_to(std::size_t offset) const {
 void File::fail(int error) const { throw IoError(name_, {}, "cannot read: " + std::generic_category().message(error)); }
 
 FileBytes::FileBytes(const File& file) {
-  // One byte more than told shows the end at the next read; files that grow or cannot tell double.
+  // One byte more than the reported size, so that the next read finds the end. The buffer doubles for files that grow
+  // or have no size.
   std::size_t capacity = file.size() + 1;
   bytes_ = std::make_unique_for_overwrite<char[]>(capacity);
   prefer_large_pages(bytes_.get(), capacity);

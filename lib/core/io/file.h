@@ -9,8 +9,8 @@
 
 namespace strata::io {
 
-/// A file that is open for reading. Its bytes are copied rather than mapped: a file that others change or cut short
-/// meanwhile is then malformed at worst. Every failure is an IoError.
+/// A file that is open for reading. Its bytes are copied and not mapped, so a file that is changed or truncated
+/// meanwhile is at worst malformed. Every failure is an IoError.
 class File {
  public:
   /// Throws: no such file, a directory, no permission.
@@ -20,13 +20,13 @@ class File {
   File& operator=(const File&) = delete;
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// Bytes of a regular file; 0 where nobody can tell (pipes).
+  /// Bytes of a regular file; 0 where the size is unknown (pipes).
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// Copies bytes, as far as the file goes; returns how many. Thread-safe. Requires a regular file.
+  /// Copies bytes, up to the end of the file; returns how many. Thread-safe. Requires a regular file.
   std::size_t read_at(std::size_t offset, char* to, std::size_t size) const;
   /// Copies the next bytes, at most `size`; 0 at the end.
   std::size_t read(char* to, std::size_t size) const;
-  /// Where read() goes on.
+  /// Sets the position of the next read().
   void go_to(std::size_t offset) const;
 
  private:

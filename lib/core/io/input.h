@@ -9,8 +9,8 @@
 
 namespace strata::io {
 
-/// What is wrong with the bytes of a file, and where. It becomes an IoError when the user is told: only then lines are
-/// counted.
+/// An error in the bytes of a file, with its offset. It becomes an IoError when it is reported; lines are counted only
+/// then.
 struct Malformed {
   enum class Unit { none, line, byte };
 

@@ -12,7 +12,7 @@ std::string sentence(const std::string& path, const IoError::Place& place, const
   return text.append(": ").append(reason);
 }
 
-/// Reasons quote what was found, which may be anything.
+/// Escapes unprintable characters: reasons quote the file, which may contain anything.
 std::string printable(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';

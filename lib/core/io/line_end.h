@@ -7,7 +7,8 @@ namespace strata::io {
 /// The first LF or CR in a text, or its end. Eight characters at a time.
 inline const char* find_line_end(const char* at, const char* end) {
   constexpr std::uint64_t ones = 0x0101010101010101, tops = 0x8080808080808080;
-  // A byte of the result is at its top when that of x is zero; bytes above the lowest zero may be there by mistake.
+  // The top bit of a byte of the result is set when that byte of x is zero; bytes above the lowest zero may be set by
+  // mistake.
   const auto zeros = [](std::uint64_t x) { return (x - ones) & ~x & tops; };
   for (; end - at >= 8; at += 8) {
     std::uint64_t x;
@@ -18,7 +19,7 @@ inline const char* find_line_end(const char* at, const char* end) {
   return at;
 }
 
-/// Behind the line end at `at`: LF, CR LF or CR.
+/// The position after the line end at `at`: LF, CR LF or CR.
 inline const char* behind_line_end(const char* at, const char* end) {
   const bool is_return = *at == '\r';
   ++at;

@@ -7,10 +7,10 @@
 namespace strata::io {
 namespace {
 
-/// What a compiler can count many characters at a time.
+/// Counts that a compiler can vectorize.
 struct Counts {
   std::uint64_t line_ends = 0;  ///< LF
-  std::uint64_t unusual = 0;    ///< CR, '#', and LF with white space behind it
+  std::uint64_t unusual = 0;    ///< CR, '#', and LF followed by white space
 };
 
 Counts count_characters(const char* first, const char* last) {

@@ -16,10 +16,10 @@ struct RecordPiece {
 
 /// Divides a text of `count` records from the offset on into pieces of about `size` bytes.
 ///
-/// One piece assumes nothing. More pieces assume that the first `count` lines that are not blank have one record each.
-/// Records start at lines of their own, so if a reader finds in every piece as many records as are said to be there,
-/// the assumption was right: no record took two lines. The last piece with records reaches to the end of the text.
-/// Throws Malformed when there are several pieces and fewer lines than records.
+/// One piece assumes nothing. Several pieces assume that the first `count` lines that are not blank have one record
+/// each. Records start on lines of their own. So if a reader finds in every piece as many records as expected, the
+/// assumption was right: no record took two lines. The last piece with records extends to the end of the text. Throws
+/// Malformed when there are several pieces and fewer lines than records.
 [[nodiscard]] std::vector<RecordPiece> divide_records(const Input& input, std::size_t offset, std::uint64_t count,
                                                       TextCursor::Syntax syntax, std::size_t size);
 

@@ -99,7 +99,7 @@ std::string_view name(Format format) {
 MeshFile read_mesh(const FilePath& given, std::optional<Format> format) {
   const std::filesystem::path path(given.text());
   const Format chosen = format.value_or(format_of(path));
-  // Files that are not there are told apart from formats that are not known.
+  // Opens the file first: a missing file is a different error than an unknown format.
   const io::File file(path);
   const std::string extension = path.extension().string();
   if (chosen == Format::other && !io::can_read_other(lower(extension))) fail_unknown(path.string(), extension);

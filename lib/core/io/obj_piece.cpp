@@ -11,7 +11,7 @@
 namespace strata::io {
 namespace {
 
-/// Statements that say nothing about vertices and faces: attributes, groups, materials, display, free-form details.
+/// Statements without vertices and faces: attributes, groups, materials, display, free-form details.
 bool is_skipped(std::string_view keyword) {
   constexpr std::array<std::string_view, 36> known{
       "vt",     "vn",     "vp",     "vw",    "o",          "g",         "s",    "mg",   "usemtl",
@@ -21,7 +21,7 @@ bool is_skipped(std::string_view keyword) {
   return std::find(known.begin(), known.end(), keyword) != known.end();
 }
 
-/// Calls `use(keyword, text)` for every statement of a piece, the cursor being behind the keyword.
+/// Calls `use(keyword, text)` for every statement of a piece, with the cursor after the keyword.
 template <class Use>
 void for_each_statement(const Input& input, Piece piece, const Use& use) {
   TextCursor text(input.data, {.hash_comments = true, .continuation = true}, piece);
@@ -97,7 +97,7 @@ class PieceReader {
     return vertex;
   }
 
-  /// Counts from 1.
+  /// An index that counts from 1.
   std::uint32_t absolute(std::int64_t index, std::size_t place) {
     const auto vertex = static_cast<std::uint64_t>(index - 1);
     if (vertex >= vertex_count_)
@@ -108,7 +108,7 @@ class PieceReader {
     return static_cast<std::uint32_t>(vertex);
   }
 
-  /// Counts back from the last vertex so far. Wraps when that leads before the piece.
+  /// An index that counts back from the last vertex so far. Wraps when it refers to a vertex before the piece.
   std::uint32_t relative(std::int64_t index, std::size_t place) {
     if (index == 0) fail_at_line(place, "vertex index 0: indices count from 1");
     const auto so_far = static_cast<std::int64_t>(piece_.vertices.size());

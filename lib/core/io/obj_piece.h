@@ -8,7 +8,7 @@
 
 namespace strata::io {
 
-/// Statements that hold geometry which is not read.
+/// Geometry statements that are not read.
 struct ObjIgnored {
   std::uint64_t lines = 0, points = 0, free_form = 0, unknown = 0;
   std::size_t first_unknown = 0;  ///< offset in the text
@@ -34,8 +34,8 @@ struct ObjUses {
   bool absolute = false, relative = false;
 };
 
-/// What was read from a piece. The indices of its faces count from the start of the file, or, if they are relative,
-/// from the start of the piece.
+/// The content of a piece. The indices of its faces count from the start of the file, or, if they are relative, from
+/// the start of the piece.
 struct ObjPiece {
   std::vector<Vertex> vertices;
   FaceList faces;
@@ -43,10 +43,9 @@ struct ObjPiece {
   ObjIgnored ignored;
 };
 
-/// Reads a piece that starts and ends with lines. Only in a piece that is the whole file every index is checked at
-/// once: there it is known how many vertices stand before a face, and how many come in all. A face may use vertices
-/// that come later. Throws Malformed, also for pieces that use absolute and relative indices both, unless they are the
-/// whole file.
+/// Reads a piece that consists of whole lines. Only in a piece that is the whole file is every index checked at once:
+/// there the number of vertices before a face, and in all, is known. A face may use vertices that follow later. Throws
+/// Malformed, also for pieces that use both absolute and relative indices, unless they are the whole file.
 [[nodiscard]] ObjPiece read_obj_piece(const Input& input, Piece place);
 
 }  // namespace strata::io

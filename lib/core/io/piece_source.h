@@ -9,14 +9,14 @@
 
 namespace strata::io {
 
-/// Bytes that are in memory, or are read from a file piece by piece, so that they are never in memory all at once.
+/// Bytes that are in memory, or are read from a file piece by piece, so that they are never in memory together.
 class PieceSource {
  public:
   explicit PieceSource(std::string_view data) : data_(data), size_(data.size()) {}
   explicit PieceSource(const File& file) : file_(&file), size_(file.size()) {}
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// The bytes of a piece; from a file, they are there until the same thread asks again. Requires a piece within
+  /// The bytes of a piece; from a file, they are valid until the next call of the same thread. Requires a piece within
   /// size(). Throws Malformed when the file has become shorter, IoError when it cannot be read.
   [[nodiscard]] std::string_view get(Piece piece);
 

@@ -16,12 +16,12 @@ struct Piece {
   [[nodiscard]] std::size_t size() const { return last - first; }
 };
 
-/// The start of the first line that starts behind the offset, or the end of the text. A line end behind a backslash,
-/// which may join two lines, starts none.
+/// The first start of a line after the offset, or the end of the text. A line end after a backslash, which may join two
+/// lines, does not count.
 [[nodiscard]] std::size_t next_line(std::string_view text, std::size_t offset);
 
-/// Divides a text from the offset on into pieces of about `size` bytes, at least one. All but the first start where
-/// next_line does, and `is_start` says yes to the offset. O(number of pieces) for short lines.
+/// Divides a text from the offset on into pieces of about `size` bytes, at least one. All but the first start at a
+/// next_line for which `is_start` is true. O(number of pieces) for short lines.
 template <class IsStart>
 [[nodiscard]] std::vector<Piece> split_at_lines(std::string_view text, std::size_t first, std::size_t size,
                                                 const IsStart& is_start) {
@@ -40,9 +40,9 @@ template <class IsStart>
   return split_at_lines(text, first, size, [](std::size_t) { return true; });
 }
 
-/// Calls `read(size)`, which reads the input in pieces of that size in parallel. Reading in pieces rests on assumptions
-/// about the layout, and pieces fail in no order. So when it throws Malformed, that is no verdict: the input is read
-/// again as one piece, which assumes nothing and meets the first error first.
+/// Calls `read(size)`, which reads the input in pieces of that size in parallel. This rests on assumptions about the
+/// layout, and pieces fail in no particular order. So when it throws Malformed, the input is read again as one piece,
+/// which assumes nothing and finds the first error first.
 template <class Read>
 [[nodiscard]] auto read_in_pieces(const Input& input, const Read& read) {
   if (input.data.size() > input.piece) {

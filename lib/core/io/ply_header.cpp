@@ -59,7 +59,7 @@ PlyElement read_element(TextCursor& text) {
   return element;
 }
 
-/// Ends the header's last line as its first one ended: binary data may start with any byte.
+/// The end of the header's last line, in the style of its first line end: binary data may start with any byte.
 std::size_t data_offset(const Input& input, std::size_t end_of_word) {
   const std::size_t first_end = input.data.find_first_of("\r\n");
   const bool lone_return = first_end != std::string_view::npos && input.data[first_end] == '\r' &&

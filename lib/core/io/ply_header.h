@@ -34,11 +34,11 @@ struct PlyElement {
   [[nodiscard]] std::optional<std::size_t> find(const std::string& property) const;
 };
 
-/// What stands before the data of a PLY file.
+/// The header of a PLY file.
 struct PlyHeader {
   std::optional<std::endian> order;  ///< of binary data; nothing: ASCII
   std::vector<PlyElement> elements;
-  std::size_t data = 0;  ///< offset of the first byte behind the header
+  std::size_t data = 0;  ///< offset of the first byte after the header
 };
 
 /// Throws IoError with the line.

@@ -72,7 +72,7 @@ std::uint64_t BinaryNumbers::take_triangles(const PlyElementPlan& plan, std::uin
                                             FaceList& faces) {
   constexpr std::size_t size = 1 + 3 * 4;
   if (!plan.is_usual_list) return 0;
-  // Negative integers are large ones here.
+  // Negative integers are large ones in this comparison.
   const bool is_signed = plan.element->properties[plan.list].type == PlyScalar::int32;
   const std::uint64_t limit = is_signed ? std::min(vertex_count, std::uint64_t{1} << 31) : vertex_count;
   const std::uint64_t most = std::min<std::uint64_t>(count, remaining() / size);

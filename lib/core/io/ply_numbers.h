@@ -14,7 +14,7 @@
 
 namespace strata::io {
 
-/// The numbers of an ASCII file. Values that are skipped need not be numbers.
+/// The numbers of an ASCII file. Skipped values need not be numbers.
 class TextNumbers {
  public:
   /// `one_per_line`: a record is malformed if something follows on its line.
@@ -36,13 +36,13 @@ class TextNumbers {
     if (!text_.at_line_end()) text_.fail_expected("the end of the line");
     text_.skip_line();
   }
-  /// How many values the rest can hold at most: a digit and a blank each.
+  /// The largest number of values in the rest: a digit and a blank each.
   [[nodiscard]] std::uint64_t room(PlyScalar) const { return (text_.remaining() + 1) / 2; }
   [[nodiscard]] std::uint64_t records(const PlyElement& e) const {
     return (text_.remaining() + 1) / (2 * e.properties.size());
   }
   [[nodiscard]] bool has_more() { return text_.next_word_anywhere(); }
-  /// Of the next number.
+  /// Offset of the next number.
   [[nodiscard]] std::size_t offset() {
     (void)text_.next_word_anywhere();
     return text_.offset();
@@ -81,10 +81,10 @@ class BinaryNumbers {
   [[nodiscard]] std::size_t offset() const { return offset_; }
   [[noreturn]] static void fail_at(std::size_t offset, std::string reason) { fail_at_byte(offset, std::move(reason)); }
 
-  /// Takes records without lists, coordinate by coordinate. False, and nothing is taken, where that does not do: lists,
-  /// too little data, coordinates that are not finite.
+  /// Reads records without lists, coordinate by coordinate. Returns false and reads nothing if that is impossible:
+  /// lists, too little data, coordinates that are not finite.
   bool take_points(const PlyElementPlan& plan, std::span<Vertex> points);
-  /// Takes records, at most `count`, as long as they are usual lists of three vertices in range. Returns how many.
+  /// Reads records, at most `count`, while they are usual lists of three vertices in range. Returns how many.
   std::uint64_t take_triangles(const PlyElementPlan& plan, std::uint64_t vertex_count, std::uint64_t count,
                                FaceList& faces);
 

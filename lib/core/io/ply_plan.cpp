@@ -66,7 +66,7 @@ PlyPlan plan_ply(const PlyHeader& header) {
       has_vertices = true;
       plan.vertex_count = element.count;
     }
-    // Vertices without properties are an error, which find_axes tells.
+    // Vertices without properties are an error, which find_axes reports.
     const bool has_data = !element.properties.empty() || element.name == "vertex";
     if (element.count > 0 && has_data) plan.elements.push_back(plan_element(header, element));
   }

@@ -18,7 +18,7 @@ class PlyRecords {
  public:
   PlyRecords(const PlyPlan& plan, Numbers numbers) : vertex_count_(plan.vertex_count), numbers_(numbers) {}
 
-  /// Reads the next records of an element. Points go to their places in `vertices`, from `first` on.
+  /// Reads the next records of an element. Points are stored in `vertices`, from `first` on.
   void read(const PlyElementPlan& plan, std::uint64_t first, std::uint64_t count, std::span<Vertex> vertices) {
     switch (plan.role) {
       case PlyRole::points:
@@ -56,7 +56,7 @@ class PlyRecords {
   }
 
   void read_points(const PlyElementPlan& plan, std::uint64_t first, std::span<Vertex> points) {
-    constexpr std::size_t block = 1024;  // stays in the cache while its coordinates are taken
+    constexpr std::size_t block = 1024;  // stays in the cache while its coordinates are read
     for (std::size_t i = 0; i < points.size(); i += block) {
       const auto some = points.subspan(i, std::min(block, points.size() - i));
       if constexpr (is_binary) {
@@ -102,7 +102,7 @@ class PlyRecords {
     }
   }
 
-  /// Reads a record; its list of vertices goes to list_.
+  /// Reads a record; its list of vertices is stored in list_.
   void read_list(const PlyElementPlan& plan, bool is_strip) {
     const auto& properties = plan.element->properties;
     for (std::size_t i = 0; i < properties.size(); ++i)
@@ -142,7 +142,7 @@ class PlyRecords {
     numbers_.skip(property.type, property.list_count ? list_size(property) : 1);
   }
 
-  /// Every vertex makes a triangle with the two before it, whose order alternates; -1 starts a new strip.
+  /// Every vertex forms a triangle with the two before it, in alternating order; -1 starts a new strip.
   void add_strip() {
     std::size_t start = 0;
     for (std::size_t i = 0; i < list_.size(); ++i) {
@@ -150,7 +150,7 @@ class PlyRecords {
       if (i < start + 2) continue;
       const bool odd = (i - start) % 2 != 0;
       const Triangle t{list_[i - 2 + odd], list_[i - 1 - odd], list_[i]};
-      // Strips repeat vertices on purpose, to turn.
+      // Strips repeat vertices on purpose, to change direction.
       if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) faces_.add(t);
     }
   }

@@ -53,7 +53,7 @@ MeshFile read(const Input& input, Format format) {
 
 MeshFile read(const File& file, Format format, std::size_t piece) {
   if (auto mesh = read_piece_by_piece(file, format, piece)) return with_emptiness_noted(std::move(*mesh));
-  // Such files may refer to others beside them, so their reader wants the path.
+  // Such files may refer to others beside them, so their reader needs the path.
   if (format == Format::other && file.size() > 0)
     return with_emptiness_noted(read_other(std::filesystem::path(file.name())));
   const FileBytes bytes(file);

@@ -46,7 +46,7 @@ bool mirrors(const Affine& m) {
          0;
 }
 
-/// Puts the meshes of all nodes into one, in the coordinates of the scene.
+/// Gathers the meshes of all nodes into one, in the coordinates of the scene.
 class SceneReader {
  public:
   SceneReader(const aiScene& scene, std::string name) : scene_(scene), name_(std::move(name)) {}
@@ -110,8 +110,8 @@ bool is_3mf(const std::string& name) {
   return extension == ".3mf";
 }
 
-/// Through version 5.2, assimp's reader of 3MF leaves textures in the scene that it has freed already.
-/// Forgetting them keeps the scene from freeing them again.
+/// Up to version 5.2, assimp's 3MF reader leaves textures in the scene that it has already freed. This prevents the
+/// scene from freeing them again.
 void forget_freed_textures(aiScene& scene) {
   if (std::pair(aiGetVersionMajor(), aiGetVersionMinor()) > std::pair(5U, 2U)) return;
   delete[] scene.mTextures;
@@ -119,7 +119,7 @@ void forget_freed_textures(aiScene& scene) {
   scene.mNumTextures = 0;
 }
 
-/// Runs one of assimp's readers and takes the scene over. Its own post-processing rounds and welds: none is asked for.
+/// Runs one of assimp's readers and takes over the scene. No post-processing is requested, because it rounds and welds.
 template <class Import>
 MeshFile read_scene(const std::string& name, const Import& import) {
   try {

@@ -21,7 +21,7 @@ std::vector<std::uint64_t> vertices_before(std::span<const ObjPiece> pieces) {
   return before;
 }
 
-/// Throws when faces use vertices that are not there.
+/// Throws when faces use vertices that do not exist.
 void check(const ObjUses& uses, std::uint64_t before, std::uint64_t vertex_count) {
   if (uses.absolute && uses.highest >= vertex_count) fail("an index out of range");
   if (static_cast<std::int64_t>(before) + uses.lowest < 0) fail("a relative index out of range");

@@ -18,7 +18,7 @@ namespace {
 
 constexpr TextCursor::Syntax syntax{.hash_comments = true, .continuation = false};
 
-/// The header: an optional keyword [ST][C][N][4][n]OFF, with or without white space behind it.
+/// The header: an optional keyword [ST][C][N][4][n]OFF, with or without white space after it.
 void read_keyword(TextCursor& text) {
   if (!text.next_word_anywhere()) text.fail_expected("'OFF'");
   for (const char* prefix : {"ST", "C", "N"}) text.accept_text(prefix);
@@ -73,7 +73,7 @@ FaceList read_records(TextCursor& text, const RecordPiece& records, std::span<Ve
 
 struct Header {
   std::uint64_t vertices = 0, faces = 0;
-  std::size_t end = 0;  ///< offset of the first line behind it
+  std::size_t end = 0;  ///< offset of the first line after it
 };
 
 Header read_header(const Input& input) {
@@ -87,7 +87,7 @@ Header read_header(const Input& input) {
   Header header;
   header.vertices = next_count("number of vertices", 6);
   header.faces = next_count("number of faces", 2);
-  // The number of edges follows on the same line, or is left out.
+  // The number of edges follows on the same line, or is absent.
   text.skip_line();
   header.end = text.offset();
   return header;

@@ -26,7 +26,7 @@ void check_room(const PlyElement& element, Numbers& numbers) {
                                           std::to_string(room) + " at most: truncated, or the count is wrong");
 }
 
-/// Reads all data in order, which assumes nothing.
+/// Reads all data in order, without assumptions.
 template <class Numbers>
 MeshFile read_whole(const Input& input, const PlyPlan& plan, Numbers numbers) {
   MeshFile file;
@@ -42,8 +42,8 @@ MeshFile read_whole(const Input& input, const PlyPlan& plan, Numbers numbers) {
   return file;
 }
 
-/// Reads a binary file in pieces. Assumes that the lists of an element are as long as those of its first record, so
-/// that all records take the same space. That is certain when every piece ends where the next one starts.
+/// Reads a binary file in pieces. Assumes that the lists of an element have the length of those of its first record, so
+/// that all records have the same size. This is certain when every piece ends where the next one starts.
 class BinaryPieces {
  public:
   BinaryPieces(PieceSource& source, const PlyPlan& plan, const PlyHeader& header)
@@ -104,7 +104,7 @@ class TextPieces {
   MeshFile read(std::size_t size) {
     std::uint64_t count = 0;
     for (const PlyElementPlan& p : plan_.elements) {
-      // Before they are added up: counts may be anything.
+      // Checked before they are added up: counts may be anything.
       if (p.element->count > input_.data.size()) fail("more records than bytes");
       count += p.element->count;
     }
@@ -128,7 +128,7 @@ class TextPieces {
       if (from < to) records.read(p, from - first, to - from, file_.mesh.vertices);
       first = last;
     }
-    // Only the last piece reaches beyond its records.
+    // Only the last piece extends beyond its records.
     if (records.numbers().has_more()) fail("data behind the last element");
     return records.take_faces();
   }

@@ -23,7 +23,7 @@ namespace {
 
 constexpr TextCursor::Syntax syntax{.hash_comments = true, .continuation = false};
 
-/// Goes on to the next line. Nothing but a comment may follow on this one.
+/// Advances to the next line. Only a comment may follow on this one.
 void end_line(TextCursor& text) {
   if (!text.at_line_end()) text.fail_expected("the end of the line");
   text.skip_line();
@@ -31,7 +31,7 @@ void end_line(TextCursor& text) {
 
 struct Header {
   std::uint64_t vertices = 0, faces = 0;
-  std::size_t end = 0;  ///< offset of the first line behind it
+  std::size_t end = 0;  ///< offset of the first line after it
 };
 
 Header read_header(const Input& input) {
@@ -70,7 +70,7 @@ Vertex read_vertex(TextCursor& text, std::uint64_t number, std::vector<ExactVert
   return {x[0].nearest, x[1].nearest, x[2].nearest};
 }
 
-/// The triangles of a piece, each with its face, from the file's first.
+/// The triangles of a piece, each with its face, counted from the file's first.
 struct FacePiece {
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> faces;
@@ -133,7 +133,7 @@ class FaceReader {
   LoopFace face_;
 };
 
-/// Reads in two rounds, so that every face finds its vertices: vertices first.
+/// Reads in two rounds, vertices first, so that every face finds its vertices.
 class XoffReader {
  public:
   XoffReader(const Input& input, const Header& header, std::size_t size)

@@ -8,25 +8,25 @@
 
 namespace strata::io {
 
-/// What read_mesh does, with pieces of any size. Throws IoError.
+/// read_mesh, with pieces of any size. Throws IoError.
 [[nodiscard]] MeshFile read(const Input& input, Format format);
 [[nodiscard]] MeshFile read(const File& file, Format format, std::size_t piece = usual_piece);
 
-/// One reader per format. Each throws Malformed with the line or byte, never reads outside the data, and allocates in
-/// proportion to the size of the data only. Data are read in pieces in parallel; results and errors are the same for
-/// pieces of any size (theory.md).
+/// One reader per format. Each throws Malformed with the offset, never reads outside the data, and allocates only in
+/// proportion to the size of the data. Data are read in pieces in parallel. Results and errors are the same for pieces
+/// of any size (theory.md).
 [[nodiscard]] MeshFile read_stl(const Input& input);
 [[nodiscard]] MeshFile read_obj(const Input& input);
 [[nodiscard]] MeshFile read_off(const Input& input);
 [[nodiscard]] MeshFile read_xoff(const Input& input);
 [[nodiscard]] MeshFile read_ply(const Input& input);
 
-/// Read large binary files piece by piece without having them in memory. Nothing where that does not do, for whatever
-/// reason: the file is text, or small, or malformed.
+/// Read large binary files piece by piece, without having them in memory. Nullopt where that is impossible: the file is
+/// text, or small, or malformed.
 [[nodiscard]] std::optional<MeshFile> read_binary_stl(const File& file, std::size_t piece);
 [[nodiscard]] std::optional<MeshFile> read_binary_ply(const File& file, std::size_t piece);
 
-/// Formats that are not ours, through assimp; the extension of the name picks its reader. Coordinates come as floats.
+/// Other formats, through assimp; the extension of the name selects its reader. Coordinates are floats.
 [[nodiscard]] MeshFile read_other(const Input& input);
 /// The same from a file, which may refer to others beside it (glTF).
 [[nodiscard]] MeshFile read_other(const std::filesystem::path& path);

@@ -22,7 +22,7 @@ FileSink::FileSink(const fs::path& target) : asked_for_(target), target_(target)
   const auto status = fs::status(target_, ignored);
   if (fs::is_directory(status)) throw IoError(target.string(), {}, "is a directory, expected the name of a file");
   if (fs::exists(status)) {
-    // Renaming could replace a file that may not be written, so ask; this changes nothing in a regular file.
+    // Renaming could replace a file that is not writable, so this opens it; this changes nothing in a regular file.
     file_.reset(std::fopen(target_.c_str(), fs::is_regular_file(status) ? "r+b" : "wb"));
     if (!file_) fail("cannot write", errno);
   }

@@ -11,7 +11,7 @@
 
 namespace strata::io {
 
-/// Where bytes go. Every write is checked; failures are IoErrors.
+/// A destination of bytes. Every write is checked; failures are IoErrors.
 class Sink {
  public:
   virtual ~Sink() = default;
@@ -38,8 +38,8 @@ class StreamSink : public Sink {
   std::string name_;
 };
 
-/// A file that appears when it is complete: written beside the target, then renamed. Keeps the permissions of a file
-/// it replaces, and follows links. Targets that are no regular files are written in place.
+/// A file that becomes visible when it is complete: it is written beside the target, then renamed. It keeps the
+/// permissions of a file that it replaces, and follows links. Targets that are no regular files are written in place.
 /// Without finish() the unfinished file is removed.
 class FileSink : public Sink {
  public:

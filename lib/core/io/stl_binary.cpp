@@ -31,8 +31,8 @@ namespace {
                    std::to_string(triangle) + " (counted from 0)");
 }
 
-/// A record is a normal, three corners (12 floats, little endian) and two bytes that mean nothing.
-/// `first` is the number of the first one.
+/// A record is a normal, three corners (12 floats, little endian) and two unused bytes. `first` is the number of the
+/// first record.
 void read_records(std::string_view records, std::size_t first, VertexWelder<float>& welder,
                   std::span<Triangle> triangles) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {

@@ -22,7 +22,7 @@ void expect(TextCursor& text, const char* word) {
   if (!text.next_word_anywhere() || !text.accept(word)) text.fail_expected(std::string("'") + word + "'");
 }
 
-/// "normal nx ny nz" is not looked at: writers put anything there, and the corners say it anyhow.
+/// "normal nx ny nz" is ignored: writers store arbitrary values, and the corners determine it.
 void skip_normal(TextCursor& text) {
   while (true) {
     if (!text.next_word_anywhere()) text.fail_expected("'outer loop'");
@@ -46,7 +46,7 @@ Triangle read_facet(TextCursor& text, VertexWelder<double>& welder) {
   return t;
 }
 
-/// One or more of: solid NAME, facets, endsolid NAME. Begins outside a solid, or between two facets. True when the text
+/// One or more of: solid NAME, facets, endsolid NAME. Starts outside a solid, or between two facets. True when the text
 /// ends between two facets.
 bool read_solids(TextCursor& text, bool in_solid, VertexWelder<double>& welder, std::vector<Triangle>& triangles) {
   while (text.next_word_anywhere()) {
@@ -63,7 +63,7 @@ bool read_solids(TextCursor& text, bool in_solid, VertexWelder<double>& welder, 
   return false;
 }
 
-/// Puts the triangles of all pieces into one array.
+/// Gathers the triangles of all pieces into one array.
 std::vector<Triangle> gather(std::span<WeldedPiece<double>> pieces, std::vector<std::vector<Triangle>> parts) {
   std::vector<std::size_t> first{0};
   for (const auto& part : parts) first.push_back(first.back() + part.size());
@@ -83,8 +83,8 @@ std::vector<Piece> split_at_facets(std::string_view data, std::size_t size) {
   });
 }
 
-/// Pieces start at lines that start with "facet". That these are facets indeed is certain once all pieces are read:
-/// then every piece ends between two facets, and so the next one starts there.
+/// Pieces start at lines that start with "facet". That these are facets is certain once all pieces are read: then every
+/// piece ends between two facets, and the next one starts there.
 MeshFile read_pieces(const Input& input, std::size_t size) {
   const auto places = split_at_facets(input.data, size);
   std::vector<WeldedPiece<double>> pieces(places.size());
@@ -105,7 +105,7 @@ MeshFile read_pieces(const Input& input, std::size_t size) {
 }  // namespace
 
 MeshFile read_stl_text(const Input& input) {
-  // "vertex 0 0 0" three times and the words around them: no facet takes less.
+  // "vertex 0 0 0" three times and the words around them: the shortest facet.
   constexpr std::size_t least_facet = 60;
   check_stl_count(input.data.size() / least_facet);
   return read_in_pieces(input, [&](std::size_t size) { return read_pieces(input, size); });

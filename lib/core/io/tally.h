@@ -6,7 +6,7 @@
 
 namespace strata::io {
 
-/// How many faces, and which came first.
+/// A number of faces, and the first of them.
 struct Tally {
   std::uint64_t count = 0;
   std::uint64_t first = 0;
@@ -24,7 +24,7 @@ struct Tally {
     file.notes.push_back((count == 1 ? std::string("1 ") + one : std::to_string(count) + " " + many) + " " + what +
                          "; the first is face " + std::to_string(first) + " (counted from 0)");
   }
-  /// Says that faces were left out.
+  /// Adds the note that faces were left out.
   void note_dropped(MeshFile& file) const {
     note(file, "face", "faces", "with fewer than three different vertices left out");
   }

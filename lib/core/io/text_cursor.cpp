@@ -8,14 +8,14 @@ namespace {
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// True when a decimal number other than zero that is no double is too small for one, not too large:
-/// its first digit, moved by the exponent, stands behind the point.
+/// True when a decimal number other than zero that is no double is too small for one, not too large: its first digit,
+/// shifted by the exponent, is after the point.
 bool is_tiny(const char* first, const char* last) {
   const char* mark = std::find_if(first, last, [](char c) { return c == 'e' || c == 'E'; });
   std::int64_t exponent = 0;
   if (mark != last) {
     const char* digits = mark + 1 + (mark[1] == '+');
-    // An exponent that does not fit outweighs the digits of any file.
+    // An exponent that does not fit exceeds the number of digits of any file.
     constexpr std::int64_t huge = std::int64_t{1} << 60;
     if (std::from_chars(digits, last, exponent).ec != std::errc{}) exponent = *digits == '-' ? -huge : huge;
     exponent = std::clamp(exponent, -huge, huge);

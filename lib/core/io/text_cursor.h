@@ -11,16 +11,16 @@
 
 namespace strata::io {
 
-/// Walks through the words and lines of a text, or of a piece of it. Numbers are exact, in no locale.
+/// A cursor over the words and lines of a text, or of a piece of it. Numbers are exact and independent of the locale.
 /// Lines end with LF, CR LF or CR. Every failure is Malformed with its offset.
 class TextCursor {
  public:
   struct Syntax {
-    bool hash_comments = false;  ///< '#' at the start of a word hides the rest of the line
+    bool hash_comments = false;  ///< '#' at the start of a word starts a comment
     bool continuation = false;   ///< a backslash before the line end joins two lines, but not in a comment
   };
 
-  /// A byte order mark at the start of the text is passed over.
+  /// A byte order mark at the start of the text is skipped.
   TextCursor(std::string_view text, Syntax syntax, Piece piece);
   TextCursor(std::string_view text, Syntax syntax) : TextCursor(text, syntax, {0, text.size()}) {}
 
@@ -36,12 +36,13 @@ class TextCursor {
         return;
     }
   }
-  /// Skips blanks; true when nothing follows on this line but a comment.
+  /// Skips blanks; true when only a comment follows on this line.
   [[nodiscard]] bool at_line_end() {
     skip_blanks();
     return at_ == end_ || *at_ == '\n' || *at_ == '\r' || (syntax_.hash_comments && *at_ == '#');
   }
-  /// To the start of the next line; continued lines are one line. Requires that no comment started on this line before.
+  /// Advances to the start of the next line; continued lines are one line. Requires that no comment started on this
+  /// line before.
   void skip_line() {
     while (true) {
       const char* const from = at_;
@@ -52,7 +53,7 @@ class TextCursor {
       if (!joined) return;
     }
   }
-  /// To the next word, on this line or a later one. False at the end of the text.
+  /// Advances to the next word, on this line or a later one. False at the end of the text.
   bool next_word_anywhere() {
     while (at_line_end()) {
       if (at_ == end_) return false;
@@ -60,14 +61,14 @@ class TextCursor {
     }
     return true;
   }
-  /// The word here, up to white space; empty at the line's end.
+  /// The word here, up to white space; empty at the end of the line.
   std::string_view word() {
     if (at_line_end()) return {};
     const char* const first = at_;
     while (at_ != end_ && !is_white(*at_)) ++at_;
     return {first, static_cast<std::size_t>(at_ - first)};
   }
-  /// Skips the word if it is the one given, in any case.
+  /// Skips the word if it equals this one, in any case.
   bool accept(std::string_view expected);
   /// Skips the character if it is here, without skipping blanks.
   bool accept_char(char c) {
@@ -75,7 +76,7 @@ class TextCursor {
     ++at_;
     return true;
   }
-  /// Skips the characters if the text goes on with them, whatever follows.
+  /// Skips the characters if the text continues with them, whatever follows.
   bool accept_text(std::string_view text);
 
   [[nodiscard]] bool is_at(char c) const { return at_ != end_ && *at_ == c; }
@@ -92,7 +93,7 @@ class TextCursor {
     at_ = last;
     return value;
   }
-  /// The same, quicker for integers.
+  /// The same, faster for integers.
   double whole_number(const char* what) {
     skip_blanks();
     std::int64_t value = 0;
@@ -101,7 +102,7 @@ class TextCursor {
     at_ = last;
     return static_cast<double>(value);
   }
-  /// An integer that something other than white space may follow.
+  /// An integer that may be followed by something other than white space.
   std::int64_t leading_integer(const char* what) {
     skip_blanks();
     std::int64_t value = 0;
@@ -119,7 +120,8 @@ class TextCursor {
     at_ = first;
     fail_expected(what);
   }
-  /// A count of things that take at least `bytes` bytes of text each: no more than the rest of the text can hold.
+  /// A count of items that take at least `bytes` bytes of text each: at most as many as the rest of the text can
+  /// contain.
   std::uint64_t count(const char* what, std::uint64_t bytes);
 
   /// Throws: "expected WHAT, found 'WORD'".
@@ -134,15 +136,15 @@ class TextCursor {
   [[nodiscard]] const char* behind_plus() const {
     return at_ + (is_at('+') && at_ + 1 != end_ && at_[1] != '-' ? 1 : 0);
   }
-  /// The integer here, and the place behind it. Null where no digit stands here, or many, or the text ends with them.
+  /// The integer here, and the position after it. Null if there is no digit here, or many, or the text ends with them.
   const char* behind_digits(std::int64_t& value) const {
-    constexpr std::size_t few = 15;  // a double holds them
+    constexpr std::size_t few = 15;  // a double represents them
     const char* const stop = remaining() > few ? at_ + few : end_;
     const char* at = at_;
     for (; at != stop && *at >= '0' && *at <= '9'; ++at) value = 10 * value + (*at - '0');
     return at == at_ || at == stop ? nullptr : at;
   }
-  bool skip_continuation();                                ///< past a backslash and the line end behind it
+  bool skip_continuation();                                ///< past a backslash and the line end after it
   [[nodiscard]] bool has_comment(const char* from) const;  ///< does one start in [from, at_)?
   double unusual_number(const char* what);                 ///< out of the range of doubles, or none
   std::int64_t unusual_integer(const char* what);          ///< signed, long, at the end of the text, or none

@@ -13,7 +13,7 @@
 namespace strata::io {
 namespace {
 
-/// Areas of the polygon seen along x, y and z. Rounded: they only say which axis to try first.
+/// Areas of the polygon projected along x, y and z. Rounded: they only decide which axis is tried first.
 std::array<double, 3> seen_areas(std::span<const Vertex> loop) {
   std::array<double, 3> area{};
   for (std::size_t i = 1; i + 1 < loop.size(); ++i)
@@ -26,7 +26,7 @@ std::array<double, 3> seen_areas(std::span<const Vertex> loop) {
   return area;
 }
 
-/// The polygon seen along an axis from the side that shows it counter-clockwise. Empty when it has no area.
+/// The polygon projected along an axis such that it is counter-clockwise. Empty when it has no area.
 std::vector<PlanePoint> seen_counter_clockwise(std::span<const Vertex> loop) {
   const auto area = seen_areas(loop);
   std::array<std::size_t, 3> axes{0, 1, 2};
@@ -44,7 +44,8 @@ std::vector<PlanePoint> seen_counter_clockwise(std::span<const Vertex> loop) {
   return {};
 }
 
-/// Convex at every corner and once around: along a convex polygon the sides point left (or straight down) in one run.
+/// Convex at every corner and going around once: along a convex polygon the sides that point left (or straight down)
+/// are consecutive.
 bool is_strictly_convex(std::span<const PlanePoint> p) {
   const std::size_t n = p.size();
   const auto points_left = [&](std::size_t i) { return p[(i + 1) % n] < p[i]; };
@@ -56,7 +57,7 @@ bool is_strictly_convex(std::span<const PlanePoint> p) {
   return runs == 1;
 }
 
-/// Triangles between the corners first..last, halving: no corner gets more than O(log n) of them.
+/// Triangulates the corners first..last by halving: no corner has more than O(log n) triangles.
 void halve(std::uint32_t first, std::uint32_t last, std::span<Triangle> triangles) {
   if (triangles.empty()) return;
   const std::uint32_t middle = last - (last - first) / 2;

@@ -6,7 +6,7 @@
 
 namespace strata::io {
 
-/// The number of a vertex, from 0, that stands here. Throws Malformed when it is none or there is no such vertex.
+/// Reads the number of a vertex, from 0. Throws Malformed when there is none or no such vertex.
 inline std::uint32_t read_vertex_index(TextCursor& text, std::uint64_t vertex_count) {
   const std::size_t place = text.offset();
   const std::int64_t index = text.integer("a vertex index");

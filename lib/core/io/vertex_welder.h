@@ -9,8 +9,8 @@
 
 namespace strata::io {
 
-/// Numbers the different points of a stream in order of first use. -0 equals 0, and a point keeps the zeros it came
-/// with first. An open hash table; quick as long as it fits into a core's cache. O(1) expected per point.
+/// Numbers the different points of a stream in order of first use. -0 equals 0; a point keeps the zeros of its first
+/// use. An open hash table, which is fast while it fits into a core's cache. O(1) expected per point.
 template <class Scalar>
 class VertexWelder {
  public:
@@ -33,7 +33,7 @@ class VertexWelder {
   /// The different points so far, by number.
   [[nodiscard]] std::vector<Point> copy_points() const { return points_; }
 
-  /// Forgets all points, keeps the memory.
+  /// Removes all points and keeps the memory.
   void clear() {
     points_.clear();
     std::fill(slots_.begin(), slots_.end(), 0);

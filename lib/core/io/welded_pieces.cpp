@@ -15,7 +15,7 @@
 namespace strata::io {
 namespace {
 
-/// Joins points of pieces. A point is known by its number in the row of all points of all pieces.
+/// Welds the points of pieces. A point is known by its number among all points of all pieces.
 template <class Scalar>
 class Joint {
  public:
@@ -44,7 +44,7 @@ class Joint {
   static constexpr std::size_t partition_size = 1 << 13;
   static constexpr int most_bits = 10;
 
-  /// All points, those that are equal to others included.
+  /// The number of all points, those equal to others included.
   [[nodiscard]] std::size_t count() const { return first_.back(); }
   [[nodiscard]] std::size_t partitions() const { return std::size_t{1} << bits_; }
   [[nodiscard]] std::size_t partition_of(const Point& p) const {
@@ -75,7 +75,7 @@ class Joint {
     });
   }
 
-  /// Points come in order, so the one that is in a table is the first.
+  /// Points are in order, so the one that is in a table is the first.
   void find_first_uses(std::span<const Dealt> points) {
     std::vector<std::uint32_t> slots(std::bit_ceil(2 * points.size() + 1));
     const std::size_t mask = slots.size() - 1;
@@ -88,7 +88,7 @@ class Joint {
     }
   }
 
-  /// The vertices. Afterwards vertex_ has the numbers of those points that are first uses.
+  /// The vertices. After this, vertex_ has the numbers of those points that are first uses.
   std::vector<Vertex> number_first_uses() {
     std::vector<std::size_t> next(pieces_.size());
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
@@ -113,7 +113,7 @@ class Joint {
     return vertices;
   }
 
-  /// Numbers the points of a piece that are no first uses, and its triangles.
+  /// Numbers the points of a piece that are not first uses, and its triangles.
   void renumber(std::size_t piece) {
     const std::size_t first = first_[piece];
     for (std::size_t k = first; k < first_[piece + 1]; ++k)

@@ -34,7 +34,7 @@ std::size_t count_vertices(std::span<const Vertex> vertices, const Predicate& pr
       std::plus<>());
 }
 
-/// Notes how many vertices binary STL cannot hold; fails at those that no float is near.
+/// Notes how many vertices binary STL cannot represent; fails at coordinates beyond the range of floats.
 std::vector<std::string> check_floats(std::span<const Vertex> vertices, const std::string& name) {
   if (count_vertices(vertices, is_beyond_floats) > 0) {
     const auto first = std::find_if(vertices.begin(), vertices.end(), is_beyond_floats);
@@ -76,7 +76,7 @@ std::string ply_header(MeshView mesh, const std::string& format) {
   std::string text = "ply\nformat " + format + " 1.0\n";
   text += "element vertex " + std::to_string(mesh.vertices.size()) + "\n";
   for (const char* axis : {"x", "y", "z"}) text += std::string("property double ") + axis + "\n";
-  // Many readers know signed indices only.
+  // Many readers support signed indices only.
   const bool is_signed = mesh.vertices.size() <= std::size_t{1} << 31;
   text += "element face " + std::to_string(mesh.triangles.size()) + "\n";
   text += std::string("property list uchar ") + (is_signed ? "int" : "uint") + " vertex_indices\n";

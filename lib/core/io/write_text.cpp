@@ -9,7 +9,7 @@
 namespace strata::io {
 namespace {
 
-/// No number takes more characters: "-2.2250738585072014e-308" has 24.
+/// The longest number: "-2.2250738585072014e-308" has 24 characters.
 constexpr std::size_t longest_number = 24;
 
 char* append(char* at, std::string_view text) { return std::copy(text.begin(), text.end(), at); }

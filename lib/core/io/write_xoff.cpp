@@ -8,7 +8,7 @@
 namespace strata::io {
 namespace {
 
-/// The first vertex from `v` on that has an exact place.
+/// The first vertex from `v` on that has an exact position.
 auto find_exact(std::span<const ExactVertex> exact, std::size_t v) {
   return std::lower_bound(exact.begin(), exact.end(), v,
                           [](const ExactVertex& e, std::size_t w) { return e.vertex < w; });

@@ -8,10 +8,10 @@
 
 namespace strata::io {
 
-/// Throws IoError for what no format can hold, or no reader would take back: coordinates that are not finite, indices
-/// out of range.
+/// Throws IoError for meshes that no format can represent or no reader would accept: coordinates that are not finite,
+/// indices out of range.
 void check_writable(MeshView mesh, const std::string& name);
-/// The same for exact places: of vertices that are not there, not in order, or beyond the range of doubles.
+/// The same for exact positions: of vertices that do not exist, not in order, or beyond the range of doubles.
 void check_writable(std::span<const ExactVertex> exact, std::size_t vertex_count, const std::string& name);
 
 /// One writer per format. Requires finite coordinates and indices in range.
@@ -25,8 +25,8 @@ void write_ply_binary(MeshView mesh, Sink& sink, bool big_endian);
 /// The header of a PLY file with doubles; `format` is its second word.
 [[nodiscard]] std::string ply_header(MeshView mesh, const std::string& format);
 
-/// Rounds coordinates to floats and says so in a note. Throws IoError when one is beyond the range of floats or there
-/// are more than 2^32 - 1 triangles.
+/// Rounds coordinates to floats and reports this in a note. Throws IoError when one is beyond the range of floats or
+/// there are more than 2^32 - 1 triangles.
 [[nodiscard]] std::vector<std::string> write_stl(MeshView mesh, Sink& sink, const std::string& name);
 
 }  // namespace strata::io

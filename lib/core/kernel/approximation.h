@@ -8,7 +8,8 @@
 
 namespace strata {
 
-/// Named points in a type with error bounds: Bounded for the first look, DoubleDouble for a finer one.
+/// The positions of symbolic points in a type with error bounds: Bounded for the first tier, DoubleDouble for the
+/// second.
 
 template <class Real>
 [[nodiscard]] RealPoint<Real> as(const RealPoint<DoubleDouble>& p) {
@@ -65,7 +66,7 @@ template <class Real>
   const auto p = approximate_vertex<Real>(input, name.id[0]), q = approximate_vertex<Real>(input, name.id[1]);
   const auto plane = approximate_plane<Real>(input, name.id[2]);
   const Real sp = dot<Real>(plane.normal, p - plane.at), sq = dot<Real>(plane.normal, q - plane.at);
-  // From the nearer end: the error is carried over the shorter way.
+  // From the nearer end: the error is multiplied by the smaller distance.
   return std::abs(sp.value) <= std::abs(sq.value) ? along<Real>(p, q, sp / (sp - sq))
                                                   : along<Real>(q, p, sq / (sq - sp));
 }

@@ -6,7 +6,7 @@
 
 namespace strata {
 
-/// An axis-parallel box of points, closed. By default it holds nothing: then lower > upper.
+/// An axis-parallel box of points, closed. The default box is empty: lower > upper.
 struct Box {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> lower{infinity, infinity, infinity}, upper{-infinity, -infinity, -infinity};

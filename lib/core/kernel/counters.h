@@ -23,7 +23,7 @@ inline constexpr std::array<const char*, tier_count> tier_names{
     "by_filter",   "by_names",    "by_steps",     "by_twofold",   "by_128_bits",
     "by_256_bits", "by_512_bits", "by_1024_bits", "by_4096_bits", "by_integers"};
 
-/// Decisions of the process so far; zeros in a build that does not count.
+/// Decisions of the process so far; zeros in a build without counters.
 [[nodiscard]] inline TierCounts tier_counts_now() {
   TierCounts now{};
 #ifdef STRATA_COUNTERS

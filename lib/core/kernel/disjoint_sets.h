@@ -6,8 +6,8 @@
 
 namespace strata {
 
-/// A partition of 0 .. n-1 that only grows coarser. The representative is the smallest member.
-/// Near O(1) per call, by path halving.
+/// A partition of 0 .. n-1 whose sets are only ever merged. The representative is the smallest member. Near O(1) per
+/// call, by path halving.
 template <class Index>
 class DisjointSets {
  public:

@@ -27,8 +27,9 @@ struct PlaneWidth {
 [[nodiscard]] int width_of_value(PlaneWidth plane, PointWidth p);
 [[nodiscard]] int width_of_orientation(PointWidth p, PointWidth q, PointWidth r);
 
-/// The lattice of all input coordinates behind some points, and whether any of them is a rational that is not the sum
-/// of two doubles. Such a sum is less than the power of two above the first, as that is the double nearest to it.
+/// The lattice of all input coordinates on which some points depend, and whether any of these is a rational that is not
+/// the sum of two doubles. Such a sum is less than the power of two above the first double, which is the double nearest
+/// to it.
 class Ground {
  public:
   Ground(const InputComplex& input, std::span<const Point* const> points);
@@ -44,8 +45,9 @@ class Ground {
   bool rational_ = false;
 };
 
-/// Evaluates points and planes in exact integers, in units of the lattice. Integers of a fixed number of bits hold
-/// vertices that are doubles or sums of two; the others hold all, or say that they are lost.
+/// Evaluates points and planes in exact integers, in units of the lattice. Integers of a fixed number of bits represent
+/// vertices that are doubles or sums of two doubles. The other integer types represent all vertices, or report that a
+/// value is lost.
 template <class Int>
 class ExactEvaluation {
   static constexpr bool any_size = std::is_same_v<Int, Integer> || std::is_same_v<Int, LongInt>;
@@ -95,7 +97,7 @@ class ExactEvaluation {
     return {lattice_.integer<Int>(p[0]), lattice_.integer<Int>(p[1]), lattice_.integer<Int>(p[2]), Int(1), true};
   }
 
-  /// p + q, of which every coordinate has the size of p's.
+  /// p + q, where every coordinate of the sum has the magnitude of p's.
   [[nodiscard]] HPoint<Int> on_lattice(const InputComplex::Coordinates& p, const InputComplex::Coordinates& q) const {
     const auto sum = [&](std::size_t i) { return Int(lattice_.integer<Int>(p[i]) + lattice_.integer<Int>(q[i])); };
     return {sum(0), sum(1), sum(2), Int(1), true};
@@ -130,7 +132,7 @@ class ExactEvaluation {
     return p;
   }
 
-  /// Coplanar lines: the first coordinate axis along which they are not seen as parallel gives a plane that cuts.
+  /// Coplanar lines: the first coordinate axis along which their projections are not parallel gives a plane that cuts.
   [[nodiscard]] HPoint<Int> edge_edge(const HPoint<Int>& p, const HPoint<Int>& q, const HPoint<Int>& r,
                                       const HPoint<Int>& s) const {
     HPoint<Int> x;

@@ -8,14 +8,14 @@
 
 namespace strata {
 
-/// Arithmetic on doubles that knows whether it rounded. Coordinates on a common grid, or near each other, have
-/// differences and products of few bits; where no step of a formula rounds, its result is the value itself, and its
-/// sign is right, zero included. core/kernel/theory.md, "Exact steps".
+/// Arithmetic on doubles that detects rounding. Coordinates on a common grid, or near each other, have differences and
+/// products of few bits. If no step of a formula rounds, its result is exact, and its sign is right, zero included.
+/// core/kernel/theory.md, "Exact steps".
 class ExactSteps {
  public:
   using Vector = std::array<double, 3>;
 
-  /// True when no step so far rounded, vanished or overflowed.
+  /// True when no step so far rounded, underflowed or overflowed.
   [[nodiscard]] bool are_exact() const { return exact_; }
 
   [[nodiscard]] double sum(double a, double b) {
@@ -37,8 +37,8 @@ class ExactSteps {
     return {difference(product(u[1], v[2]), product(u[2], v[1])), difference(product(u[2], v[0]), product(u[0], v[2])),
             difference(product(u[0], v[1]), product(u[1], v[0]))};
   }
-  /// Sign of u . v. Products may round here: what that takes from them is a double, too, and is added at the end. The
-  /// last sum may round: that keeps the sign.
+  /// Sign of u . v. Products may round here: their errors are doubles, too, and are added at the end. The last sum may
+  /// round; rounding keeps its sign.
   [[nodiscard]] Sign sign_of_dot(const Vector& u, const Vector& v) {
     const WithRest x = product_with_rest(u[0], v[0]), y = product_with_rest(u[1], v[1]),
                    z = product_with_rest(u[2], v[2]);
@@ -48,16 +48,17 @@ class ExactSteps {
   }
 
  private:
-  /// A rounded value, and what is missing to the exact one.
+  /// A rounded value and its error.
   struct WithRest {
     double value, rest;
   };
-  /// Knuth. Overflow makes the rest NaN.
+  /// Knuth's two-sum. Overflow makes the error NaN.
   static WithRest sum_with_rest(double a, double b) {
     const double s = a + b, b_used = s - a, a_used = s - b_used;
     return {s, (b - b_used) + (a - a_used)};
   }
-  /// The rest is a double unless the product is so small that it may have vanished. Overflow makes it infinite or NaN.
+  /// The error is a double unless the product is so small that the error may underflow. Overflow makes it infinite or
+  /// NaN.
   [[nodiscard]] WithRest product_with_rest(double a, double b) {
     const double p = a * b;
     exact_ &= (std::abs(p) > 0x1p-900) | (a == 0) | (b == 0);

@@ -10,8 +10,8 @@ namespace strata {
 /// A point of a plane, in doubles.
 using PlanePoint = std::array<double, 2>;
 
-/// Turn of three points: 1 counter-clockwise, -1 clockwise, 0 when doubles do not tell. Shewchuk's bound (3 + 16 u) u,
-/// and 2^-1000 for underflow; core/kernel/theory.md, "Filters".
+/// Orientation of three points: 1 counter-clockwise, -1 clockwise, 0 when doubles do not decide. Shewchuk's bound (3 +
+/// 16 u) u, and 2^-1000 for underflow; core/kernel/theory.md, "Filters".
 [[nodiscard]] inline int filtered_orientation(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r) {
   const double left = (q[0] - p[0]) * (r[1] - p[1]), right = (q[1] - p[1]) * (r[0] - p[0]), value = left - right;
   constexpr double factor = (3 + 16 * 0x1p-53) * 0x1p-53;
@@ -25,8 +25,8 @@ using PlanePoint = std::array<double, 2>;
   return (b_used - b) + (a - a_used) == 0;
 }
 
-/// Sign of ab - cd. Rounding is monotone, so different products tell; those that round alike differ in what rounding
-/// took from them. nullopt where that may have vanished or the products overflow.
+/// Sign of ab - cd. Rounding is monotone, so different rounded products decide; equal ones differ in their rounding
+/// errors. nullopt where an error may underflow or the products overflow.
 [[nodiscard]] inline std::optional<Sign> compare_products(double a, double b, double c, double d) {
   const double left = a * b, right = c * d;
   if (left > right) return Sign::positive;
@@ -37,7 +37,7 @@ using PlanePoint = std::array<double, 2>;
   return left_rest == right_rest ? Sign::zero : left_rest > right_rest ? Sign::positive : Sign::negative;
 }
 
-/// Turn of three points, exact: nullopt when coordinates differ by more than doubles hold.
+/// Orientation of three points, exact: nullopt when a difference of coordinates is no double.
 [[nodiscard]] inline std::optional<Sign> orientation_by_differences(const PlanePoint& p, const PlanePoint& q,
                                                                     const PlanePoint& r) {
   std::array<double, 2> u, v;

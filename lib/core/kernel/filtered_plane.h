@@ -6,10 +6,10 @@
 
 namespace strata {
 
-/// The plane through three points, ready for many questions of sides, in doubles. A plane by default is uncertain of
-/// everything.
+/// The plane through three points, in doubles, prepared for many tests of sides. A default plane is uncertain about all
+/// points.
 ///
-/// The value of orient3d(a, b, c, p) by Shewchuk's bound for the determinant of differences, with 2^-1000 of the last
+/// Evaluates orient3d(a, b, c, p) with Shewchuk's bound for the determinant of differences, and 2^-1000 of the last
 /// factors for products that underflow; core/kernel/theory.md, "Filters".
 class FilteredPlane {
  public:
@@ -24,11 +24,11 @@ class FilteredPlane {
     return {a, {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, direction, Spanned()};
   }
 
-  /// 1 above (on the outer side), -1 below, 0 when doubles do not tell.
+  /// 1 above (on the outer side), -1 below, 0 when doubles do not decide.
   [[nodiscard]] int side(const InputComplex::Coordinates& p) const { return side(p, 0); }
 
-  /// The same for a point within bounds: the plane's form changes by its normal, which `magnitude_` bounds from above
-  /// up to rounding and underflow, times how far off the point may be.
+  /// The same for a point within bounds. The plane's linear form changes by at most the error of the point times the
+  /// normal, which `magnitude_` bounds from above up to rounding and underflow.
   [[nodiscard]] int side_within(const BoundedPoint& p) const {
     const double off = magnitude_[0] * p[0].error + magnitude_[1] * p[1].error + magnitude_[2] * p[2].error;
     const double lost = 0x1p-1000 * (p[0].error + p[1].error + p[2].error);

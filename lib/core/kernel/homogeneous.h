@@ -8,7 +8,7 @@ namespace strata {
 
 /// Homogeneous geometry over any ring of exact integers. theory.md, "Widths", bounds every result.
 
-/// The point (x, y, z) / w with w > 0; `unit` tells that w = 1.
+/// The point (x, y, z) / w with w > 0; `unit` means w = 1.
 template <class Int>
 struct HPoint {
   Int x, y, z, w;
@@ -52,20 +52,20 @@ template <class Int>
   return {ni, nj, Int(0), d};
 }
 
-/// Value of a plane's form at a point: its sign is the side.
+/// Value of a plane's linear form at a point: its sign is the side.
 template <class Int>
 [[nodiscard]] Int value_at(const HPlane<Int>& plane, const HPoint<Int>& p) {
   return plane.a * p.x + plane.b * p.y + plane.c * p.z + weighed(plane.d, p);
 }
 
-/// True of a LongInt that did not hold its value, and has no sign.
+/// True for a LongInt that could not represent its value and has no sign.
 template <class Int>
 [[nodiscard]] bool is_lost(const Int& x) {
   if constexpr (std::is_same_v<Int, LongInt>) return x.is_lost();
   return false;
 }
 
-/// A homogeneous point with its weight made positive; w = 0 (no single point) stays, and so does what is lost.
+/// A homogeneous point with positive weight. w = 0 (no single point) and lost values are unchanged.
 template <class Int>
 [[nodiscard]] HPoint<Int> with_positive_weight(Int x, Int y, Int z, Int w) {
   if (!is_lost(w) && sign_of_integer(w) == Sign::negative) return {Int(-x), Int(-y), Int(-z), Int(-w), false};

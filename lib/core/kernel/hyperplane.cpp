@@ -33,7 +33,7 @@ Leading leading(const Integer& x) {
   return r;
 }
 
-/// x * 2^exponent. What is lost to rounding and to underflow is in the bound.
+/// x * 2^exponent. The bound includes rounding and underflow.
 DoubleDouble scaled(const Integer& x, int exponent) {
   constexpr int smallest = -900;
   const Leading top = leading(x);

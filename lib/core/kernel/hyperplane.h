@@ -29,7 +29,7 @@ class Hyperplane {
   /// Within bounds, divided by a power of two: the longest component of n is between 1/2 and 1.
   [[nodiscard]] const std::array<DoubleDouble, D + 1>& fine() const { return fine_; }
   [[nodiscard]] const std::array<Bounded, D + 1>& bounded() const { return bounded_; }
-  /// The axis along which n is longest, as far as doubles tell; n is not zero there.
+  /// The axis along which n is longest, judged in doubles; n is not zero there.
   [[nodiscard]] std::size_t longest_axis() const;
   [[nodiscard]] std::size_t hash() const;
 
@@ -43,14 +43,14 @@ class Hyperplane {
   std::array<Bounded, D + 1> bounded_;
 };
 
-/// A hyperplane as it was given: `is_reversed` when what was given looks to the minus side.
+/// A hyperplane with its given orientation: `is_reversed` when the given normal points to the minus side.
 template <int D>
 struct OrientedHyperplane {
   Hyperplane<D> hyperplane;
   bool is_reversed = false;
 };
 
-/// The hyperplane with these coefficients, and which way they look. Requires n != 0.
+/// The hyperplane with these coefficients, and their orientation. Requires n != 0.
 template <int D>
 [[nodiscard]] OrientedHyperplane<D> oriented_hyperplane(const std::array<Integer, D + 1>& coefficients);
 template <int D>
@@ -60,13 +60,13 @@ template <int D>
 template <int D>
 [[nodiscard]] OrientedHyperplane<D> oriented_hyperplane(const std::array<Rational, D + 1>& coefficients);
 
-/// Through three points, looking to where they are seen counter-clockwise; they must not be collinear.
+/// Through three points, positive where they are seen counter-clockwise; they must not be collinear.
 [[nodiscard]] OrientedHyperplane<3> plane_through(const RationalVector<3>& p, const RationalVector<3>& q,
                                                   const RationalVector<3>& r);
-/// Through two different points, looking to the left of the way from p to q.
+/// Through two different points, positive on the left of the direction from p to q.
 [[nodiscard]] OrientedHyperplane<2> line_through(const RationalVector<2>& p, const RationalVector<2>& q);
 
-/// x_axis = value, looking to larger ones.
+/// x_axis = value, positive for larger values.
 template <int D>
 [[nodiscard]] Hyperplane<D> axis_hyperplane(std::size_t axis, const Rational& value);
 

@@ -14,7 +14,7 @@
 namespace strata {
 namespace {
 
-/// What is orthogonal to all rows: the point where D hyperplanes meet, in homogeneous coordinates, w last.
+/// The vector orthogonal to all rows: the point where D hyperplanes meet, in homogeneous coordinates, w last.
 template <class Number>
 std::array<Number, 2> meet_of_rows(const std::array<std::array<Number, 2>, 1>& r) {
   return {Number(-r[0][1]), r[0][0]};
@@ -51,7 +51,7 @@ Number linear(const Number* form, const Number* x) {
 template <class Number>
 constexpr bool is_exact = std::is_same_v<Number, Integer> || std::is_same_v<Number, LongInt>;
 
-/// Nothing where the integer did not fit.
+/// Nullopt where the integer did not fit.
 template <class Int>
 std::optional<Sign> exact_sign(const Int& x) {
   if (is_lost(x)) return std::nullopt;
@@ -72,7 +72,7 @@ Int value_at(const Hyperplane<D>& plane, const std::array<double, D>& p) {
   return sum;
 }
 
-/// The sign of n / w - x; nothing where integers do not fit.
+/// The sign of n / w - x; nullopt where integers do not fit.
 std::optional<Sign> compared(const LongInt& n, const LongInt& w, double x) {
   const DoubleParts parts(x);
   LongInt product = w * LongInt::shifted(parts.magnitude, std::max(0, parts.exponent), parts.negative);
@@ -81,7 +81,7 @@ std::optional<Sign> compared(const LongInt& n, const LongInt& w, double x) {
   return *difference * *weight;
 }
 
-/// The quotients, or nothing where they are not known to some forty bits.
+/// The quotients, or nullopt where they are not known to some forty bits.
 template <class Number, std::size_t D>
 std::optional<std::array<Bounded, D>> quotients(const std::array<Number, D + 1>& x) {
   std::array<Bounded, D> r;
@@ -100,8 +100,8 @@ std::optional<std::array<Bounded, D>> quotients(const std::array<Number, D + 1>&
   return r;
 }
 
-/// A sum of products of coefficients, computed plainly, and the sum of the sizes of all terms, from which its bound
-/// comes at the end. theory.md, "Hyperplanes".
+/// A sum of products of coefficients, computed without running errors, and the sum of the magnitudes of all terms, from
+/// which its bound is computed at the end. theory.md, "Hyperplanes".
 struct Sized {
   double value = 0, size = 0;
 
@@ -129,7 +129,7 @@ constexpr double bound_of_value(double size, double reach, double error) {
   return size * 0x1p-48 + reach * 0x1p-110 + error * Bounded::slack + 0x1p-990;
 }
 
-/// The side of a point, zero where doubles do not tell.
+/// The side of a point, zero where doubles do not decide.
 template <int D, class Number>
 Sign side_in_doubles(const std::array<double, D + 1>& form, const std::array<Number, D>& p) {
   double value = form[D], size = std::abs(value), reach = 0, error = 0;
@@ -216,8 +216,8 @@ std::optional<std::uint32_t> HyperplaneTable<D>::find(const Hyperplane<D>& hyper
   return std::nullopt;
 }
 
-/// The form of a hyperplane for the near part of a meet, where the frame goes through 0, or for the far part, where all
-/// others do, and the frame is at distance 1.
+/// The linear form of a hyperplane for the near part of a meet, where the frame contains 0, or for the far part, where
+/// all other hyperplanes contain 0 and the frame is at distance 1.
 template <int D>
 template <class Number>
 std::array<Number, D + 1> HyperplaneTable<D>::row(std::uint32_t h, bool is_far) const {

@@ -13,16 +13,16 @@
 
 namespace strata {
 
-/// The place where D hyperplanes of a table meet. What it lies in by name needs no arithmetic.
+/// The position where D hyperplanes of a table meet. It lies in the hyperplanes that name it; this needs no arithmetic.
 ///
-/// Hyperplanes of the frame, x_i = W and x_i = -W, are never far enough away: W is larger than any number. With them
-/// the parts of hyperplanes that are not bounded have corners, too, and need no cases of their own. Source of the idea:
-/// the infimaximal frames of Seel and Mehlhorn.
+/// In hyperplanes of the frame, x_i = W and x_i = -W, W is larger than any number. They give corners to unbounded parts
+/// of hyperplanes, which then need no cases of their own. Source of the idea: the infimaximal frames of Seel and
+/// Mehlhorn 2003.
 template <int D>
 struct HyperplaneMeet {
   std::array<std::uint32_t, D> names{};
   bool is_far = false;          ///< a hyperplane of the frame is among the names
-  std::array<Bounded, D> at{};  ///< the place; when far, the direction in which it lies: its part that grows with W
+  std::array<Bounded, D> at{};  ///< the position; when far, the direction in which it lies: its part that grows with W
 
   /// The coordinates are the doubles, exactly.
   [[nodiscard]] bool is_given() const {
@@ -33,7 +33,7 @@ struct HyperplaneMeet {
   }
 };
 
-/// A place as nearest doubles, and whether rounding them took away (positive) or added (negative) something.
+/// A position as nearest doubles, and the sign of the rounding error: positive where the exact value is larger.
 template <int D>
 struct RoundedPoint {
   std::array<double, D> nearest{};  ///< never -0
@@ -46,23 +46,23 @@ struct RoundedPoint {
   }
 };
 
-/// Hyperplanes by number, each once, and what is decided about them. Every answer is the sign of a determinant of
-/// coefficients of at most D + 1 of them, exact: first in doubles with bounds, then by points that are known to lie
-/// in them, in pairs of doubles, and in integers. core/kernel/theory.md, "Hyperplanes".
+/// Hyperplanes by number, each once, and the decisions about them. Every decision is the exact sign of a determinant of
+/// coefficients of at most D + 1 of them: first in doubles with bounds, then by points that are known to lie in them,
+/// in double-doubles, and in integers. core/kernel/theory.md, "Hyperplanes".
 template <int D>
 class HyperplaneTable {
  public:
   using Point = std::array<double, D>;
 
-  /// The number of a hyperplane, a new one if it is not in the table. O(1) expected.
+  /// The number of a hyperplane, a new number if it is not in the table. O(1) expected.
   std::uint32_t add(Hyperplane<D> hyperplane) {
     return add_shared(std::make_shared<const Hyperplane<D>>(std::move(hyperplane)));
   }
-  /// The same for one of another table, with the points that are noted there. Tables share what they have in common.
+  /// The same for one of another table, with the points that are noted there. Tables share common data.
   std::uint32_t adopt(const HyperplaneTable& other, std::uint32_t h);
 
-  /// Notes a point that lies in a hyperplane, exactly: where `meet` and `side` find the same points noted, they need no
-  /// arithmetic. Some points on each hyperplane are enough; more than a few are left out.
+  /// Records a point that lies in a hyperplane, exactly: where `meet` and `side` find the same points recorded, they
+  /// need no arithmetic. A few points on each hyperplane suffice; further ones are left out.
   void note(std::uint32_t h, const Point& p);
 
   /// Its number, if it is in the table.
@@ -88,22 +88,22 @@ class HyperplaneTable {
   [[nodiscard]] Sign side(std::uint32_t h, const Point& p) const;
   [[nodiscard]] Sign side(std::uint32_t h, const RationalVector<D>& p) const;
 
-  /// A form in doubles, for many points: where the value of |form| at rounded coordinates, in any order of summation,
-  /// is larger than the bound, its sign is the side. `largest` are the largest sizes and errors of their coordinates.
+  /// A linear form in doubles, for many points: where |form| at rounded coordinates, in any order of summation, is
+  /// larger than the bound, its sign is the side. `largest` are the largest magnitudes and errors of their coordinates.
   struct FormWithin {
     std::array<double, D + 1> form{};
     double bound = 0;
   };
   [[nodiscard]] FormWithin form_within(std::uint32_t h, const std::array<Bounded, D>& largest) const;
 
-  /// The place of a corner that is not far.
+  /// The exact position of a corner that is not far.
   [[nodiscard]] RationalVector<D> position(const HyperplaneMeet<D>& corner) const;
-  /// Where hyperplanes meet that meet in one point.
+  /// The exact position of the common point of hyperplanes that meet in one point.
   [[nodiscard]] RationalVector<D> position(const std::array<std::uint32_t, D>& names) const;
-  /// The place of a corner that is not far, rounded; several times as fast as its position.
+  /// The rounded position of a corner that is not far; several times as fast as `position`.
   [[nodiscard]] RoundedPoint<D> rounded(const HyperplaneMeet<D>& corner) const;
 
-  /// Bytes held, roughly.
+  /// Bytes used, approximately.
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -115,20 +115,20 @@ class HyperplaneTable {
 
   std::uint32_t add_shared(Shared hyperplane);
   [[nodiscard]] bool is_noted(std::uint32_t h, const Point& p) const;
-  /// A point that is noted on all of these; nothing for names of the frame.
+  /// A point that is noted on all of these; nullopt for hyperplanes of the frame.
   [[nodiscard]] std::optional<Point> noted_on_all(const std::array<std::uint32_t, D>& names) const;
-  /// True when noted points tell that a corner lies in a hyperplane.
+  /// True when noted points show that a corner lies in a hyperplane.
   [[nodiscard]] bool lies_in(std::uint32_t h, const HyperplaneMeet<D>& corner) const;
 
   template <class Number>
   [[nodiscard]] std::array<Number, D + 1> row(std::uint32_t h, bool is_far) const;
-  /// Homogeneous coordinates, w last, of the near or the far part of a meet: the place is (near + W far) / w.
+  /// Homogeneous coordinates, w last, of the near or the far part of a meet: the position is (near + W far) / w.
   template <class Number>
   [[nodiscard]] std::array<Number, D + 1> part(const std::array<std::uint32_t, D>& names, bool is_far) const;
   [[nodiscard]] Sign side_beyond_doubles(std::uint32_t h, const HyperplaneMeet<D>& corner) const;
   [[nodiscard]] Sign exact_side(std::uint32_t h, const HyperplaneMeet<D>& corner) const;
   [[nodiscard]] Sign exact_side(std::uint32_t h, const Point& p) const;
-  /// Nothing where integers of this type do not fit.
+  /// Nullopt where integers of this type do not fit.
   template <class Int>
   [[nodiscard]] std::optional<Sign> exact_side_of_meet(std::uint32_t h, const HyperplaneMeet<D>& corner) const;
 

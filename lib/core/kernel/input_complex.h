@@ -14,7 +14,7 @@
 
 namespace strata {
 
-/// A vertex that is not where its doubles say: at a rational place, or where planes meet.
+/// A vertex whose position is not its doubles: it is rational, or the intersection of planes.
 struct PlacedVertex {
   std::uint32_t vertex = 0;
   const RationalPoint* rational = nullptr;
@@ -26,8 +26,8 @@ struct VertexPosition {
   const std::array<double, 3>* nearest = nullptr;  ///< the doubles nearest to it
   const RationalPoint* rational = nullptr;
   const MeetOfPlanes* meet = nullptr;
-  /// What a rational vertex has beyond its doubles, where that is three doubles again: the vertex is the sum of both.
-  /// Sums and halves of doubles are such vertices. Otherwise null.
+  /// The rounding error of a rational vertex, where it consists of three doubles: the vertex is the sum of `nearest`
+  /// and this. Sums and halves of doubles are such vertices. Otherwise null.
   const std::array<double, 3>* remainder = nullptr;
   /// The rational over the least common denominator, if there is no remainder.
   const HPoint<Integer>* homogeneous = nullptr;
@@ -59,14 +59,15 @@ class InputComplex {
   void add(std::span<const Coordinates> points, std::span<const Indices> faces, std::span<const ExactVertex> exact = {},
            const std::optional<Box>& bounds = {});
 
-  /// The same for an operand made from planes: `placed` lists the vertices that are not doubles, by increasing index;
-  /// `planes` holds the plane that each face is a part of, or null where its own corners, which are doubles then, tell.
+  /// The same for an operand with source planes: `placed` lists the vertices that are not doubles, by increasing index.
+  /// `planes` has the source plane of each face, or null where the plane is the one through its corners, which are
+  /// doubles then.
   void add(std::span<const Coordinates> points, std::span<const Indices> faces, std::span<const PlacedVertex> placed,
            std::span<const SourcePlane* const> planes, const Box& bounds);
 
-  /// Vertices at one place, as pairs: from now on faces name the lowest of them. Vertices keep their coordinates.
+  /// Identifies pairs of coincident vertices: after this, `face` returns the lowest of them. Coordinates do not change.
   void identify(std::span<const std::pair<std::uint32_t, std::uint32_t>> equal);
-  /// The vertex that stands for this one in `face`.
+  /// The vertex that represents this one in `face`.
   [[nodiscard]] std::uint32_t identified(std::uint32_t vertex) const { return same_.empty() ? vertex : same_[vertex]; }
   [[nodiscard]] bool has_identified() const { return !same_.empty(); }
   /// True when other vertices were identified with this one.
@@ -83,7 +84,7 @@ class InputComplex {
   }
   [[nodiscard]] std::span<const Coordinates> points(std::uint32_t operand) const { return blocks_[operand].points; }
   [[nodiscard]] std::span<const Indices> faces(std::uint32_t operand) const { return blocks_[operand].faces; }
-  /// The box that was given with an operand, or null.
+  /// The box that was passed with an operand, or null.
   [[nodiscard]] const Box* bounds(std::uint32_t operand) const {
     const auto& b = blocks_[operand].bounds;
     return b ? &*b : nullptr;
@@ -107,7 +108,7 @@ class InputComplex {
   [[nodiscard]] VertexPosition place(std::uint32_t vertex) const {
     return has_rationals_ ? listed_place(vertex) : VertexPosition{&this->vertex(vertex)};
   }
-  /// True when a vertex is where its doubles say.
+  /// True when the position of a vertex is its doubles.
   [[nodiscard]] bool has_doubles(std::uint32_t vertex) const {
     if (!has_rationals_) return true;
     const Block& b = blocks_[find<true>(vertex)];
@@ -116,23 +117,23 @@ class InputComplex {
   [[nodiscard]] bool has_doubles(const Indices& v) const {
     return !has_rationals_ || (has_doubles(v[0]) && has_doubles(v[1]) && has_doubles(v[2]));
   }
-  /// The rational place of a vertex, or null when that is given by doubles or planes.
+  /// The rational position of a vertex, or null when it is given by doubles or planes.
   [[nodiscard]] const RationalPoint* exact(std::uint32_t vertex) const {
     return has_rationals_ ? place(vertex).rational : nullptr;
   }
-  /// The planes that meet in a vertex, or null when that is given by doubles or rationals.
+  /// The planes that meet in a vertex, or null when it is given by doubles or rationals.
   [[nodiscard]] const MeetOfPlanes* meet(std::uint32_t vertex) const {
     return has_rationals_ ? place(vertex).meet : nullptr;
   }
-  /// The plane that a face is a part of, or null when that is the one through its corners.
+  /// The source plane of a face, or null when it is the plane through its corners.
   [[nodiscard]] const SourcePlane* source_plane(std::uint32_t face) const {
     if (!has_planes_) return nullptr;
     const Block& b = blocks_[find<false>(face)];
     return b.planes.empty() ? nullptr : b.planes[face - b.first_face];
   }
-  /// True when any face is a part of a known plane.
+  /// True when any face has a source plane.
   [[nodiscard]] bool has_planes() const { return has_planes_; }
-  /// True when any vertex is not where its doubles say.
+  /// True when any vertex is not given by its doubles.
   [[nodiscard]] bool has_rationals() const { return has_rationals_; }
 
  private:
@@ -140,7 +141,7 @@ class InputComplex {
   /// Vertices that are not doubles.
   struct Listing {
     std::vector<std::uint32_t> place;  ///< in `exact` or `placed`, or none, per vertex
-    std::vector<std::variant<std::monostate, Coordinates, HPoint<Integer>>> form;  ///< per place: see VertexPosition
+    std::vector<std::variant<std::monostate, Coordinates, HPoint<Integer>>> form;  ///< per entry: see VertexPosition
   };
   template <class Listed>
   static std::shared_ptr<const Listing> listing_of(std::span<const Coordinates> points, std::span<const Listed> listed);
@@ -170,7 +171,8 @@ class InputComplex {
   }
 
   std::vector<Block> blocks_;
-  /// Operands at every 2^stride-th number: where a search starts. Closer together when there are many small operands.
+  /// Operands at every 2^stride-th number: where a search starts. The distance is smaller when there are many small
+  /// operands.
   int stride_ = 6;
   std::vector<std::uint32_t> operand_at_vertex_, operand_at_face_;
   std::vector<std::uint32_t> same_;  ///< per vertex, if any are identified

@@ -39,7 +39,7 @@ void KnownPlanes::add(const SourcePlane* plane) {
   if (plane != nullptr && count_ < planes_.size()) planes_[count_++] = plane;
 }
 
-/// Planes in which both ends are.
+/// Adds the planes that contain both ends.
 void KnownPlanes::add_edge(std::uint32_t a, std::uint32_t b) {
   const MeetOfPlanes *at_a = input_.meet(a), *at_b = input_.meet(b);
   if (at_a == nullptr || at_b == nullptr) return;

@@ -7,8 +7,8 @@
 
 namespace strata {
 
-/// Source planes that a point is known to lie in, as far as its name and its input complex tell: facts, but not all of
-/// them.
+/// Source planes that contain a point, as its name and its defining features show. They are certain, but may not be
+/// all.
 class KnownPlanes {
  public:
   KnownPlanes(const InputComplex& input, const Point& p);

@@ -4,7 +4,7 @@
 
 namespace strata {
 
-/// The nearest double, and the nearest one to what is left.
+/// The nearest double, and the double nearest to the rounding error.
 [[nodiscard]] inline DoubleDouble nearest_double_double(const Rational& x) {
   const double value = to_nearest_double(x);
   if (!std::isfinite(value)) return {value, 0, HUGE_VAL};

@@ -14,8 +14,8 @@ namespace {
 
 bool has(const InputComplex::Indices& v, std::uint32_t x) { return v[0] == x || v[1] == x || v[2] == x; }
 
-/// Wide bounds make every later decision dear: bounds beyond 2^-49 of the largest coordinate are made narrower. So are
-/// overflows, whose infinite bounds no later decision could use.
+/// True if the bounds are below 2^-49 of the largest coordinate. Wide bounds make every later decision expensive, so
+/// they are replaced by narrower ones. So are infinite bounds after overflow, which no later decision could use.
 bool is_tight(const BoundedPoint& p) {
   const double size = std::max({std::abs(p[0].value), std::abs(p[1].value), std::abs(p[2].value), 0x1p-900});
   for (const Bounded& x : p)
@@ -23,8 +23,8 @@ bool is_tight(const BoundedPoint& p) {
   return true;
 }
 
-/// Coordinates of a point that its input complex agree in: what all vertices of an edge or face have in common is what
-/// all points there have, exactly. Of vertices that are doubles, or sums of two.
+/// Coordinates that all vertices of an edge or face have in common: all points there have them, exactly. For vertices
+/// that are doubles or sums of two doubles.
 class CommonCoordinates {
  public:
   CommonCoordinates(const InputComplex& input, const SymbolicPoint& name) : input_(input) {
@@ -85,7 +85,7 @@ class CommonCoordinates {
   RealPoint<DoubleDouble> value_{};
 };
 
-/// A point in units of a lattice: by long integers if these hold it.
+/// A point in units of a lattice: in long integers if they can represent it.
 HPoint<Integer> exact_in_units(const InputComplex& input, const Lattice& lattice, const Point& point) {
   const HPoint<LongInt> p = ExactEvaluation<LongInt>(input, lattice).point(point);
   if (p.x.is_lost() || p.y.is_lost() || p.z.is_lost() || p.w.is_lost())

@@ -11,8 +11,8 @@
 
 namespace strata {
 
-/// The name of a point: the input features that meet in it. Equal names are equal points. Different names may be
-/// equal points too (four planes through one point); `equal` decides that exactly.
+/// The name of a point: the input features that meet in it, its defining features. Equal names are equal points.
+/// Different names may be equal points too (four planes through one point); `equal` decides that exactly.
 ///
 /// | kind        | ids                | the point                                                        |
 /// |-------------|--------------------|------------------------------------------------------------------|
@@ -49,11 +49,12 @@ struct SymbolicPoint {
   friend auto operator<=>(const SymbolicPoint&, const SymbolicPoint&) = default;
 };
 
-/// A point with a name and bounded approximations of its coordinates. The name decides, the bounds make it quick.
+/// A point with a name and bounded approximations of its coordinates. The name determines the point; the bounds make
+/// most decisions fast.
 struct Point {
   SymbolicPoint name;
-  BoundedPoint at;               ///< for a first look
-  RealPoint<DoubleDouble> fine;  ///< for a second one
+  BoundedPoint at;               ///< for the first tier
+  RealPoint<DoubleDouble> fine;  ///< for the second tier
 
   /// A point at given doubles.
   static Point free(const InputComplex::Coordinates& p) {
@@ -61,24 +62,24 @@ struct Point {
   }
 };
 
-/// True when the name itself says that the point lies in the plane of face f, whose vertices are v.
+/// True when the name shows that the point lies in the plane of face f, whose vertices are v.
 [[nodiscard]] bool named_on_face(const SymbolicPoint& name, std::uint32_t f, const InputComplex::Indices& v);
 
-/// True when the name itself says that the point lies on the line through the vertices a and b.
+/// True when the name shows that the point lies on the line through the vertices a and b.
 [[nodiscard]] bool named_on_edge(const SymbolicPoint& name, std::uint32_t a, std::uint32_t b);
 
-/// True when the names themselves say that the point lies on the line through two other points: all are on one edge, or
-/// in the same two of the planes that make it. O(1).
+/// True when the names show that the point lies on the line through two other points: all are on one edge, or in the
+/// same two of the planes that define it. O(1).
 [[nodiscard]] bool named_on_line(const InputComplex& input, const SymbolicPoint& name, const SymbolicPoint& p,
                                  const SymbolicPoint& q);
 
-/// Approximates the named point. Its coordinates are within the bounds, which are about an ulp wide. Where input
-/// complex meet at an angle so small that doubles in pairs do not reach this, they are found from the exact place.
-/// Requires a kind other than free whose input complex do meet in one point. O(1), with rationals in the ill-posed
-/// case.
+/// Approximates the symbolic point. Its coordinates are within the bounds, which are about an ulp wide. Where the
+/// defining features meet at an angle so small that double-doubles do not reach this, the coordinates are computed from
+/// the exact position. Requires a kind other than free, and defining features that meet in one point. O(1), with
+/// rationals in the ill-conditioned case.
 [[nodiscard]] Point make_point(const InputComplex& input, const SymbolicPoint& name);
 
-/// The exact place of a point. O(1) rational operations.
+/// The exact position of a point. O(1) rational operations.
 [[nodiscard]] RationalPoint exact_position(const InputComplex& input, const Point& point);
 
 /// The double nearest to each exact coordinate, ties to even.

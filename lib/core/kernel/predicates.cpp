@@ -18,7 +18,7 @@
 namespace strata {
 namespace {
 
-/// Sign of an integer of any size, `ask(null)` of a type: LongInt where that holds it, Integer otherwise.
+/// Sign of an integer of any size; `ask(null)` evaluates it in a type: LongInt where the value fits, Integer otherwise.
 template <class Ask>
 Sign sign_of_any_size(Tier tier, const Ask& ask) {
   const LongInt value = ask(static_cast<const LongInt*>(nullptr));
@@ -26,7 +26,7 @@ Sign sign_of_any_size(Tier tier, const Ask& ask) {
   return value.is_lost() ? sign_of_integer(Integer(ask(static_cast<const Integer*>(nullptr)))) : value.sign();
 }
 
-/// Sign of an integer, `ask(null)` of the least type that has `bits` bits.
+/// Sign of an integer; `ask(null)` evaluates it in the smallest type with `bits` bits.
 template <class Ask>
 Sign sign_in_bits(int bits, const Ask& ask) {
   const auto sign = [&]<class Int>(Tier tier, const Int* type) {
@@ -41,8 +41,8 @@ Sign sign_in_bits(int bits, const Ask& ask) {
 /// Bits for a value of `width` bits and its sign, from integers of a lattice, which are shifted in limbs.
 int bits_for(int width, const Lattice& lattice) { return std::max(width + 1, lattice.bits() + 65); }
 
-/// Asks a question of exact integers that are wide enough. `width(b)` says how many bits it takes on a lattice of b
-/// bits; one more holds the sign.
+/// Evaluates a sign in exact integers that are wide enough. `width(b)` is the number of bits on a lattice of b bits;
+/// one more holds the sign.
 template <class Width, class Question>
 Sign decide(const InputComplex& input, std::initializer_list<const Point*> points, const Width& width,
             const Question& question) {
@@ -75,7 +75,7 @@ Real side_of(const ApproximatePlane<Real>& plane, const RealPoint<Real>& p) {
 
 Point input_point(const InputComplex& input, std::uint32_t v) { return make_point(input, SymbolicPoint::input(v)); }
 
-/// FilteredPlane, and the zeros that doubles show.
+/// FilteredPlane, and structural zeros of doubles.
 std::optional<Sign> filtered_orient3d(const InputComplex::Coordinates& a, const InputComplex::Coordinates& b,
                                       const InputComplex::Coordinates& c, const InputComplex::Coordinates& d) {
   if (const int side = FilteredPlane(a, b, c).side(d); side != 0) return side > 0 ? Sign::positive : Sign::negative;
@@ -91,7 +91,7 @@ std::optional<Sign> stepwise_orient3d(const InputComplex::Coordinates& a, const 
   return sign;
 }
 
-/// filtered_orientation, and the zeros that doubles show.
+/// filtered_orientation, and structural zeros of doubles.
 std::optional<Sign> orientation_in_doubles(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r) {
   if (const int orientation = filtered_orientation(p, q, r); orientation != 0) return static_cast<Sign>(orientation);
   if (show_common_line(p, q, r)) return Sign::zero;
@@ -105,9 +105,9 @@ std::optional<Sign> differing(const PlanePoint& p, const PlanePoint& q, const Pl
   return sign;
 }
 
-/// Each product is off by a relative 3u + 3u^2 at most, each difference by u, the sum of n of them by n u more; the
-/// constant is twice that and leaves room for rounding the magnitude. Products that vanish are off by 2^-1075, which is
-/// far below the bound where magnitudes reach 2^-900.
+/// Each product has a relative error of at most 3u + 3u^2, each difference of u; the sum of n of them adds n u. The
+/// constant is twice that and leaves room for rounding the magnitude. Products that underflow are off by 2^-1075, which
+/// is far below the bound where magnitudes reach 2^-900.
 std::optional<Sign> filtered_area(std::span<const PlanePoint> polygon) {
   const auto [x, y] = polygon[0];
   double value = 0, magnitude = 0;
@@ -135,7 +135,7 @@ PlanePoint seen(Projection axes, const Point& p) {
 
 bool is_exact(const Point& p) { return p.at[0].error == 0 && p.at[1].error == 0 && p.at[2].error == 0; }
 
-/// What is left when doubles do not decide: sums of two of them, then integers.
+/// The tiers after doubles: double-doubles, then integers.
 Sign refined_orient3d(const InputComplex& input, const Point& p, const Point& q, const Point& r, const Point& s) {
   if (show_common_plane(p.fine, q.fine, r.fine, s.fine)) {
     count(Tier::double_double);
@@ -280,7 +280,7 @@ std::optional<Sign> refined_orient2d(Projection projection, const Point& p, cons
 }
 
 Sign exact_orient2d(const InputComplex& input, Projection projection, const Point& p, const Point& q, const Point& r) {
-  // Where the coordinates that count are doubles, it does not matter what carries the point.
+  // Where the relevant coordinates are doubles, the defining features of the point do not matter.
   const auto simplest = [&](const Point& x) {
     if (!is_exact_in(projection, x)) return x;
     InputComplex::Coordinates flat{};

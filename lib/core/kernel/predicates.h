@@ -13,12 +13,12 @@
 
 namespace strata {
 
-/// All decisions of the engine. Each is exact for every finite input, at any scale, in five tiers: running errors in
-/// doubles; zeros that follow from names; running errors in doubles in pairs; integers of fixed width on the lattice of
+/// All decisions of the engine. Each is exact for every finite input, at any scale. The tiers are: running errors in
+/// doubles; zeros that follow from names; running errors in double-doubles; integers of fixed width on the lattice of
 /// the coordinates concerned; unbounded integers. Degrees, widths and bounds: theory.md. O(1); thread-safe.
 
-/// Two coordinate axes in which a plane is seen without being foreshortened to a line, in the order that shows a
-/// given face counter-clockwise.
+/// Two coordinate axes along which a plane projects without degenerating to a line, in the order in which a given face
+/// is counter-clockwise.
 struct Projection {
   int u = 0;
   int v = 1;
@@ -30,11 +30,11 @@ struct Projection {
 /// Source: Shewchuk 1997 (his sign is the opposite).
 [[nodiscard]] Sign orient3d(const InputComplex& input, const Point& p, const Point& q, const Point& r, const Point& s);
 
-/// The same for four input vertices: the engine's most frequent question.
+/// The same for four input vertices. This is the most frequent decision of the engine.
 [[nodiscard]] Sign orient3d(const InputComplex& input, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                             std::uint32_t d);
 
-/// The same for doubles that are nobody's vertices.
+/// The same for points given by their doubles, without an input complex.
 [[nodiscard]] Sign orient3d(const InputComplex::Coordinates& a, const InputComplex::Coordinates& b,
                             const InputComplex::Coordinates& c, const InputComplex::Coordinates& d);
 
@@ -45,21 +45,21 @@ struct Projection {
 /// Side of p relative to the plane of a face: positive on its outer side.
 [[nodiscard]] Sign side_of_face(const InputComplex& input, std::uint32_t face, const Point& p);
 
-/// Its first tier and names alone: nullopt when these do not decide.
+/// The first tier and names alone: nullopt when these do not decide.
 [[nodiscard]] std::optional<Sign> filtered_side_of_face(const InputComplex& input, std::uint32_t face, const Point& p);
 
-/// Turn of p, q, r in the projection: positive when counter-clockwise; zero: collinear there.
+/// Orientation of p, q, r in the projection: positive when counter-clockwise; zero when collinear there.
 [[nodiscard]] Sign orient2d(const InputComplex& input, Projection projection, const Point& p, const Point& q,
                             const Point& r);
 
-/// The same for doubles that are nobody's vertices.
+/// The same for points given by their doubles, without an input complex.
 [[nodiscard]] Sign orient2d(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 
 /// The first tier of orient2d alone: nullopt when running errors do not decide.
 [[nodiscard]] std::optional<Sign> filtered_orient2d(Projection projection, const Point& p, const Point& q,
                                                     const Point& r);
 
-/// The second tier of orient2d alone, by doubles in pairs and exact differences: nullopt when it does not decide.
+/// The second tier of orient2d alone, by double-doubles and exact differences: nullopt when it does not decide.
 [[nodiscard]] std::optional<Sign> refined_orient2d(Projection projection, const Point& p, const Point& q,
                                                    const Point& r);
 
@@ -70,7 +70,7 @@ struct Projection {
 /// Sign of p[axis] - q[axis].
 [[nodiscard]] Sign compare(const InputComplex& input, int axis, const Point& p, const Point& q);
 
-/// Same place.
+/// True when both points have the same position.
 [[nodiscard]] bool equal(const InputComplex& input, const Point& p, const Point& q);
 
 /// Sign of one component of the outward normal (b-a)x(c-a) of a face.
@@ -82,9 +82,8 @@ struct Projection {
 /// A projection for the plane of a face. Requires a face of positive area.
 [[nodiscard]] Projection projection_of(const InputComplex& input, std::uint32_t face);
 
-/// Sign of the area that a closed polygon of doubles in the plane encloses, every part as often as the polygon goes
-/// round it: positive when counter-clockwise. Laws: turning the polygon around negates the sign, another start keeps
-/// it. O(n).
+/// Sign of the area of a closed polygon of doubles in the plane, every part counted with its winding number: positive
+/// when counter-clockwise. Laws: reversing the polygon negates the sign; another start does not change it. O(n).
 [[nodiscard]] Sign area_sign(std::span<const PlanePoint> polygon);
 
 /// True when the three vertices of a face are collinear.

@@ -10,8 +10,8 @@
 namespace strata {
 namespace {
 
-/// A plane through vertices that were constructed gets back the small integers of the one that they come from. Small
-/// planes are not worth the search for a factor.
+/// A plane through constructed vertices gets back the small integers of the plane from which they come. Small planes
+/// are not worth the search for a factor.
 void divide_by_common_factor(HPlane<Integer>& p) {
   constexpr unsigned large = 300;
   if (bit_length(abs(p.d) + abs(p.a) + abs(p.b) + abs(p.c)) <= large) return;

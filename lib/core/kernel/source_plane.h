@@ -10,14 +10,14 @@
 
 namespace strata {
 
-/// The oriented plane of a face as the face was first given. Parts of the face, however small and whatever their
-/// vertices are by then, keep it, so what is constructed from planes stays of bounded size through any number of steps.
+/// The oriented plane of a face as it was first given. All parts of the face keep it, however small they are and
+/// whatever their vertices are. So constructions from planes stay of bounded size through any number of steps.
 class SourcePlane {
  public:
   /// Through three points in units of 2^unit; `at` is the first of them. Requires that they are not collinear.
   SourcePlane(const HPlane<Integer>& plane, int unit, const RealPoint<DoubleDouble>& at);
 
-  /// The same plane, looking the other way.
+  /// The same plane with the opposite orientation.
   [[nodiscard]] SourcePlane turned() const;
 
   /// a x + b y + c z + d, positive on the outer side, in integers that are not all even.
@@ -37,13 +37,13 @@ class SourcePlane {
 
 /// True when the normals of two planes are parallel, of whatever direction.
 [[nodiscard]] bool are_parallel(const SourcePlane& p, const SourcePlane& q);
-/// True when parallel planes look the same way.
+/// True when parallel planes have the same orientation.
 [[nodiscard]] bool have_same_direction(const SourcePlane& p, const SourcePlane& q);
 /// True when three planes meet in exactly one point.
 [[nodiscard]] bool are_independent(const SourcePlane& p, const SourcePlane& q, const SourcePlane& r);
 
-/// The place where three planes meet, which are independent. Its integers have the size of determinants of theirs,
-/// whatever the planes were made for.
+/// The intersection point of three independent planes. Its integers have the size of determinants of the coefficients
+/// of the planes, whatever the history of the planes is.
 struct MeetOfPlanes {
   std::array<const SourcePlane*, 3> planes{};
   RealPoint<DoubleDouble> at;  ///< values are the nearest doubles
@@ -51,10 +51,11 @@ struct MeetOfPlanes {
   [[nodiscard]] HPoint<Integer> exact() const;
 };
 
-/// Finds the coordinates: in doubles in pairs, and where these do not tell the nearest doubles, from the exact place.
+/// Computes the coordinates: in double-doubles, and where these do not determine the nearest doubles, from the exact
+/// position.
 [[nodiscard]] MeetOfPlanes meet_of(const SourcePlane& p, const SourcePlane& q, const SourcePlane& r);
 
-/// The doubles that are the place of a point, if it has such.
+/// The position as doubles, if it is exactly that.
 [[nodiscard]] std::optional<std::array<double, 3>> exact_doubles(const MeetOfPlanes& meet);
 
 }  // namespace strata

@@ -4,10 +4,11 @@
 
 #include "core/exact/double_double.h"
 
-/// Zeros of orient3d and orient2d that equal coordinates show; theory.md, "Zeros without integers".
+/// Structural zeros: zeros of orient3d and orient2d that follow from equal coordinates; theory.md, "Zeros without
+/// integers".
 namespace strata {
 
-/// Certainly equal: doubles, or sums of two that are no more than these.
+/// Certainly equal: equal doubles, or equal double-doubles without an error.
 [[nodiscard]] inline bool is_same(double a, double b) { return a == b; }
 [[nodiscard]] inline bool is_same(const DoubleDouble& a, const DoubleDouble& b) {
   return a.value == b.value && a.low == b.low && a.error == 0 && b.error == 0;
@@ -25,7 +26,8 @@ template <class Real>
   return is_same(a[u], b[u]) && is_same(a[v], b[v]) && is_same(c[u], d[u]) && is_same(c[v], d[v]);
 }
 
-/// True for equal points, planes across an axis, and planes along one that show it in two edges.
+/// True when equal coordinates show that the four points are coplanar: two points are equal, all four lie in a plane
+/// perpendicular to an axis, or two pairs of points span lines parallel to the same axis.
 template <class Real>
 [[nodiscard]] bool show_common_plane(const std::array<Real, 3>& a, const std::array<Real, 3>& b,
                                      const std::array<Real, 3>& c, const std::array<Real, 3>& d) {
@@ -36,7 +38,8 @@ template <class Real>
   return is_same(a, d) || is_same(b, d) || is_same(c, d) || is_same(a, c) || is_same(b, c) || is_same(a, b);
 }
 
-/// True when both products of the turn vanish, or two points are equal.
+/// True when equal coordinates show that the three points are collinear: both products of the determinant vanish, or
+/// two points are equal.
 template <class Real>
 [[nodiscard]] bool show_common_line(const std::array<Real, 2>& p, const std::array<Real, 2>& q,
                                     const std::array<Real, 2>& r) {

@@ -13,7 +13,7 @@ namespace {
 
 using namespace facets;
 
-/// Keeps two axes so that a plane's normal, whose first coefficient that is not zero is positive, faces the viewer.
+/// Keeps two axes, such that a plane's normal, whose first nonzero coefficient is positive, points towards the viewer.
 Projection projection_of(const Coefficients& plane) {
   int dropped = 0;
   while (plane[dropped] == 0) ++dropped;
@@ -31,8 +31,8 @@ bool is_one_triangle(const PointTable& points, Projection axes, const Chain& cha
          orientation(points, axes, chain[0].low, chain[0].high, chain[1].high) != 0;
 }
 
-/// What the facets of one plane cover, in the end. Facets of one facing do not overlap in the boundary of a solid;
-/// where both facings are present they may, and what both cover cancels.
+/// The regions that the facets of one plane cover. Facets of one orientation do not overlap in the boundary of a solid.
+/// Facets of opposite orientations may overlap; the common part cancels.
 std::vector<Region> regions_in_plane(PointTable& points, Projection axes, const PlaneFacets& facets) {
   Chain chain = net_chain(points, facets.sides);
   const bool mixed = facets.has_front && facets.has_back;
@@ -57,7 +57,7 @@ CanonicalPlane oriented(const Coefficients& plane, Facing facing) {
   return result;
 }
 
-/// Adds the loops of one plane, for each facing, to the form; vertices are still names in the table.
+/// Adds the boundary loops of one plane, for each orientation, to the form. Vertices are still names in the table.
 void add_facets(PointTable& points, const PlaneFacets& facets, CanonicalForm& form) {
   const Projection axes = projection_of(facets.plane);
   std::vector<std::vector<std::uint32_t>> loops[2];
@@ -71,7 +71,7 @@ void add_facets(PointTable& points, const PlaneFacets& facets, CanonicalForm& fo
   }
 }
 
-/// Numbers the points that loops use in lexicographic order, and stores them as the vertices of the form.
+/// Numbers the points of the loops in lexicographic order, and stores them as the vertices of the form.
 void number_vertices(const PointTable& points, CanonicalForm& form) {
   std::vector<std::uint32_t> used;
   for (const CanonicalFacets& facets : form.planes) {

@@ -1,4 +1,4 @@
-// What can be asked of a canonical form: equality, counts, text.
+// Queries of a canonical form: equality, counts, text.
 #include <algorithm>
 #include <utility>
 
@@ -7,7 +7,7 @@
 namespace strata {
 namespace {
 
-/// Turn at b as seen from outside the plane.
+/// Orientation of a, b, c as seen from outside the plane.
 int orientation(const CanonicalPlane& plane, const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
   int dropped = 0;
   while (dropped < 3 && plane.coefficients[dropped] == 0) ++dropped;
@@ -16,7 +16,7 @@ int orientation(const CanonicalPlane& plane, const RationalPoint& a, const Ratio
   return plane.coefficients[dropped].sign() * determinant.sign();
 }
 
-/// A loop has the facet inside it when it turns left each time it passes its smallest vertex, which is extreme.
+/// A loop is an outer one when it is counter-clockwise at its smallest vertex, which is extreme.
 bool is_outer(const CanonicalForm& form, const CanonicalPlane& plane, const std::vector<std::uint32_t>& loop) {
   for (std::size_t i = 0; i < loop.size(); ++i) {
     if (loop[i] != loop.front()) continue;
@@ -71,7 +71,7 @@ std::string CanonicalForm::text() const {
   return text;
 }
 
-/// FNV-1a over the text, which is complete.
+/// FNV-1a over the text, which determines the form.
 std::uint64_t CanonicalForm::hash() const {
   std::uint64_t h = 0xCBF29CE484222325U;
   for (const char c : text()) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001B3U;

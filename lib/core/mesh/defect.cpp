@@ -13,7 +13,7 @@ std::string shortest(double x) {
   return {buffer, end};
 }
 
-/// What refuses the mesh before what was resolved.
+/// Defects for which the mesh is refused first, then those that were resolved.
 std::vector<Defect>& errors_first(std::vector<Defect>& defects) {
   std::stable_partition(defects.begin(), defects.end(), [](const Defect& d) { return d.severity == Severity::error; });
   return defects;

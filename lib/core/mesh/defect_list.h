@@ -15,14 +15,14 @@ class DefectList {
   DefectList(DefectKind kind, Severity severity, std::string remedy)
       : kind_(kind), severity_(severity), remedy_(std::move(remedy)) {}
 
-  /// `message` is called for the defects that are kept only.
+  /// `message` is called only for the defects that are kept.
   template <class Message>
   void add(std::optional<Vertex> where, std::vector<std::uint32_t> faces, Message message) {
     if (++count_ > kept) return;
     defects_.push_back({kind_, severity_, where, std::move(faces), 1, message(), remedy_});
   }
 
-  /// Moves what was kept to the end of a list, each with the count of all.
+  /// Moves the kept defects to the end of a list, each with the total count.
   void append_to(std::vector<Defect>& list) {
     for (Defect& defect : defects_) {
       defect.count = count_;

@@ -13,7 +13,7 @@ namespace {
 
 std::string number(std::uint64_t n) { return std::to_string(n); }
 
-/// A point of a triangle.
+/// A point in the interior of a triangle.
 Vertex centre(MeshView mesh, const Triangle& t) {
   Vertex p;
   for (int i = 0; i < 3; ++i)
@@ -21,7 +21,7 @@ Vertex centre(MeshView mesh, const Triangle& t) {
   return p;
 }
 
-/// The sound faces as a mesh of their own, with the numbers they have in the input.
+/// The valid faces as a mesh of their own, with their numbers in the input.
 struct SoundMesh {
   std::span<const Vertex> vertices;
   std::span<const ExactVertex> exact;
@@ -46,7 +46,7 @@ void find_zero_areas(const SoundMesh& mesh, std::vector<Defect>& defects) {
   list.append_to(defects);
 }
 
-/// The smallest rotation: equal for triangles over the same vertices in the same sense.
+/// The smallest rotation: equal for triangles with the same vertices and orientation.
 Triangle rotated(Triangle t) {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
@@ -85,13 +85,13 @@ void find_inside_out(const SoundMesh& mesh, std::vector<Defect>& defects) {
   list.append_to(defects);
 }
 
-/// Lets the first of equal vertices stand for all.
+/// Identifies equal vertices with the first of them.
 void weld(SoundMesh& mesh) {
   const std::vector<std::uint32_t> first = equal_vertices(mesh.exact_view());
   for (Triangle& t : mesh.faces.triangles) t = {first[t[0]], first[t[1]], first[t[2]]};
 }
 
-/// Remedies without the mention of repair, which takes doubles only.
+/// Removes `repair` from the remedies, because it takes doubles only.
 void leave_out_repair(std::vector<Defect>& defects) {
   constexpr std::string_view mention = " (input class repair does)";
   for (Defect& d : defects)
@@ -113,7 +113,7 @@ std::vector<Defect> diagnose(ExactMeshView given) {
   }
   SoundMesh sound{mesh.vertices, given.exact, sound_faces(mesh, Severity::error, defects)};
   find_zero_areas(sound, defects);
-  if (!screen(sound.view()).chain_closed) {  // equal vertices that are listed several times make no opening
+  if (!screen(sound.view()).chain_closed) {  // equal vertices that are listed several times do not count as an opening
     weld(sound);
   }
   find_duplicates(sound, defects);

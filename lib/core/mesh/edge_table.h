@@ -31,7 +31,7 @@ void for_each_edge(std::span<const EdgeUse> table, Visit&& visit) {
   }
 }
 
-/// Occurrences from low to high minus those from high to low: zero when the edge is closed.
+/// Uses from low to high minus uses from high to low: zero when the edge is closed.
 [[nodiscard]] inline std::int64_t net_uses(std::span<const EdgeUse> uses) {
   std::int64_t net = 0;
   for (const EdgeUse& use : uses) net += use.forward ? 1 : -1;

@@ -24,7 +24,7 @@ std::uint64_t hash(const Bits& b) {
   return h;
 }
 
-/// Hashing with linear probing; `equal` decides among vertices whose doubles are the same.
+/// Hashing with linear probing. `equal` compares vertices whose doubles are equal.
 template <class Equal>
 std::vector<std::uint32_t> first_equal(std::span<const Vertex> vertices, Equal equal) {
   constexpr auto empty = std::numeric_limits<std::uint32_t>::max();

@@ -4,11 +4,11 @@
 
 namespace strata {
 
-/// Asks the system to back a large piece of fresh memory with huge pages. A hint: nothing depends on it.
+/// Asks the system to use huge pages for a large block of fresh memory. A hint without effect on results.
 void prefer_huge_pages(void* memory, std::size_t bytes);
 
-/// An empty vector resized, its memory on huge pages if it is large: most of the cost of writing a large array once is
-/// that its pages are touched for the first time.
+/// Resizes an empty vector, with huge pages if it is large. Most of the cost of writing a large array once is the first
+/// access to its pages.
 template <class T>
 void resize_fresh(std::vector<T>& v, std::size_t size, const T& value = {}) {
   v.reserve(size);

@@ -22,7 +22,7 @@ RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
 
 Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// Which vertices have a place of their own in `exact`; empty when none has.
+/// Which vertices have an entry in `exact`; empty when none has.
 std::vector<bool> exact_flags(ExactMeshView mesh) {
   std::vector<bool> flags(mesh.exact.empty() ? 0 : mesh.mesh.vertices.size(), false);
   for (const ExactVertex& e : mesh.exact) flags[e.vertex] = true;
@@ -52,9 +52,9 @@ long double exact_double_area(const ExactMesh& mesh, const Triangle& t) {
   return square_root(dot(normal, normal));
 }
 
-/// |u x v| for u = b - a, v = c - a; negative when cancellation may have cost more than 8 bits. The relative error of
-/// a difference is half a unit, so that of each product 3 halves and of a component of the cross product at most 5
-/// halves of |u||v|; 8 bits of 11 beyond a double's are left where |u x v| > |u||v| / 256.
+/// |u x v| for u = b - a, v = c - a; negative when cancellation may have lost more than 8 bits. The relative error of a
+/// difference is half a unit. So that of each product is 3 halves, and that of a component of the cross product at most
+/// 5 halves of |u||v|. 8 of the 11 bits beyond a double's remain where |u x v| > |u||v| / 256.
 long double fast_double_area(const Vertex& a, const Vertex& b, const Vertex& c) {
   using Real = long double;
   const Real ux = Real(b[0]) - a[0], uy = Real(b[1]) - a[1], uz = Real(b[2]) - a[2];
@@ -84,7 +84,7 @@ Rational volume(ExactMeshView mesh) {
 double area(const ExactMesh& mesh) {
   const std::vector<bool> flags = exact_flags(mesh);
   long double sum = 0;
-  long double lost = 0;  // Neumaier: what rounding of `sum` has dropped
+  long double lost = 0;  // Neumaier: the rounding errors of `sum`
   for (const Triangle& t : mesh.mesh.triangles) {
     const auto& v = mesh.mesh.vertices;
     long double term = any_exact(flags, t) ? -1 : fast_double_area(v[t[0]], v[t[1]], v[t[2]]);

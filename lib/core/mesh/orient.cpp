@@ -9,12 +9,12 @@
 namespace strata {
 namespace {
 
-/// Who is across each side of each triangle, where exactly one is.
+/// The triangle across each side of each triangle, where there is exactly one.
 struct Neighbours {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   struct Across {
     std::uint32_t triangle = none;
-    bool same_direction = false;  ///< both run the same way along the edge: one of them is to be reversed
+    bool same_direction = false;  ///< both have the same direction along the edge: one of them is to be reversed
   };
   std::vector<std::array<Across, 3>> of;
 
@@ -30,7 +30,7 @@ struct Neighbours {
 
 constexpr std::uint32_t unvisited = std::numeric_limits<std::uint32_t>::max();
 
-/// Collects the sheet of one triangle; `reverse` says for each triangle whether it must be reversed.
+/// Collects the sheet of one triangle. `reverse` records for each triangle whether it must be reversed.
 std::vector<std::uint32_t> collect(std::uint32_t seed, std::uint32_t sheet, const Neighbours& neighbours,
                                    std::vector<std::uint32_t>& sheet_of, std::vector<bool>& reverse) {
   std::vector<std::uint32_t> members{seed};

@@ -8,27 +8,27 @@
 
 namespace strata {
 
-/// Triangles grouped into sheets: connected over edges that exactly two triangles share.
+/// Triangles grouped into sheets: sets connected over edges that exactly two triangles share.
 struct Sheets {
   std::vector<std::vector<std::uint32_t>> triangles;  ///< per sheet, by increasing number
   std::vector<bool> closed;                           ///< per sheet: its own directed edges cancel
   std::uint64_t reversed = 0;                         ///< triangles that were reversed
 };
 
-/// Reverses triangles so that the two at an edge run against each other there. The first triangle of each sheet stays
-/// as it is; a sheet that cannot be oriented is left with edges that do not cancel. No triangle repeats a vertex.
-/// O(n log d) for vertices of degree d.
+/// Reverses triangles so that the two at an edge have opposite directions there. The first triangle of each sheet is
+/// unchanged. A sheet that cannot be oriented keeps edges that do not cancel. Requires that no triangle repeats a
+/// vertex. O(n log d) for vertices of degree d.
 Sheets orient_sheets(std::vector<Triangle>& triangles, std::size_t vertex_count);
 
-/// What orient_outwards did.
+/// The changes made by orient_outwards.
 struct Shells {
   std::uint64_t reversed = 0;  ///< sheets that were reversed
   std::uint64_t cavities = 0;  ///< sheets that face inwards now
 };
 
-/// Reverses closed sheets so that they face outwards, or inwards where they lie inside an odd number of others.
-/// A sheet lies inside another one when all of its vertices do that are no vertices of the other; exact.
-/// Expected O(n sqrt n) for sheets inside each other's boxes, O(n log n) otherwise.
+/// Reverses closed sheets so that they face outwards, or inwards where they lie inside an odd number of others. A sheet
+/// lies inside another one when all of its vertices that are no vertices of the other do; exact. Expected O(n sqrt n)
+/// for sheets inside each other's boxes, O(n log n) otherwise.
 Shells orient_outwards(std::span<const Vertex> vertices, std::vector<Triangle>& triangles, const Sheets& sheets);
 
 }  // namespace strata

@@ -14,15 +14,15 @@ struct Shell {
   Vertex lower;
   Vertex upper;
   std::vector<std::uint32_t> vertices;  ///< sorted by z, then number
-  std::uint32_t depth = 0;              ///< how many others it lies inside
+  std::uint32_t depth = 0;              ///< the number of others inside which it lies
 };
 
-/// Exact questions about four or three vertices.
+/// Exact predicates of four or three vertices.
 class Exactly {
  public:
   explicit Exactly(std::span<const Vertex> vertices) : vertices_(vertices) { input_.add(vertices, {}); }
 
-  /// Turn of a, b, p seen from positive x: the plane of y and z.
+  /// Orientation of a, b, p seen from positive x, in the plane of y and z.
   [[nodiscard]] int turn_yz(std::uint32_t a, std::uint32_t b, std::uint32_t p) const {
     const auto point = [&](std::uint32_t v) { return Point::free(vertices_[v]); };
     return to_int(orient2d(input_, strata::Projection{1, 2}, point(a), point(b), point(p)));
@@ -38,7 +38,8 @@ class Exactly {
 };
 
 /// Winding number of a triangle's projection along x about a vertex. A point on a side counts as right of it when the
-/// side is seen upwards in z, whichever triangle asks: as if moved a little towards positive y, and then z.
+/// side points upwards in z, for every triangle: as if the point were moved infinitesimally towards positive y, and
+/// then z.
 int winding_yz(std::span<const Vertex> vertices, const Exactly& exactly, const Triangle& t, std::uint32_t p) {
   const double z = vertices[p][2];
   int winding = 0;
@@ -110,8 +111,8 @@ bool lies_inside(std::span<const Vertex> vertices, const std::vector<Triangle>& 
   return any;
 }
 
-/// Counts for every shell how many it lies inside. Shells are met by increasing lower x; those that end before are
-/// dropped.
+/// Counts for every shell the shells inside which it lies. Shells are processed by increasing lower x; those that end
+/// before are removed.
 void find_depths(std::span<const Vertex> vertices, const std::vector<Triangle>& triangles, const Sheets& sheets,
                  std::vector<Shell>& shells) {
   const Exactly exactly(vertices);

@@ -15,7 +15,7 @@ struct EdgeOrder {
   }
 };
 
-/// Sorts, adds equal edges up and drops those that vanish.
+/// Sorts, adds up equal edges and removes those with sum zero.
 void sum_up(const PointTable& points, Chain& chain) {
   std::sort(chain.begin(), chain.end(), EdgeOrder{points});
   Chain sums;
@@ -31,7 +31,7 @@ void sum_up(const PointTable& points, Chain& chain) {
   chain = std::move(sums);
 }
 
-/// Where an edge lies along y and z, in ranks.
+/// The box of an edge along y and z, in ranks.
 struct RankBox {
   std::uint32_t lower[2];
   std::uint32_t upper[2];
@@ -53,8 +53,8 @@ RankBox box_of(const PointTable& points, const NetEdge& edge) {
   return box;
 }
 
-/// Calls visit(i, j) for all pairs of edges whose boxes meet, but not for edges that are one behind the other. Every
-/// point must be one given at the start, so that numbers are in lexicographic order.
+/// Calls visit(i, j) for all pairs of edges whose boxes meet, except pairs of which one ends before the other starts,
+/// in lexicographic order. Every point must be one given at the start, so that numbers are in that order.
 template <class Visit>
 void for_each_near_pair(const PointTable& points, const Chain& chain, Visit visit) {
   std::vector<RankBox> boxes;
@@ -73,7 +73,7 @@ void for_each_near_pair(const PointTable& points, const Chain& chain, Visit visi
   }
 }
 
-/// Points at which an edge is to be cut.
+/// Points at which an edge is divided.
 struct Cut {
   std::size_t edge;
   std::uint32_t point;
@@ -116,7 +116,7 @@ HomogeneousPoint crossing(const PointTable& points, Projection axes, const NetEd
   return homogeneous(result);
 }
 
-/// One name for each point of the cuts.
+/// Gives each point of the cuts one name.
 void unify_names(const PointTable& points, std::vector<Cut>& cuts) {
   std::vector<std::uint32_t> names;
   for (const Cut& cut : cuts) names.push_back(cut.point);

@@ -21,14 +21,13 @@ struct HashCoefficients {
   }
 };
 
-/// A plane in coprime integers, the first coefficient that is not zero positive; `flipped` if that took a change of
-/// sign.
+/// A plane in coprime integers, the first nonzero coefficient positive. `flipped` if this required a change of sign.
 struct Unoriented {
   Coefficients plane;
   bool flipped;
 };
 
-/// Nothing when the normal vanishes.
+/// Nullopt when the normal vanishes.
 std::optional<Unoriented> unoriented(Coefficients plane) {
   int leading = 0;
   while (leading < 3 && plane[leading] == 0) ++leading;
@@ -42,7 +41,7 @@ std::optional<Unoriented> unoriented(Coefficients plane) {
   return Unoriented{std::move(plane), flipped};
 }
 
-/// Collects facets under their planes.
+/// Groups facets by their planes.
 class PlaneIndex {
  public:
   PlaneFacets& facets_in(const Unoriented& key) {
@@ -78,7 +77,7 @@ Coefficients plane_through(const HomogeneousPoint& a, const HomogeneousPoint& b,
   return plane;
 }
 
-/// Points of the vertices that triangles use; the others stay zero, whatever their coordinates are.
+/// Points of the vertices that triangles use. The others remain zero, whatever their coordinates are.
 std::vector<HomogeneousPoint> points_of(const ExactMesh& mesh) {
   std::vector<Vertex> used(mesh.mesh.vertices.size(), Vertex{0, 0, 0});
   for (const Triangle& t : mesh.mesh.triangles) {
@@ -89,7 +88,7 @@ std::vector<HomogeneousPoint> points_of(const ExactMesh& mesh) {
   return points;
 }
 
-/// The vector area of a facet, twice: normal along which it is seen counter-clockwise.
+/// Twice the vector area of a facet: the normal from which it is seen counter-clockwise.
 RationalPoint vector_area(const ExactFacet& facet) {
   RationalPoint sum{0, 0, 0};
   for (const auto& loop : facet) {
@@ -109,7 +108,7 @@ Rational height(const RationalPoint& normal, const RationalPoint& p) {
   return normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2];
 }
 
-/// Nothing when the area is zero.
+/// Nullopt when the area is zero.
 std::optional<Unoriented> plane_of(const ExactFacet& facet) {
   const RationalPoint normal = vector_area(facet);
   if (normal == RationalPoint{0, 0, 0}) return std::nullopt;

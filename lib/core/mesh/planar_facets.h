@@ -11,8 +11,8 @@ namespace strata::facets {
 /// Coefficients of a x + b y + c z = d.
 using Coefficients = std::array<Integer, 4>;
 
-/// All facets in one plane, of both facings. The first coefficient that is not zero is positive; front facets have
-/// their outward normal along (a, b, c).
+/// All facets in one plane, of both orientations. The first nonzero coefficient is positive. Front facets have their
+/// outward normal along (a, b, c).
 struct PlaneFacets {
   Coefficients plane;
   std::vector<Side> sides;
@@ -26,7 +26,7 @@ struct FacetsByPlane {
   std::vector<PlaneFacets> planes;
 };
 
-/// Groups facets by their exact plane; those of zero area are left out. Expected O(n log n) for the points' order.
+/// Groups facets by their exact plane. Facets of zero area are left out. Expected O(n log n) for sorting the points.
 [[nodiscard]] FacetsByPlane facets_by_plane(const ExactMesh& mesh);
 
 /// Throws std::invalid_argument when a facet is not planar.

@@ -8,8 +8,8 @@
 namespace strata::facets {
 namespace {
 
-/// Edges that meet the sweep line, from below to above. Left of low -> high is above. Vertical edges need no case of
-/// their own: the sweep line is tilted as the lexicographic order is.
+/// Orders the edges that meet the sweep line from below to above. Left of low -> high is above. Vertical edges need no
+/// case of their own: the sweep line is tilted according to the lexicographic order.
 struct Above {
   const PointTable& points;
   Projection axes;
@@ -25,7 +25,7 @@ struct Above {
   }
 };
 
-/// How often the plane is covered just below each edge: front facets less back facets.
+/// The number of times that the plane is covered just below each edge: front facets minus back facets.
 std::vector<std::int64_t> coverage_below(const PointTable& points, Projection axes, const Chain& chain) {
   std::vector<std::size_t> by_end(chain.size());
   for (std::size_t i = 0; i < by_end.size(); ++i) by_end[i] = i;
@@ -58,7 +58,7 @@ std::vector<Region> covered_regions(const PointTable& points, Projection axes, c
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const NetEdge& e = chain[i];
     const std::int64_t above = below[i] + e.count;
-    const Side side = e.count > 0 ? Side{e.low, e.high} : Side{e.high, e.low};  // more is covered on its left
+    const Side side = e.count > 0 ? Side{e.low, e.high} : Side{e.high, e.low};  // the coverage is higher on its left
     for (std::int64_t k = std::min(above, below[i]) + 1; k <= std::max(above, below[i]); ++k) {
       const auto key = k >= 1 ? std::pair{Facing::front, k} : std::pair{Facing::back, 1 - k};
       sides[key].push_back(side);

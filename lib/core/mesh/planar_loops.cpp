@@ -8,7 +8,7 @@
 namespace strata::facets {
 namespace {
 
-/// Walks along the sides of one region.
+/// Traces the sides of one region.
 class Tracer {
  public:
   Tracer(const PointTable& points, Projection axes, const Region& region)
@@ -30,7 +30,7 @@ class Tracer {
  private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  /// The turn as seen from outside.
+  /// The orientation as seen from outside.
   [[nodiscard]] int orientation_at(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const int sign = orientation(points_, axes_, a, b, c);
     return facing_ == Facing::front ? sign : -sign;
@@ -44,8 +44,8 @@ class Tracer {
     return {begin - sides_.begin(), end - sides_.begin()};
   }
 
-  /// Coming along a side with the region on the left, the boundary of the same sector goes on along the side that
-  /// is met first when turning clockwise from where we came: the sharpest turn to the left.
+  /// After a side with the region on its left, the boundary of the same sector continues along the first side in
+  /// clockwise rotation from the reverse of the arriving side: the sharpest turn to the left.
   [[nodiscard]] std::size_t next(const Side& arriving) const {
     const auto [begin, end] = leaving(arriving.to);
     std::size_t best = none;
@@ -71,7 +71,7 @@ class Tracer {
     return loop;
   }
 
-  /// Whether the sector that we arrive in at the start is the one we left from.
+  /// True if the sector of arrival at the start is the one of departure.
   [[nodiscard]] bool closes(const Side& arriving, std::size_t start) const {
     if (arriving.to != sides_[start].from) return false;
     const std::size_t other = next(arriving);

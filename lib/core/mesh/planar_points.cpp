@@ -23,7 +23,7 @@ int compare_points(const HomogeneousPoint& a, const HomogeneousPoint& b) {
   return 0;
 }
 
-/// Exponent of the last bit of a double that is set; x is finite and not zero.
+/// Exponent of the lowest set bit of a double; x is finite and not zero.
 int last_bit_exponent(double x) {
   int exponent = 0;
   const auto significand = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));

@@ -21,8 +21,8 @@ struct HomogeneousPoint {
 /// Finite doubles as integers over one common power of two.
 [[nodiscard]] std::vector<HomogeneousPoint> homogeneous(std::span<const Vertex> vertices);
 
-/// Distinct points, named by numbers. Points given at the start are numbered in lexicographic order, so that numbers
-/// compare as points do, on any line too; points added later have larger numbers and are compared exactly.
+/// Distinct points, named by numbers. Points given at the start are numbered in lexicographic order, so numbers compare
+/// as the points do, also along any line. Points added later have larger numbers and are compared exactly.
 class PointTable {
  public:
   /// Sorts the points; `name_of[i]` becomes the number of points[i]. O(n log n).
@@ -37,7 +37,8 @@ class PointTable {
   /// Lexicographic order: negative, zero or positive.
   [[nodiscard]] int compare(std::uint32_t a, std::uint32_t b) const;
 
-  /// Place of a point given at the start among the y (axis 1) or z (axis 2) coordinates; equal ones share a place.
+  /// Rank of a point given at the start among the y (axis 1) or z (axis 2) coordinates; equal coordinates have equal
+  /// ranks.
   [[nodiscard]] std::uint32_t rank(std::uint32_t name, int axis) const { return ranks_[axis - 1][name]; }
 
  private:
@@ -46,14 +47,14 @@ class PointTable {
   std::array<std::vector<std::uint32_t>, 2> ranks_;
 };
 
-/// A view of one plane along a coordinate axis: `first` and `second` are the axes that are kept, in an order that
-/// keeps the sense of rotation.
+/// A projection of one plane along a coordinate axis: `first` and `second` are the remaining axes, in an order that
+/// preserves orientation.
 struct Projection {
   int first = 0;
   int second = 1;
 };
 
-/// Turn a, b, c as projected: 1 counter-clockwise, -1 clockwise, 0 collinear.
+/// Orientation of a, b, c in the projection: 1 counter-clockwise, -1 clockwise, 0 collinear.
 [[nodiscard]] int orientation(const PointTable& points, Projection axes, std::uint32_t a, std::uint32_t b,
                               std::uint32_t c);
 

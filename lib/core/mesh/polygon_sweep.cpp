@@ -40,7 +40,7 @@ std::vector<Triangle> PolygonSweep::divide() {
   return std::exchange(triangles_, {});
 }
 
-/// Ends the edges that lead to the place, and starts those that leave it.
+/// Ends the edges that lead to the position, and starts those that leave it.
 void PolygonSweep::pass(std::uint32_t place, std::span<Edge> starting) {
   const auto [first, above] = status_.equal_range(Place{place});
   for (auto e = first; e != above; ++e)
@@ -61,8 +61,8 @@ void PolygonSweep::pass(std::uint32_t place, std::span<Edge> starting) {
   open_between(below, above, place, starting, inside, upper);
 }
 
-/// Puts the edges that start at the place between two others; `inside` tells about what is above the first of these,
-/// `upper` is the chain below the second one.
+/// Inserts the edges that start at the position between two others. `inside` says whether the area above the first of
+/// these is inside; `upper` is the chain below the second one.
 void PolygonSweep::open_between(At below, At above, std::uint32_t place, std::span<Edge> starting, bool inside,
                                 const Chain& upper) {
   std::sort(starting.begin(), starting.end(), Below{&orientation_});
@@ -86,7 +86,7 @@ void PolygonSweep::open_between(At below, At above, std::uint32_t place, std::sp
   ensure_apart(highest, above);
 }
 
-/// Parts a chain at its last place, which both parts keep. Returns the upper part.
+/// Divides a chain at its last position, which both parts keep. Returns the upper part.
 PolygonSweep::Chain PolygonSweep::part(Chain& chain) {
   const std::uint32_t last = chain.last, copy = add_node(nodes_[last].place);
   const Chain upper{copy, last == chain.highest ? copy : chain.highest, copy};
@@ -102,7 +102,7 @@ std::uint32_t PolygonSweep::add_node(std::uint32_t place) {
   return static_cast<std::uint32_t>(nodes_.size() - 1);
 }
 
-/// Does the place, to the right of two neighbours in a chain, see all of the stretch between them?
+/// Does the position, to the right of two neighbours in a chain, see all of the segment between them?
 bool PolygonSweep::sees(std::uint32_t lower, std::uint32_t place, std::uint32_t upper) const {
   return orientation_(nodes_[lower].place, place, nodes_[upper].place) == Sign::positive;
 }
@@ -131,13 +131,14 @@ void PolygonSweep::prepend(Chain& chain, std::uint32_t place) {
   chain.lowest = chain.last;
 }
 
-/// Divides a part whose two edges end at the place. It sees all of the chain: a place on the way would be on an edge.
+/// Triangulates a part whose two edges end at the position. It sees all of the chain: a position that blocks the view
+/// would be on an edge.
 void PolygonSweep::close(const Chain& chain, std::uint32_t place) {
   for (std::uint32_t n = chain.lowest; n != chain.highest; n = nodes_[n].behind)
     triangles_.push_back({nodes_[n].place, place, nodes_[nodes_[n].behind].place});
 }
 
-/// Adds the upper chain, which starts where the lower one ends.
+/// Appends the upper chain, which starts where the lower one ends.
 void PolygonSweep::join(Chain& lower, const Chain& upper) {
   const std::uint32_t second = nodes_[upper.lowest].behind;
   nodes_[lower.highest].behind = second;
@@ -146,7 +147,7 @@ void PolygonSweep::join(Chain& lower, const Chain& upper) {
   lower.highest = upper.highest;
 }
 
-/// Neighbours may end in one place. Otherwise the one that ends first ends on its own side of the other.
+/// Neighbours may end in one position. Otherwise the one that ends first ends on its own side of the other.
 void PolygonSweep::ensure_apart(At below, At above) const {
   if (below == status_.end() || above == status_.end()) return;
   const Edge &a = below->first, &b = above->first;

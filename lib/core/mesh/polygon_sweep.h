@@ -11,45 +11,46 @@
 
 namespace strata {
 
-/// A straight side between two different places of a plane, numbered from left to right, and upwards where they are
-/// above one another. What it bounds is on its left.
+/// A straight side between two different positions of a plane, numbered from left to right, and upwards where they are
+/// above one another. The region is on its left.
 struct PolygonSide {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
 };
 
-/// Sides that bound no region: what() says why, without its subject.
+/// Sides that bound no region. what() gives the reason, without a subject.
 class NoRegion : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Divides the region that closed polygons bound into triangles, by a sweep from left to right. The region may have
-/// holes and several parts; polygons may meet themselves and each other in their corners.
-/// Triangles are counter-clockwise, none is degenerate, none overlaps another; all sides are sides of triangles, so
-/// corners on straight stretches stay. No point is made.
+/// Triangulates the region that closed polygons bound, by a sweep from left to right. The region may have holes and
+/// several parts; polygons may meet themselves and each other in their corners. Triangles are counter-clockwise, none
+/// is degenerate, none overlaps another. All sides are sides of triangles, so corners on straight stretches are kept.
+/// No point is constructed.
 ///
-/// Between two sides that the sweep line crosses, what is not yet divided is bounded on its left by a chain of places
-/// that curves towards it. A new place cuts off all triangles that it sees, and where it lies between the two sides
-/// the chain is parted at its last place, which it sees. Source: Hertel and Mehlhorn 1983.
+/// Between two sides that cross the sweep line, the area that is not yet triangulated is bounded on its left by a chain
+/// that curves towards it. A new position cuts off all triangles that it sees. If it lies between the two sides, the
+/// chain is divided at its last position, which it sees. Source: Hertel and Mehlhorn 1983.
 class PolygonSweep {
  public:
-  /// Turn of three places, exact: positive when counter-clockwise.
+  /// Orientation of three positions, exact: positive when counter-clockwise.
   using Turn = std::function<Sign(std::uint32_t, std::uint32_t, std::uint32_t)>;
 
-  /// Requires as many sides from every place as to it.
+  /// Requires as many sides from every position as to it.
   PolygonSweep(std::span<const PolygonSide> sides, Turn orientation);
   PolygonSweep(const PolygonSweep&) = delete;
   PolygonSweep& operator=(const PolygonSweep&) = delete;
 
-  /// O(n log n) turns. Throws NoRegion when sides cross, lie on one another or pass through places, or when what is on
-  /// the left of one is on the left of another, too, or is outside all. Found before anything is wrong: it always ends.
+  /// O(n log n) orientation tests. Throws NoRegion when sides cross, overlap or pass through positions, or when what is
+  /// on the left of a side is covered twice or is outside. The error is found before an invalid order is used, so the
+  /// sweep always terminates.
   [[nodiscard]] std::vector<Triangle> divide();
 
  private:
   static constexpr std::uint32_t none = 0xffff'ffff;
 
-  /// A side as the sweep sees it: from its left to its right place.
+  /// A side as used by the sweep: from its left to its right position.
   struct Edge {
     std::uint32_t left = 0, right = 0;
     bool bounds_above = false;  ///< the region is above it
@@ -57,7 +58,7 @@ class PolygonSweep {
   struct Place {
     std::uint32_t number = 0;
   };
-  /// From below, among edges that meet one sweep line, and places on it.
+  /// The order from below of edges that meet one sweep line, and of positions on it.
   struct Below {
     using is_transparent = void;
     const Turn* orientation;
@@ -74,7 +75,7 @@ class PolygonSweep {
     std::uint32_t place = 0;
     std::uint32_t before = none, behind = none;
   };
-  /// The left border of a part that is not yet divided, from below: nodes. `last` is the place swept last.
+  /// The left boundary of a part that is not yet triangulated, from below: nodes. `last` is the position swept last.
   struct Chain {
     std::uint32_t lowest = none, highest = none, last = none;
   };
@@ -93,7 +94,7 @@ class PolygonSweep {
   void ensure_apart(At below, At above) const;
 
   Turn orientation_;
-  std::vector<Edge> edges_;  ///< by their left places
+  std::vector<Edge> edges_;  ///< by their left positions
   Status status_;
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;

@@ -7,8 +7,8 @@
 
 namespace strata {
 
-/// Memory for many small arrays that live as long as the pool: given out in order, given back all at once. For one
-/// thread at a time.
+/// Memory for many small arrays that live as long as the pool: allocated in order, released together. For one thread at
+/// a time.
 class Pool {
  public:
   /// A copy of an array, in the pool.

@@ -11,7 +11,7 @@
 
 namespace strata {
 
-/// What one streaming pass over a mesh can tell.
+/// The facts about a mesh that one streaming pass can find.
 struct Screening {
   bool finite = true;         ///< every coordinate of a used vertex is finite
   bool indices_valid = true;  ///< every index names a vertex
@@ -21,42 +21,42 @@ struct Screening {
   Box bounds;                 ///< of the vertices used, where all are finite and valid
 };
 
-/// Streams once over vertices and triangles, in parallel. O(n), no allocation in proportion to n.
-/// Decisions are made in doubles with proven error bounds, and exactly where these do not suffice.
-/// A mesh without triangles is closed and has orientation 0.
+/// One parallel streaming pass over vertices and triangles. O(n), no allocation in proportion to n. Decisions are made
+/// in doubles with proven error bounds, and exactly where these do not suffice. A mesh without triangles is closed and
+/// has orientation 0.
 [[nodiscard]] Screening screen(MeshView mesh);
 
-/// Screening::chain_closed alone.
+/// Only Screening::chain_closed.
 [[nodiscard]] bool chain_is_closed(MeshView mesh);
 
-/// An operand made ready for the engine. `mesh` is empty when the input can be used as it is.
+/// An operand that satisfies what the engine requires: closed and oriented, without degenerate triangles. `mesh` is
+/// empty when the input itself does.
 struct Prepared {
   std::optional<Mesh> mesh;                ///< replaces the input
   std::vector<std::uint32_t> source_face;  ///< input face per triangle of `mesh`
-  std::vector<Defect> notes;               ///< what was resolved, exactly
-  std::optional<Box> bounds;               ///< a box of the vertices used, if one was found on the way
+  std::vector<Defect> notes;               ///< the defects that were resolved, exactly
+  std::optional<Box> bounds;               ///< a box of the vertices used, if one was computed
 };
 
-/// Accepts a closed oriented mesh (`solid` and `overlapping` input).
-/// A chain that is open only because equal vertices are listed twice is welded on equal coordinates (-0 = 0).
-/// Zero-area triangles are removed: the edges of their neighbours are divided at the vertices that lie inside them,
-/// so that the boundary stays closed and no point moves.
-/// `allow_inside_out` keeps a negative volume from being an error.
-/// Throws InputError with the full diagnosis otherwise. An empty mesh is the empty solid.
+/// Accepts a closed oriented mesh (`solid` and `overlapping` input). A mesh that is open only because equal vertices
+/// are listed twice is welded on equal coordinates (-0 = 0). Zero-area triangles are removed: the edges of their
+/// neighbours are divided at the vertices that lie inside them, so that the boundary remains closed and no point moves.
+/// With `allow_inside_out` a negative volume is no error. Throws InputError with the full diagnosis otherwise. An empty
+/// mesh is the empty solid.
 [[nodiscard]] Prepared prepare_closed(MeshView mesh, bool allow_inside_out, std::size_t operand = 0);
 
-/// Accepts a closed oriented mesh whose vertices may be rationals, by exact tests on these: a mesh that is closed but
-/// for vertices listed twice is welded, as above; nothing else is resolved, so triangles of zero area are refused.
-/// Throws InputError with the full diagnosis, std::invalid_argument when `exact` is not by increasing index or the mesh
-/// does not hold the nearest doubles. O(n) and rational arithmetic where doubles do not decide.
+/// Accepts a closed oriented mesh whose vertices may be rationals, by exact tests on these. A mesh that is open only
+/// because vertices are listed twice is welded, as above. No other defect is resolved, so triangles of zero area are
+/// refused. Throws InputError with the full diagnosis, std::invalid_argument when `exact` is not by increasing index or
+/// the mesh does not hold the nearest doubles. O(n), with rational arithmetic where doubles do not decide.
 [[nodiscard]] Prepared prepare_exact(ExactMeshView mesh, std::size_t operand = 0);
 
 /// Sign of the signed volume of a closed mesh, exact. O(n), rational where doubles do not decide.
 [[nodiscard]] Sign orientation(ExactMeshView mesh);
 
-/// Makes a closed oriented mesh of a soup: drops faces with indices out of range or coordinates that are not finite,
-/// welds equal vertices, drops degenerate and duplicate faces (opposite pairs cancel), orients components
-/// consistently and outwards; every step is a note. Throws InputError when edges stay open.
+/// Constructs a closed oriented mesh from a soup: drops faces with indices out of range or coordinates that are not
+/// finite, welds equal vertices, drops degenerate and duplicate faces (opposite pairs cancel), orients components
+/// consistently and outwards. Every step adds a note. Throws InputError when open edges remain.
 [[nodiscard]] Prepared prepare_soup(MeshView mesh, std::size_t operand = 0);
 
 /// Accepts a mesh as what the caller declares it to be, by the function above that is meant for it: `prepare_exact` if
@@ -64,10 +64,10 @@ struct Prepared {
 /// `prepare_soup` for `repair`. Throws as these do.
 [[nodiscard]] Prepared prepare(ExactMeshView mesh, InputClass input, std::size_t operand = 0);
 
-/// Diagnosis of everything that can be told without intersecting faces: all defects but self-intersection and
-/// inside-out shells. Lists the first few of each kind with coordinates and face numbers, and counts the rest.
+/// Diagnosis without intersecting faces: all defects except self-intersection and inside-out shells. Lists the first
+/// few of each kind with coordinates and face numbers, and counts the rest.
 [[nodiscard]] std::vector<Defect> diagnose(MeshView mesh);
-/// The same for exact places, of which none is repaired: among rationals triangles of zero area are errors.
+/// The same for exact positions. Nothing is repaired: with rationals, triangles of zero area are errors.
 [[nodiscard]] std::vector<Defect> diagnose(ExactMeshView mesh);
 
 }  // namespace strata

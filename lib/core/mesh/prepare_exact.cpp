@@ -20,7 +20,7 @@ namespace {
 
 using BoundedVertex = std::array<Bounded, 3>;
 
-/// The coordinates of a vertex that may be a rational, about an origin.
+/// The coordinates of a vertex, which may be a rational, relative to an origin.
 BoundedVertex about(const Vertex& p, const Vertex& origin) {
   BoundedVertex q;
   for (std::size_t i = 0; i < 3; ++i)
@@ -28,7 +28,7 @@ BoundedVertex about(const Vertex& p, const Vertex& origin) {
   return q;
 }
 
-/// Six times the signed volume, with a bound. Sums of a few thousand terms are added up, so that bounds hold.
+/// Six times the signed volume, with a bound. Partial sums have a few thousand terms, so that the bounds hold.
 Bounded bounded_volume(MeshView mesh) {
   constexpr std::size_t block = 4096;
   const Vertex origin = mesh.vertices[mesh.triangles[0][0]];

@@ -34,7 +34,7 @@ void drop_repeated_vertices(MeshView mesh, SourcedTriangles& faces, std::vector<
   list.append_to(notes);
 }
 
-/// Whether the corners, in order, are an even permutation of their increasing order.
+/// True if the corners, in order, are an even permutation of their increasing order.
 bool is_even(const Triangle& t) { return (t[0] < t[1]) == ((t[1] < t[2]) == (t[0] < t[2])); }
 
 Triangle sorted(Triangle t) {
@@ -42,7 +42,7 @@ Triangle sorted(Triangle t) {
   return t;
 }
 
-/// Of the faces over the same three vertices at most one stays: none if as many run one way as the other.
+/// Of the faces with the same three vertices at most one is kept: none if both orientations occur equally often.
 void drop_duplicates(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes) {
   const auto& triangles = faces.triangles;
   std::vector<std::uint32_t> order(triangles.size());
@@ -75,7 +75,7 @@ void drop_duplicates(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>
   list.append_to(notes);
 }
 
-/// Drops sheets that are open and consist of zero-area faces alone, until there are none.
+/// Drops sheets that are open and consist only of zero-area faces, until there are none.
 void drop_loose_flat_sheets(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes) {
   DefectList list(DefectKind::degenerate_triangle, Severity::note, "the face was dropped");
   for (bool dropped = true; dropped;) {
@@ -111,7 +111,7 @@ void add_note(std::vector<Defect>& notes, DefectKind kind, std::uint64_t count, 
   notes.push_back(std::move(note));
 }
 
-/// Orients everything, or throws with the edges that stay open and the notes so far.
+/// Orients all faces, or throws with the open edges and the notes so far.
 void orient(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes, std::size_t operand) {
   const Sheets sheets = orient_sheets(faces.triangles, mesh.vertices.size());
   const Shells shells = orient_outwards(mesh.vertices, faces.triangles, sheets);

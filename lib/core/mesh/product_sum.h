@@ -7,9 +7,9 @@
 
 namespace strata {
 
-/// An exact sum of products of three finite doubles, of any magnitudes, in fixed space.
-/// A long accumulator after Kulisch: a fixed-point number wide enough for every such product, with room for 2^64
-/// of them. Positive and negative terms are kept apart, so that carries stay short.
+/// An exact sum of products of three finite doubles, of any magnitudes, in fixed space. A long accumulator after
+/// Kulisch: a fixed-point number wide enough for every such product, with room for 2^64 of them. Positive and negative
+/// terms are summed separately, so that carries are short.
 class ProductSum {
  public:
   void add(double a, double b, double c);                                   ///< adds a b c. O(1).

@@ -14,8 +14,8 @@
 namespace strata {
 namespace {
 
-// Work is cut into at most 256 chunks whose bounds depend on the input alone, and partial results are added up in
-// order: the answer does not depend on threads.
+// The work is divided into at most 256 chunks whose bounds depend on the input alone, and partial results are added in
+// order. So the result does not depend on threads.
 constexpr std::size_t max_chunks = 256;
 constexpr std::size_t min_chunk = 4096;
 
@@ -39,10 +39,10 @@ bool is_finite(const Vertex& v) { return std::isfinite(v[0]) && std::isfinite(v[
 
 using Wide = __int128;
 
-/// A fixed random number of 60 bits and a sign per edge, reversed with the edge. For independent numbers a chain that
-/// is not closed sums to zero with probability <= 2^-61: given all others, one value of one number at most does it
-/// (sums do not wrap around). The mixer multiplies, folds and multiplies, as the finalizers of MurmurHash do; the
-/// upper bits of the last product depend on all of the key. An edge from a vertex to itself has a number too.
+/// A fixed random number of 60 bits and a sign per edge, negated for the reversed edge. For independent numbers, a
+/// chain that is not closed sums to zero with probability <= 2^-61: given all others, at most one value of one number
+/// leads to zero (sums do not wrap around). The mixer multiplies, folds and multiplies, as the finalizers of MurmurHash
+/// do; the upper bits of the last product depend on all of the key. An edge from a vertex to itself has a number too.
 inline std::int64_t edge_number(std::uint32_t from, std::uint32_t to) {
   const std::uint64_t low = std::min(from, to), high = std::max(from, to);
   std::uint64_t h = (low << 32 | high) * 0x9E3779B97F4A7C15U;
@@ -56,8 +56,8 @@ inline std::int64_t boundary_number(const Triangle& t) {
   return edge_number(t[0], t[1]) + edge_number(t[1], t[2]) + edge_number(t[2], t[0]);
 }
 
-/// The box of a triangle. Its corners are compared with each other first: what is compared with the box of all of a run
-/// waits for the one before.
+/// The box of a triangle. Its corners are compared with each other first, because comparisons with the box of the whole
+/// run depend on the previous ones.
 Box box_of(const Vertex& p, const Vertex& q, const Vertex& r) {
   Box box;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -67,7 +67,7 @@ Box box_of(const Vertex& p, const Vertex& q, const Vertex& r) {
   return box;
 }
 
-/// What a run of triangles adds up to.
+/// The sums over a run of triangles.
 struct Tally {
   Wide chain = 0;     ///< sum of edge numbers
   double volume = 0;  ///< sum of det(a-o, b-o, c-o), rounded
@@ -88,7 +88,7 @@ struct Tally {
   }
 };
 
-/// Coordinates that are not finite leave the normal uncertain.
+/// Coordinates that are not finite make the normal uncertain.
 Tally tally_of(MeshView mesh, std::size_t first, std::size_t last, const Vertex& o, const ZeroAreaTest& is_zero) {
   Tally tally;
   std::uint32_t largest = 0;
@@ -117,12 +117,12 @@ Tally tally_of(MeshView mesh, std::size_t first, std::size_t last, const Vertex&
   return tally;
 }
 
-/// Sign of the sum of det(a, b, c) of a closed chain.
+/// Sign of the sum of det(a, b, c) over a closed chain.
 ///
-/// With U, V, e and n as in zero_area.h, det(a-o, b-o, c-o) = (a-o) . n sums to the same for every o. With R >= |a-o|
+/// With U, V, e and n as in zero_area.h, det(a-o, b-o, c-o) = (a-o) . n has the same sum for every o. With R >= |a-o|
 /// in every component, each term has an error below 3 R (8.01 e U V) + 3 R (2 U V)(4e) + underflow <= 49 e R U V +
-/// (R+1) 2^-1070, and is at most 7 R U V in size. Adding up m terms in a row and then k partial sums costs at most (m +
-/// k) e times the sum of sizes.
+/// (R+1) 2^-1070, and is at most 7 R U V in size. Adding m terms in sequence and then k partial sums adds an error of
+/// at most (m + k) e times the sum of sizes.
 int orientation(MeshView mesh, const Tally& total, const Vertex& o, const Chunks& chunks) {
   double radius = 0;
   for (int i = 0; i < 3; ++i) radius = std::max(radius, std::max(total.box.upper[i] - o[i], o[i] - total.box.lower[i]));

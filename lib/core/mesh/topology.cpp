@@ -9,7 +9,7 @@
 namespace strata {
 namespace {
 
-/// The triangles over vertices of different coordinates; those that repeat a vertex are dropped.
+/// The triangles after identification of equal coordinates. Triangles that repeat a vertex are dropped.
 std::vector<Triangle> identified_triangles(const ExactMesh& mesh) {
   const std::vector<std::uint32_t> first = equal_vertices(mesh);
   std::vector<Triangle> triangles;

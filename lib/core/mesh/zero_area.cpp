@@ -7,7 +7,7 @@
 #include "core/kernel/disjoint_sets.h"
 #include "core/mesh/edge_table.h"
 
-// Why the boundary stays closed, and why one pass is enough.
+// Why the boundary remains closed, and why one pass suffices.
 //
 // 1. Identifying vertices maps a closed chain to a closed chain. All vertices of zero-area triangles that have equal
 //    coordinates are identified. Triangles that now repeat a vertex have no boundary and are dropped.
@@ -94,15 +94,16 @@ class Groups {
   std::unordered_map<std::size_t, std::vector<std::uint32_t>> members_;
 };
 
-/// Triangles from an apex over a path.
+/// A fan of triangles from an apex over a path.
 void fan(std::uint32_t apex, const std::vector<std::uint32_t>& path, std::uint32_t source, SourcedTriangles& out) {
   for (std::size_t i = 0; i + 1 < path.size(); ++i) out.add({apex, path[i], path[i + 1]}, source);
 }
 
 using Sides = std::array<std::vector<std::uint32_t>, 3>;
 
-/// Divides a triangle whose side k, from corner k on, holds the vertices inside[k]; inside[0] is not empty. A fan from
-/// the corner opposite to side 0, whose first and last triangles are fans themselves over the other two sides.
+/// Divides a triangle whose side k, from corner k on, contains the vertices inside[k]; inside[0] is not empty. The
+/// result is a fan from the corner opposite to side 0, whose first and last triangles are fans themselves over the
+/// other two sides.
 void divide(const Triangle& t, const Sides& inside, std::uint32_t source, SourcedTriangles& out) {
   const auto [a, b, c] = t;
   const auto path = [](std::uint32_t from, const std::vector<std::uint32_t>& middle, std::uint32_t to) {
@@ -116,7 +117,7 @@ void divide(const Triangle& t, const Sides& inside, std::uint32_t source, Source
   fan(inside[0].back(), path(b, inside[1], c), source, out);
 }
 
-/// Adds a triangle of positive area, divided where groups demand it. Returns whether it was.
+/// Adds a triangle of positive area, divided where groups require it. Returns whether it was divided.
 bool add_divided(std::span<const Vertex> vertices, const Groups& groups, const Triangle& t, std::uint32_t source,
                  SourcedTriangles& out) {
   Sides inside;

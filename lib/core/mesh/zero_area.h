@@ -18,10 +18,10 @@ struct FilteredNormal {
 };
 
 /// Let e = 2^-53, u = b-a, v = c-a, U and V their largest components as rounded, n = u x v. A difference has relative
-/// error e (and no underflow), a product e and 2^-1075 from underflow, the last difference e. So a component
-/// n_k = p - q has an error below (|p|+|q|)((1+e)^4 - 1) + 2^-1073 <= 2 U V (4e + 7e^2)(1+2e) + 2^-1073
-/// < 8.01 e U V + 2^-1073. Rounding in 9 e U V + 2^-1070 below is covered by the rest of the 9. Infinite or undefined
-/// intermediate values make the comparison false.
+/// error e (and no underflow), a product e and 2^-1075 from underflow, the last difference e. So a component n_k = p -
+/// q has an error below (|p|+|q|)((1+e)^4 - 1) + 2^-1073 <= 2 U V (4e + 7e^2)(1+2e) + 2^-1073 < 8.01 e U V + 2^-1073.
+/// The remainder of the 9 covers rounding in 9 e U V + 2^-1070 below. Infinite or undefined intermediate values make
+/// the comparison false.
 inline FilteredNormal filtered_normal(const Vertex& a, const Vertex& b, const Vertex& c) {
   constexpr double relative = 9 * 0x1p-53;
   constexpr double absolute = 0x1p-1070;
@@ -34,8 +34,8 @@ inline FilteredNormal filtered_normal(const Vertex& a, const Vertex& b, const Ve
   return {{nx, ny, nz}, u * v, largest > relative * (u * v) + absolute};
 }
 
-/// Decides exactly whether faces have zero area. Views the mesh, whose indices are valid and coordinates finite for
-/// the faces asked about.
+/// Decides exactly whether faces have zero area. Views the mesh; indices must be valid and coordinates finite for the
+/// faces in question.
 class ZeroAreaTest {
  public:
   explicit ZeroAreaTest(ExactMeshView mesh) : mesh_(mesh.mesh), rational_(!mesh.exact.empty()) {
@@ -67,15 +67,15 @@ struct SourcedTriangles {
   }
 };
 
-/// What came of the removal of zero-area triangles.
+/// The result of the removal of zero-area triangles.
 struct Removal {
   std::vector<std::uint32_t> removed;  ///< sources of the triangles removed
   std::uint64_t divided = 0;           ///< triangles of positive area that were divided
 };
 
-/// Removes all triangles of zero area and divides their neighbours' edges, so that a closed chain stays closed and
-/// covers the same surface. Vertices keep their numbers, but those of zero-area triangles with equal coordinates
-/// become one. See the proof in zero_area.cpp. O(n + k log k) for k zero-area triangles.
+/// Removes all triangles of zero area and divides their neighbours' edges, so that a closed chain remains closed and
+/// covers the same surface. Vertices keep their numbers, except that those of zero-area triangles with equal
+/// coordinates become one. See the proof in zero_area.cpp. O(n + k log k) for k zero-area triangles.
 Removal remove_zero_area(std::span<const Vertex> vertices, SourcedTriangles& faces);
 
 }  // namespace strata

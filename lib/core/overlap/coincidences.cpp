@@ -16,7 +16,7 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// The vertices that may have the place of another one, in order.
+/// The vertices that may have the position of another one, in order.
 std::vector<std::uint32_t> vertices_near_others(const InputComplex& input, const CellTree& cells) {
   constexpr std::uint32_t run = 1 << 14;
   const std::uint32_t count = input.vertex_count(), runs = (count + run - 1) / run;
@@ -40,14 +40,15 @@ std::vector<std::uint32_t> vertices_near_others(const InputComplex& input, const
   return vertices;
 }
 
-/// A table of places, each with one of its vertices.
+/// A hash table of positions, each with one of its vertices.
 class Places {
  public:
   explicit Places(std::size_t vertices) : mask_(std::bit_ceil(vertices + vertices / 2 + 1) - 1) {
     resize_fresh(slots_, mask_ + 1, nobody);
   }
 
-  /// The vertex that stands for the place of this one; itself if there was none. Threads may insert at the same time.
+  /// The vertex that represents the position of this one; itself if there was none. Threads may insert at the same
+  /// time.
   std::uint32_t insert(const InputComplex& input, std::uint32_t vertex) {
     const InputComplex::Coordinates& p = input.vertex(vertex);
     for (std::size_t s = hash_of(p);; ++s) {

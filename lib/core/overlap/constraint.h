@@ -9,7 +9,7 @@
 
 namespace strata {
 
-/// The line that carries a constraint inside a face: an input edge, or the trace of another face's plane.
+/// The line on which a constraint lies inside a face: an input edge, or the trace of another face's plane.
 struct ConstraintLine {
   std::uint32_t a = 0, b = 0;  ///< edge: its vertices, a < b. trace: a = b = the other face
   bool edge = false;
@@ -19,12 +19,13 @@ struct ConstraintLine {
   friend auto operator<=>(const ConstraintLine&, const ConstraintLine&) = default;
 };
 
-/// What another face does to a face along a constraint. Left and right are meant looking along tail -> head with the
-/// face's outward normal up; "above" is the outer side of the face.
+/// The effect of another face on a face along a constraint. Left and right are seen looking along tail -> head with the
+/// face's outward normal up. "Above" is the outer side of the face.
 enum class ConstraintKind : std::uint8_t {
-  point,        ///< the faces share one point (tail = head)
-  touch,        ///< the other face has an edge here and is nowhere above: nothing changes across
-  crossing,     ///< just above the face, the left side lies one deeper inside the other face's operand than the right
+  point,     ///< the faces share one point (tail = head)
+  touch,     ///< the other face has an edge here and is nowhere above: no winding number changes across it
+  crossing,  ///< just above the face, the winding number about the other operand is one higher on the left than on the
+             ///< right
   cover_left,   ///< an edge of a coplanar face that covers the left side
   cover_right,  ///< an edge of a coplanar face that covers the right side
   coplanar,     ///< the other face lies in the same plane and may cover parts; no geometry (tail, head: a corner)
@@ -39,13 +40,13 @@ struct Constraint {
   PointId tail = 0, head = 0;
 };
 
-/// Two input vertices at the same place.
+/// Two input vertices with equal coordinates.
 struct EqualVertices {
   std::uint32_t a = 0, b = 0;
   friend auto operator<=>(const EqualVertices&, const EqualVertices&) = default;
 };
 
-/// What was found between some pairs of faces, collected pair by pair.
+/// The intersections of some pairs of faces, collected pair by pair.
 struct PairIntersections {
   /// The number of a point: its own if it is an input vertex, else the vertex count plus its index in `constructed`. A
   /// constructed point is appended to that list unless it is among the last entries.

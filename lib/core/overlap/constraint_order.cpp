@@ -12,7 +12,7 @@
 namespace strata {
 namespace {
 
-/// Runs of neighbouring faces, as many as leave few constraints to each where these are spread evenly.
+/// Runs of neighbouring faces, so many that each run has few constraints where these are spread evenly.
 class FaceRuns {
  public:
   FaceRuns(std::size_t constraints, std::uint32_t face_count) {
@@ -25,14 +25,14 @@ class FaceRuns {
   [[nodiscard]] std::size_t count() const { return first_.size() - 1; }
   [[nodiscard]] std::uint32_t first(std::size_t run) const { return first_[run]; }
   void add(std::uint32_t face) { advance(face); }
-  /// From numbers of constraints to where each run starts.
+  /// Replaces the numbers of constraints by the positions at which runs start.
   void sum_up() {
     std::uint32_t sum = 0;
     for (std::uint32_t& n : first_) sum += std::exchange(n, sum);
   }
-  /// The next place of the face's run, which moves its start.
+  /// The next position in the face's run; advances the start of the run.
   std::uint32_t take(std::uint32_t face) { return advance(face); }
-  /// Starts as they were before all places were taken.
+  /// The starts before all positions were taken.
   void restore() {
     for (std::size_t run = first_.size() - 1; run > 0; --run) first_[run] = first_[run - 1];
     first_[0] = 0;

@@ -6,7 +6,7 @@
 
 namespace strata {
 
-/// Where a constraint is, before all are gathered.
+/// The position of a constraint before all constraints are gathered.
 struct ConstraintPosition {
   std::uint64_t faces = 0;  ///< the face and the other face
   std::uint32_t cell = 0;
@@ -18,7 +18,7 @@ struct ConstraintPosition {
   friend bool operator==(const ConstraintPosition&, const ConstraintPosition&) = default;
 };
 
-/// The constraints of all cells, by face and other face, those of a pair in the order in which they were found.
+/// The constraints of all cells, sorted by face and other face, those of a pair in the order in which they were found.
 /// Requires that those of a pair are in one cell. O(n log m) for n constraints, m of them on neighbouring faces; in
 /// parallel.
 [[nodiscard]] std::vector<ConstraintPosition> order_by_face(const std::vector<PairIntersections>& per_cell,

@@ -9,10 +9,11 @@
 namespace strata {
 namespace {
 
-/// Points in which an edge meets a triangle; an edge and a convex set share at most a segment, so two ends at most.
+/// Points in which an edge meets a triangle. An edge and a convex set share at most a segment, so there are at most two
+/// ends.
 using Ends = boost::container::static_vector<SharedPoint, 8>;
 
-/// A triangle seen in a projection.
+/// A triangle in a projection.
 class SeenTriangle {
  public:
   SeenTriangle(const InputComplex& input, const FilteredFace& face, Projection projection)
@@ -20,7 +21,7 @@ class SeenTriangle {
     for (std::size_t i = 0; i < 3; ++i) seen_[i] = seen(face.corners[i], projection);
   }
 
-  /// Sides of the triangle's directed edge e on which the corners of another one are: left positive.
+  /// Sides of the triangle's directed edge e on which the corners of another one lie: left positive.
   [[nodiscard]] Sign side(std::size_t e, const SeenTriangle& other, std::size_t p) const {
     const std::size_t n = (e + 1) % 3;
     if (face_.is_exact && other.face_.is_exact) return orient2d(seen_[e], seen_[n], other.seen_[p]);
@@ -28,10 +29,10 @@ class SeenTriangle {
   }
   [[nodiscard]] Point point(std::size_t i) const { return make_point(input_, SymbolicPoint::input(face_.vertices[i])); }
 
-  /// Counter-clockwise positive.
+  /// Positive when counter-clockwise.
   [[nodiscard]] Sign orientation() const { return side(0, *this, 2); }
 
-  /// A projection that shows the face counter-clockwise.
+  /// A projection in which the face is counter-clockwise.
   static Projection projection_for(const InputComplex& input, const FilteredFace& face) {
     if (face.is_exact) {
       const int axis = static_cast<int>(face.plane.widest_axis()), u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -52,7 +53,7 @@ class SeenTriangle {
   std::array<PlanePoint, 3> seen_;
 };
 
-/// Both triangles seen in the projection that shows f counter-clockwise.
+/// Both triangles in the projection in which f is counter-clockwise.
 class CoplanarMeeting {
  public:
   CoplanarMeeting(const InputComplex& input, const FilteredFace& f, const FilteredFace& g)
@@ -95,7 +96,7 @@ class CoplanarMeeting {
   }
 
  private:
-  /// True when all of g is strictly on the outer side of an edge of f, but for vertices that f has too on that edge.
+  /// True when all of g is strictly on the outer side of an edge of f, except vertices on that edge that f has, too.
   [[nodiscard]] bool is_beyond(std::size_t edge) const {
     for (std::size_t p = 0; p < 3; ++p) {
       const Sign s = g_vertex_side_[p][edge];
@@ -147,8 +148,8 @@ class CoplanarMeeting {
     return p.on_f.kind == Feature::Kind::vertex && p.on_g.kind == Feature::Kind::vertex &&
            vf_[p.on_f.index] == vg_[p.on_g.index];
   }
-  /// Where an end lies on edge k of g as far as features tell: at its start or where it enters f, in between, at its
-  /// end or where it leaves f.
+  /// The position of an end on edge k of g, as far as features decide it: at its start or where it enters f, in
+  /// between, at its end or where it leaves f.
   [[nodiscard]] int place_on_g(const SharedPoint& p, int k) const {
     if (p.on_g.kind == Feature::Kind::vertex) return p.on_g.index == k ? 0 : 2;
     if (p.on_f.kind != Feature::Kind::edge) return 1;
@@ -159,7 +160,7 @@ class CoplanarMeeting {
     if (p.on_g.kind != Feature::Kind::edge) return 1;
     return f_vertex_side_[static_cast<std::size_t>(i)][p.on_g.index] == -orientation_ ? 0 : 2;
   }
-  /// Orders two ends along edge e of a triangle, by their places if these differ.
+  /// Orders two ends along edge e of a triangle, by these positions if they differ.
   void order(Ends& ends, const SeenTriangle& triangle, std::size_t e, int first_place, int last_place) const {
     if (first_place > last_place) std::swap(ends[0], ends[1]);
     if (first_place != last_place) return;

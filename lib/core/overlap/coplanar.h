@@ -7,11 +7,11 @@
 
 namespace strata {
 
-/// meet_faces for two faces in one plane: every edge of either, clipped to the other, becomes a constraint there.
+/// meet_faces for two faces in one plane: every edge of either face, clipped to the other, becomes a constraint there.
 bool meet_coplanar_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
                          PairIntersections& intersections);
 
-/// meet_faces for two faces with the same three vertices: either covers the other.
+/// meet_faces for two faces with the same three vertices: each covers the other.
 bool meet_same_face(std::uint32_t f, const InputComplex::Indices& vf, std::uint32_t g, const InputComplex::Indices& vg,
                     PairIntersections& intersections);
 

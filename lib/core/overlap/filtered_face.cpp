@@ -57,9 +57,9 @@ bool FilteredFace::is_beside(const FilteredFace& other, const Signs& sides) cons
 
 namespace {
 
-/// Is all of g strictly on the other side of the line of an edge of f than f, seen along an axis? Ends that both have
-/// count as beyond. `turn(a, b, c)`: 0 when it is not known. `is_in_line(w, end, other)`: is w known to be on the
-/// edge's line beyond an end? If g has this end and not the other one, w counts as beyond, too.
+/// Seen along an axis, is all of g strictly on the other side of the line of an edge of f than f? Ends that both have
+/// count as beyond. `turn(a, b, c)` is the orientation, or 0 when it is not known. `is_in_line(w, end, other)`: is w
+/// known to be on the edge's line beyond an end? If g has this end and not the other one, w counts as beyond, too.
 template <class Turn, class IsInLine>
 bool is_beyond_edge(const FilteredFace& f, const FilteredFace& g, std::size_t edge, const Turn& orientation,
                     const IsInLine& is_in_line) {

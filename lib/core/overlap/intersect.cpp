@@ -19,7 +19,7 @@ namespace strata {
 namespace {
 
 /// The pairs of one cell. Faces are swept along the axis along which they are shortest, so that only those that overlap
-/// there are compared; the comparison runs over plain arrays, several faces at a time where the processor can.
+/// there are compared. The comparison runs over plain arrays, several faces at a time where the processor supports it.
 class CellPairs {
  public:
   explicit CellPairs(const Candidates& candidates)
@@ -72,7 +72,7 @@ class CellPairs {
     faces_ = &cell.faces;
   }
 
-  /// The axis along which the faces' boxes are shortest in all.
+  /// The axis along which the faces' boxes are shortest in total.
   [[nodiscard]] static std::size_t shortest_axis(const Cell& cell) {
     std::array<std::int64_t, 3> length{};
     for (const CellFace& f : cell.faces)
@@ -80,7 +80,7 @@ class CellPairs {
     return static_cast<std::size_t>(std::min_element(length.begin(), length.end()) - length.begin());
   }
 
-  /// Which of the faces i + 1 to end - 1 overlap face i along the other axes and are to be tested with it.
+  /// Finds the faces i + 1 to end - 1 that overlap face i along the other axes and are to be tested with it.
   void compare(std::size_t i, std::size_t end) {
     const std::int32_t u0 = lower_[0][i], u1 = upper_[1][i], v0 = lower_[1][i], v1 = upper_[2][i];
     const std::int32_t own = self_ ? -1 : operand_[i];
@@ -115,10 +115,10 @@ class CellPairs {
   std::array<std::vector<std::int32_t>, 2> lower_;  ///< across the axis of the sweep
   std::array<std::vector<std::int32_t>, 3> upper_;  ///< along it and across
   std::vector<std::int32_t> operand_, is_pair_;
-  std::vector<std::optional<FilteredFace>> filtered_;  ///< when a face was needed
+  std::vector<std::optional<FilteredFace>> filtered_;  ///< filled when a face is needed
 };
 
-/// The cells in which faces may meet. Cells come in any order, these by their lower corners.
+/// The cells in which faces may meet. The cells themselves are in any order; these are sorted by their lower corners.
 std::vector<const Cell*> mixed_cells(const CellTree& cells) {
   std::vector<const Cell*> mixed;
   for (const Cell& cell : cells.cells())
@@ -127,8 +127,8 @@ std::vector<const Cell*> mixed_cells(const CellTree& cells) {
   return mixed;
 }
 
-/// What all cells found, constraints sorted by face and other face. All constraints of a pair come from one cell, in
-/// one run.
+/// The intersections of all cells, with constraints sorted by face and other face. All constraints of a pair come from
+/// one cell and are consecutive.
 Intersections gathered(const std::vector<PairIntersections>& per_cell, const InputComplex& input,
                        const Monitor& monitor) {
   Intersections all{.constraints = {}, .equal = {}, .points = PointTable(input)};
@@ -143,7 +143,7 @@ Intersections gathered(const std::vector<PairIntersections>& per_cell, const Inp
   tbb::parallel_sort(all.equal.begin(), all.equal.end());
   all.equal.erase(std::unique(all.equal.begin(), all.equal.end()), all.equal.end());
 
-  std::vector<SymbolicPoint> names(first_name.back());  // what several cells found occurs several times
+  std::vector<SymbolicPoint> names(first_name.back());  // points found in several cells occur several times
   tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t c) {
     const auto& constructed = per_cell[c].constructed;
     std::copy(constructed.begin(), constructed.end(), names.begin() + static_cast<std::ptrdiff_t>(first_name[c]));

@@ -19,7 +19,7 @@ struct Intersections {
 };
 
 /// Intersects every pair of faces that may meet: faces of different operands, or all faces if the input may intersect
-/// itself. Each pair is tested in one cell, the one with the lower corner of the intersection of their boxes. The same
+/// itself. Each pair is tested in one cell, which owns it (core/cells/theory.md, "Ownership of a pair"). The same
 /// result for any number of threads. The candidates must outlive it. Throws Cancelled.
 [[nodiscard]] Intersections intersect(const Candidates& candidates, const Monitor& monitor);
 

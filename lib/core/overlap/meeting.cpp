@@ -18,16 +18,16 @@ Sign side(const InputComplex& input, std::uint32_t face, const InputComplex::Ind
   return orient3d(input, v[0], v[1], v[2], of);
 }
 
-/// Sides of which doubles are not certain are asked for exactly.
+/// Evaluates exactly the sides about which doubles are not certain.
 Signs completed(const InputComplex& input, Signs sides, const FilteredFace& plane, const FilteredFace& other) {
   for (std::size_t i = 0; i < 3; ++i)
     if (sides[i] == Sign::zero) sides[i] = side(input, plane.face, plane.vertices, other.vertices[i]);
   return sides;
 }
 
-/// Where a triangle with vertices on sides s of a plane leaves it (tail) and enters its positive side (head), walking
-/// around counter-clockwise: the ends of its section with the plane, directed along n x n' (n the plane's normal, n'
-/// the triangle's). theory.md, "Directions".
+/// The ends of the section of a triangle, whose vertices are on sides s of a plane, with the plane. Walking around the
+/// triangle counter-clockwise, it leaves the positive side at the tail and enters it at the head. So the section is
+/// directed along n x n', with n the plane's normal and n' the triangle's. theory.md, "Directions".
 struct Section {
   Feature tail, head;
 };
@@ -44,7 +44,7 @@ Section section(const Signs& s) {
     if (at(i) == Sign::negative && at(next(i)) == Sign::positive) r.head = Feature::edge(i);
     if (at(i) == Sign::positive && at(next(i)) == Sign::negative) r.tail = Feature::edge(i);
   }
-  for (int i = 0; i < 3; ++i) {  // a vertex in the plane takes the place of what is missing
+  for (int i = 0; i < 3; ++i) {  // a vertex in the plane is the end that is missing
     if (at(i) != Sign::zero) continue;
     if (r.head == Feature::inside()) r.head = Feature::vertex(i);
     if (r.tail == Feature::inside()) r.tail = Feature::vertex(i);
@@ -52,7 +52,7 @@ Section section(const Signs& s) {
   return r;
 }
 
-/// True when a triangle with these sides has an edge in the plane: that edge's index, else -1.
+/// The index of an edge that lies in the plane, for a triangle with these sides; -1 if there is none.
 int edge_in_plane(const Signs& s) {
   for (int i = 0; i < 3; ++i)
     if (s[static_cast<std::size_t>(i)] == Sign::zero && s[static_cast<std::size_t>(next(i))] == Sign::zero) return i;
@@ -61,7 +61,7 @@ int edge_in_plane(const Signs& s) {
 
 bool reaches(const Signs& s, Sign side) { return s[0] == side || s[1] == side || s[2] == side; }
 
-/// Two triangles in different planes that cross each other's plane.
+/// Two triangles in different planes, each of which meets the other's plane.
 class TransversalMeeting {
  public:
   TransversalMeeting(const InputComplex& input, const FilteredFace& f, const FilteredFace& g, const Signs& of_f,
@@ -77,7 +77,8 @@ class TransversalMeeting {
         of_g_(of_g) {}
 
   bool find(PairIntersections& intersections) {
-    // Both sections lie on one line; directed along n_f x n_g, g's is as it comes and f's the other way round.
+    // Both sections lie on one line. Along n_f x n_g, the section of g has its own direction and that of f the opposite
+    // one.
     const Section on_g = section(of_g_), on_f = section(of_f_);
     const auto tail = later(on_f.head, on_g.tail);
     if (!tail) return false;
@@ -89,14 +90,14 @@ class TransversalMeeting {
   }
 
  private:
-  /// Of two candidate ends, one from either triangle, the one that lies in both triangles.
+  /// Of two candidates for an end, one from each triangle, the one that lies in both triangles.
   std::optional<SharedPoint> later(Feature from_f, Feature from_g) {
     if (const auto on_g = locate(sides_in_g(from_f))) return SharedPoint{from_f, *on_g};
     if (const auto on_f = locate(sides_in_f(from_g))) return SharedPoint{*on_f, from_g};
     return std::nullopt;
   }
 
-  /// The edge through a point of a section that leaves the other plane there.
+  /// The edge through an end of a section that leaves the other plane there.
   static int edge_through(Feature end, const Signs& s) {
     if (end.kind == Feature::Kind::edge) return end.index;
     return s[static_cast<std::size_t>(next(end.index))] != Sign::zero ? end.index : previous(end.index);
@@ -147,7 +148,7 @@ class TransversalMeeting {
     intersections.equal.push_back({vf_[p.on_f.index], vg_[p.on_g.index]});
   }
 
-  /// The line of the section as the other face sees it: an edge of either triangle if one lies there.
+  /// The line of the section in the other face: an edge of either triangle if one lies there, otherwise a trace.
   [[nodiscard]] ConstraintLine line(std::uint32_t other) const {
     const auto along = [](const InputComplex::Indices& v, int i) {
       return ConstraintLine::along_edge(v[static_cast<std::size_t>(i)], v[static_cast<std::size_t>(next(i))]);

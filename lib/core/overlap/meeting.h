@@ -5,7 +5,7 @@
 
 namespace strata {
 
-/// Finds where two closed triangles meet, exactly, and appends what that means for either one.
+/// Finds the intersection of two closed triangles, exactly, and appends the constraints on both.
 ///
 /// Two triangles are apart, share a point, share a segment of the line in which their planes meet, or are coplanar and
 /// overlap in a convex polygon. Each end of a shared segment is named by the lowest-dimensional features of both

@@ -33,8 +33,8 @@ std::uint64_t hash_of(const SymbolicPoint& name) {
   return h ^ h >> 32;
 }
 
-/// Finds the first occurrence of every name in a list. Threads insert at the same time: a slot, once taken, stays with
-/// its name and is lowered to the least index seen, so what it ends up with does not depend on their order.
+/// Finds the first occurrence of every name in a list. Threads insert at the same time. A slot, once taken, belongs to
+/// its name and is lowered to the least index seen, so its final content does not depend on the order of the threads.
 template <class NameOf>
 class FirstOccurrences {
  public:
@@ -131,7 +131,7 @@ std::vector<std::pair<PointId, PointId>> PointTable::equal_positions(std::vector
           break;
         }
       }
-    } else {  // as where doubles are far apart: near zero
+    } else {  // where doubles are sparse: near zero
       std::vector<std::pair<RationalPoint, PointId>> exact;
       for (std::size_t i = first; i < last; ++i)
         exact.emplace_back(exact_position(*input_, point(places[i].id)), places[i].id);

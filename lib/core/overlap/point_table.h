@@ -15,16 +15,17 @@ using PointId = std::uint32_t;
 /// All points of an evaluation, each constructed one once. Reading is thread-safe. The input must outlive it.
 class PointTable {
  public:
-  /// Knows the input vertices.
+  /// Starts with the input vertices.
   explicit PointTable(const InputComplex& input) : input_(&input) {}
 
-  /// Numbers of named points; names that are new are numbered in the order of their first occurrence, and their
-  /// coordinates found. O(n + size), in parallel; the same for any number of threads.
+  /// Numbers of symbolic points. New names are numbered in the order of their first occurrence, and their coordinates
+  /// are computed. O(n + size), in parallel; the same for any number of threads.
   std::vector<PointId> add(std::span<const SymbolicPoint> names, const Monitor& monitor);
 
-  /// Points that are one place: from now on one number represents them, an input vertex if there is one, the lowest.
+  /// Identifies coincident points: after this one number represents them, the lowest, which is an input vertex if there
+  /// is one.
   void identify(std::span<const std::pair<PointId, PointId>> equal);
-  /// Which of these points are one place, as pairs: exact, whatever their names say. O(n log n), in parallel.
+  /// Pairs of coincident points among these: exact, whatever their names are. O(n log n), in parallel.
   [[nodiscard]] std::vector<std::pair<PointId, PointId>> equal_positions(std::vector<PointId> ids,
                                                                          const Monitor& monitor) const;
   [[nodiscard]] PointId representative(PointId id) const { return same_.empty() ? id : same_[id]; }

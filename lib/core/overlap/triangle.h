@@ -9,7 +9,7 @@
 
 namespace strata {
 
-/// A part of a triangle: vertex i, edge i (from vertex i to the next), or the inside.
+/// A feature of a triangle: vertex i, edge i (from vertex i to the next), or the interior.
 struct Feature {
   enum class Kind : std::uint8_t { vertex, edge, face };
   Kind kind = Kind::face;
@@ -30,17 +30,17 @@ inline constexpr int previous(int i) { return i == 0 ? 2 : i - 1; }
 /// nullopt when the point is outside. `inner` is the sign of the inner side.
 [[nodiscard]] std::optional<Feature> locate(const Signs& sides, Sign inner);
 
-/// The same when the orientation is not known: inside where no two sides differ.
+/// The same when the orientation is not known: the interior where no two sides differ.
 [[nodiscard]] std::optional<Feature> locate(const Signs& sides);
 
-/// A point in which triangles f and g meet: its lowest-dimensional feature on either.
+/// A point in which triangles f and g meet: its lowest-dimensional feature of each.
 struct SharedPoint {
   Feature on_f, on_g;
   friend constexpr bool operator==(SharedPoint, SharedPoint) = default;
 };
 
-/// Name of a shared point, as seen from f: where both features are vertices, f's vertex.
-/// Requires that not both features are insides.
+/// Name of a shared point, as seen from f: where both features are vertices, f's vertex. Requires that not both
+/// features are interiors.
 [[nodiscard]] SymbolicPoint name_of(SharedPoint p, std::uint32_t f, const InputComplex::Indices& vf, std::uint32_t g,
                                     const InputComplex::Indices& vg);
 

@@ -8,8 +8,8 @@
 
 namespace strata {
 
-/// Coordinates of a boundary's vertices: input vertices as they were given, and constructed points each rounded to the
-/// nearest double, ties to even. O(1) per point.
+/// Coordinates of a boundary's vertices: input vertices unchanged, constructed points rounded to the nearest double,
+/// ties to even. O(1) per point.
 [[nodiscard]] std::vector<Vertex> round_to_doubles(const InputComplex& input, const Boundary& boundary,
                                                    const Monitor& monitor);
 

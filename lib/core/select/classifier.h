@@ -4,8 +4,8 @@
 
 namespace strata {
 
-/// What decides which pieces of faces bound the result: the operation, and the winding numbers on either side. The rule
-/// and the oracle must outlive it.
+/// The inputs of the decision which pieces of faces bound the result: the operation, and the winding numbers on either
+/// side. The rule and the oracle must outlive it.
 struct Classifier {
   const Rule& rule;
   const WindingOracle& oracle;

@@ -39,8 +39,8 @@ bool Covering::leaves_nothing(std::span<const std::uint32_t> covers) {
   return above && below;
 }
 
-/// A point on an edge tells less, so there is another try: the points with weights (1, t, t^2) lie on a conic, and few
-/// of them on one edge.
+/// A point on an edge determines less, so another point is tried: the points with weights (1, t, t^2) lie on a conic,
+/// and few of them on one edge.
 bool Covering::hides_face() {
   if (!meets_coplanar_faces_only()) return false;
   constexpr std::uint32_t tries = 4;
@@ -58,7 +58,7 @@ bool Covering::hides_face() {
   return false;
 }
 
-/// The constraints with one other face follow one another, `coplanar` being the first.
+/// The constraints with one other face are consecutive, `coplanar` being the first.
 bool Covering::meets_coplanar_faces_only() const {
   for (std::size_t i = 0; i < constraints_.size(); ++i) {
     const bool coplanar = constraints_[i].kind == ConstraintKind::coplanar;
@@ -89,8 +89,8 @@ Covering::Place Covering::place_in(std::uint32_t g, const Point& q) {
   return a * b * c == Sign::zero ? Place::border : Place::inside;
 }
 
-/// True when q is certainly beyond the box of a triangle, as seen in a projection. A rational corner rounds to its
-/// doubles, so what is beyond these is beyond the corner.
+/// True when q is certainly beyond the box of a triangle, in a projection. A rational corner rounds to its doubles, so
+/// what is beyond these is beyond the corner.
 bool Covering::is_beyond_box(const InputComplex::Indices& triangle, Projection projection, const Point& q) const {
   const auto &a = input_.vertex(triangle[0]), &b = input_.vertex(triangle[1]), &c = input_.vertex(triangle[2]);
   for (const int axis : {projection.u, projection.v}) {

@@ -13,14 +13,15 @@
 
 namespace strata {
 
-/// What the coplanar faces that cover a face tell about it without a walk. Requires solids: where faces of one of them
-/// cover a place and, counted with signs, look the way the face does, it has winding number 0 above and 1 below; where
-/// they look the other way, 1 above and 0 below. theory.md, "Covered faces". For one thread.
+/// Winding numbers and verdicts of a face that follow from the coplanar faces that cover it, without a walk. Requires
+/// solids. Where faces of an operand cover a position of the face and, counted with signs, have its orientation, the
+/// operand has winding number 0 above and 1 below; with the opposite orientation, 1 above and 0 below. theory.md,
+/// "Covered faces". For one thread.
 class Covering {
  public:
   Covering(const InputComplex& input, const Rule& rule) : input_(input), rule_(rule) {}
 
-  /// Looks at a face by all its constraints.
+  /// Starts with a face, given by all its constraints.
   void start(std::span<const Constraint> constraints);
 
   /// The faces coplanar with this one that it meets, by increasing number.
@@ -28,16 +29,18 @@ class Covering {
   /// Is q, a point of this face's plane on no edge of g, inside g?
   [[nodiscard]] bool covers(std::uint32_t g, const Point& q) { return place_in(g, q) == Place::inside; }
 
-  /// Winding numbers about the other operands just above a place with these covers, which are sorted, if they tell all.
+  /// Winding numbers about the other operands just above a position with these covers, which are sorted, if these
+  /// determine them all.
   [[nodiscard]] std::optional<Windings> above(std::span<const std::uint32_t> covers);
-  /// True when covers at a place, sorted, tell that nothing stays there: a face of an operand before its own speaks for
-  /// all, or the rule has one value above and below whatever the other operands do.
+  /// True when covers at a position, sorted, show that no piece is kept there: a face of an operand before its own
+  /// represents all, or the rule has one value above and below whatever the other operands are.
   [[nodiscard]] bool leaves_nothing(std::span<const std::uint32_t> covers);
-  /// True when nothing stays of a face that meets coplanar faces only, as one place of it tells. False: not known.
+  /// True when no piece is kept of a face that meets coplanar faces only, decided at one position of it. False: not
+  /// known.
   [[nodiscard]] bool hides_face();
 
  private:
-  /// The faces of one operand that cover a place: how many more look the same way than the other.
+  /// The faces of one operand that cover a position: how many more have the same orientation than the opposite one.
   struct Sheet {
     std::uint32_t operand = 0;
     int net = 0;
@@ -56,7 +59,7 @@ class Covering {
   const InputComplex& input_;
   const Rule& rule_;
   std::uint32_t face_ = 0, operand_ = 0;
-  std::optional<Projection> projection_;  ///< of the face, once it was needed
+  std::optional<Projection> projection_;  ///< of the face, once it is needed
   std::span<const Constraint> constraints_;
   std::vector<std::uint32_t> coplanar_, covers_;
   std::vector<Sheet> sheets_;

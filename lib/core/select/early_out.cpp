@@ -25,8 +25,8 @@ void EarlyOut::tell(std::uint32_t corner, const Windings& windings) {
 
 bool EarlyOut::meets(std::uint32_t operand) const { return std::binary_search(met_.begin(), met_.end(), operand); }
 
-/// Other corners than the one that told may lie on the operand, but only where it has a vertex: the face would meet it
-/// otherwise.
+/// Other corners than the one that was evaluated may lie on the operand, but only where it has a vertex: the face would
+/// meet it otherwise.
 bool EarlyOut::settle(std::uint32_t operand) {
   for (const std::uint32_t v : corners_)
     if (!input_.is_shared(v)) known_.remember(v, operand);

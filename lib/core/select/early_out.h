@@ -8,23 +8,23 @@
 
 namespace strata {
 
-/// Tells faces of which nothing stays because of one operand alone, deep inside a union of many, say. An operand that a
-/// face does not meet is everywhere along the face what it is at one corner; theory.md, "Settled faces". For one
-/// thread.
+/// Decides that nothing of a face is kept, because one operand alone decides the rule there, as deep inside a union of
+/// many. The winding number about an operand that the face does not meet is the same on all of the face; theory.md,
+/// "Early out". For one thread.
 class EarlyOut {
  public:
   EarlyOut(const InputComplex& input, const Rule& rule) : input_(input), rule_(rule), known_(input.vertex_count()) {}
 
-  /// Looks at a face and the operands it meets, its own included, in order.
+  /// Starts with a face and the operands that it meets, its own included, in order.
   void start(const InputComplex::Indices& corners, std::span<const std::uint32_t> met) {
     corners_ = corners;
     met_ = met;
   }
-  /// By what was found out at the face's corners before.
+  /// True if facts recorded at the face's corners decide.
   [[nodiscard]] bool is_settled();
-  /// By the winding numbers about all operands but its own at a corner on no other surface.
+  /// True if the winding numbers about all operands but its own, at a corner on no other surface, decide.
   [[nodiscard]] bool is_settled(const Windings& windings);
-  /// Remembers winding numbers around a corner on no other surface.
+  /// Records winding numbers at a corner on no other surface.
   void tell(std::uint32_t corner, const Windings& windings);
 
  private:
@@ -33,7 +33,7 @@ class EarlyOut {
 
   const InputComplex& input_;
   const Rule& rule_;
-  CornerCache<std::uint32_t> known_;  ///< an operand that settles all faces of the corner that do not meet it
+  CornerCache<std::uint32_t> known_;  ///< an operand that decides all faces of the corner that do not meet it
   InputComplex::Indices corners_{};
   std::span<const std::uint32_t> met_;
 };

@@ -73,7 +73,7 @@ class VertexNumbers {
   std::vector<PointId> same_;          ///< per input vertex: the one that stands for it; empty: itself
 };
 
-/// The faces that stay whole, in blocks.
+/// The kept whole faces, in blocks.
 class WholeFaces {
  public:
   WholeFaces(const InputComplex& input, const std::vector<Verdict>& verdicts)

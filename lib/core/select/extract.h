@@ -10,7 +10,7 @@
 
 namespace strata {
 
-/// The exact boundary of a result: vertices as numbers of points, triangles with the face each comes from.
+/// The exact boundary of a result: vertices as numbers of points, triangles with the face from which each comes.
 /// Vertices are numbered through `inputs` and then `constructed`; they are distinct points.
 struct Boundary {
   std::vector<std::uint32_t> inputs;                    ///< used input vertices, by increasing number

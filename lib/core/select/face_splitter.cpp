@@ -69,7 +69,7 @@ void FaceSplitter::connect_names(bool simple, NewPoints& found) {
     if (kept_index_[at(vertex)] >= 0) found.equal.emplace_back(name, triangulation_.points()[vertex].name);
 }
 
-/// All operands that the face meets, its own included, in order.
+/// Lists all operands that the face meets, its own included, in order.
 void FaceSplitter::list_met() {
   met_.assign(1, operand_);
   for (const Constraint& c : constraints_) met_.push_back(input_.operand_of_face(c.other));
@@ -77,7 +77,7 @@ void FaceSplitter::list_met() {
   met_.erase(std::unique(met_.begin(), met_.end()), met_.end());
 }
 
-/// True when the face meets nothing but faces with its own three vertices.
+/// True when the face meets only faces with its own three vertices.
 bool FaceSplitter::is_one_of_the_same() const {
   const auto same = [this](const Constraint& c) {
     if (c.kind != ConstraintKind::coplanar) return false;
@@ -91,7 +91,7 @@ bool FaceSplitter::is_one_of_the_same() const {
 void FaceSplitter::collect_whole() {
   Region region;
   for (const Constraint& c : constraints_) region.covers.push_back(c.other);
-  if (region.covers.front() < face_) return;  // sorted; that one speaks for all
+  if (region.covers.front() < face_) return;  // sorted; that face represents all
   if (!self_ && covering_.leaves_nothing(region.covers)) return;
   region.above = above_at(SymbolicPoint::weighted(face_, 1), region.covers);
   const Verdict verdict = verdict_on(region);
@@ -112,8 +112,8 @@ bool FaceSplitter::triangulate() {
   return false;
 }
 
-/// Corners on no other surface: constraints that end in a corner name it. There, winding numbers are the same for all
-/// faces of the corner.
+/// Free corners: corners on no other surface. (A constraint that ends in a corner names it.) There, winding numbers are
+/// the same for all faces of the corner.
 void FaceSplitter::find_free_corners() {
   free_corners_.clear();
   if (self_ || !covering_.coplanar().empty()) return;
@@ -128,7 +128,7 @@ std::int32_t FaceSplitter::triangle_at_corner(std::size_t i) const {
   return triangulation_.triangle_at(static_cast<std::int32_t>(i));
 }
 
-/// A free corner, if there is one, best one that a neighbour has told of.
+/// A free corner, if there is one, preferably one whose winding numbers are known from a neighbour.
 std::optional<FaceSplitter::FreeCorner> FaceSplitter::ask_free_corner() const {
   for (const std::size_t i : free_corners_)
     if (const Windings* known = known_corners_.find(corners_[i])) return FreeCorner{i, *known};
@@ -175,7 +175,8 @@ Windings FaceSplitter::above_at(const SymbolicPoint& q, const std::vector<std::u
   return w;
 }
 
-/// Floods the triangles from a start: freely inside a region, with the changes noted on a side from one to the next.
+/// Traverses the triangles from a start: inside a region without change, and across a side with the changes recorded on
+/// it.
 void FaceSplitter::spread(Start from) {
   const auto triangles = triangulation_.triangles();
   region_of_.assign(triangles.size(), -1);
@@ -268,7 +269,7 @@ void FaceSplitter::collect() {
     PieceTriangle piece;
     piece.turned = verdict == Verdict::keep_reversed;
     for (std::size_t i = 0; i < 3; ++i) {
-      // Turned triangles run c, b, a: side i of the result is side 1 - i (mod 3) of the triangle.
+      // Reversed triangles run c, b, a: side i of the result is side 1 - i (mod 3) of the triangle.
       const std::size_t vertex = piece.turned ? 2 - i : i, side = piece.turned ? (4 - i) % 3 : i;
       const std::int32_t v = triangles[t].v[vertex];
       if (kept_index_[at(v)] < 0) {

@@ -32,12 +32,12 @@ class FaceSplitter {
   [[nodiscard]] SubdividedFace split(std::span<const Constraint> constraints, NewPoints& found, Pool& pool);
 
  private:
-  /// What is known about one region of the face.
+  /// The known facts about one region of the face.
   struct Region {
     Windings above;                     ///< winding numbers just above the face
     std::vector<std::uint32_t> covers;  ///< other coplanar faces that cover it, sorted
   };
-  /// A place of the face with its region.
+  /// A position in the face and its region.
   struct Start {
     std::int32_t triangle = 0;
     Region region;
@@ -52,7 +52,7 @@ class FaceSplitter {
     std::int32_t triangle;
     int side;
   };
-  /// What stays, while it is collected.
+  /// The kept pieces while they are collected.
   struct Kept {
     std::vector<PointId> points;
     std::vector<PieceTriangle> triangles;

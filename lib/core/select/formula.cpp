@@ -40,7 +40,7 @@ bool Formula::absorbs(Join join, const Joint& term, bool negated) {
   return (join == Join::any && term.join == Join::all) || (join == Join::all && term.join == Join::any);
 }
 
-/// Requires that the joints after the place's own are resolved.
+/// Requires that the nodes after the position's own are resolved.
 Formula::Place Formula::resolve(Place place) const {
   if (place.joint == none || !joints_[place.joint].absorbed) return place;
   const Place& by = joints_[place.joint].in;
@@ -71,7 +71,7 @@ bool Formula::value(const Joint& joint, std::uint32_t held) {
 
 namespace {
 
-/// Joints to look at, each with what is new about its terms: those first that are terms of others.
+/// Nodes to process, each with the changes of its terms: first those that are terms of others.
 template <class News>
 class Agenda {
  public:
@@ -80,7 +80,7 @@ class Agenda {
     std::push_heap(entries_.begin(), entries_.end(), later);
   }
   [[nodiscard]] bool empty() const { return entries_.empty(); }
-  /// Visits all news of the first joint, and takes them away.
+  /// Visits all changes of the first node and removes them.
   template <class Visit>
   std::uint32_t take(const Visit& visit) {
     const std::uint32_t joint = entries_.front().first;
@@ -137,9 +137,9 @@ bool Formula::find_settled(std::uint32_t operand, bool in) const {
   return false;
 }
 
-/// Terms of one joint: of `any` as they are; by De Morgan, of `all` negated.
+/// Terms of one node: of `any` as they are; by De Morgan, of `all` negated.
 std::vector<std::vector<std::uint32_t>> Formula::unions() const {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> terms;  // joint, operand
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> terms;  // node, operand
   for (std::uint32_t o = 0; o < operands(); ++o) {
     if (occurrences_[o].size() != 1) continue;
     const Place& p = occurrences_[o].front();

@@ -12,7 +12,7 @@
 namespace strata {
 namespace {
 
-/// Labels faces of one operand one after the other; faces with near numbers are often near in space.
+/// Labels the faces of one operand in order; faces with near numbers are often near in space.
 class FaceJudge {
  public:
   FaceJudge(const InputComplex& input, const Classifier& classifier, std::uint32_t operand)
@@ -58,7 +58,7 @@ class FaceJudge {
     return of_known_cell_ = verdict_of(std::move(w));
   }
 
-  /// By a point inside.
+  /// Decided at a point in the interior.
   [[nodiscard]] Verdict judge_inside(std::uint32_t i) const {
     const std::uint32_t face = input_.first_face(operand_) + i;
     Windings w = oracle_.above(face, make_point(input_, SymbolicPoint::weighted(face, 1)), {&face, 1});
@@ -66,7 +66,7 @@ class FaceJudge {
     return verdict_of(std::move(w));
   }
 
-  /// From the winding numbers just above a face.
+  /// The verdict that follows from the winding numbers just above a face.
   [[nodiscard]] Verdict verdict_of(Windings w) const {
     const bool above = rule_.inside(w);
     w.add(operand_, 1);

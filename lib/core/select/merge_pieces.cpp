@@ -20,7 +20,7 @@ constexpr Id none = 0xffffffffu;
 
 Edge undirected(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// The boundary edges of all pieces, and what meets in each vertex.
+/// The boundary edges of all pieces, and their number at each vertex.
 class BoundaryEdges {
  public:
   BoundaryEdges(const InputComplex& input, const PointTable& table, const std::vector<SubdividedFace>& faces) {
@@ -48,7 +48,7 @@ class BoundaryEdges {
   [[nodiscard]] bool has(Id a, Id b) const {
     return std::binary_search(edges_.begin(), edges_.end(), undirected(a, b));
   }
-  /// True when nothing needs the vertex: no boundary edge ends there, or two that run straight on.
+  /// True when the vertex is not needed: no boundary edge ends there, or two that form a straight line.
   [[nodiscard]] bool is_redundant(Id v) const { return concerned_[v] != 0 && (degree_[v] == 0 || straight_[v] != 0); }
 
  private:
@@ -80,13 +80,13 @@ class BoundaryEdges {
   std::vector<std::uint8_t> straight_;
 };
 
-/// A directed run of sides between two vertices that stay; on its left lie triangles of one verdict.
+/// A directed run of sides between two kept vertices, with triangles of one verdict on its left.
 struct Run {
   Id from = 0, to = 0;
-  Verdict left = Verdict::drop;  ///< drop: the run only divides
+  Verdict left = Verdict::drop;  ///< drop: the run only divides the face
 };
 
-/// Triangulates one face anew.
+/// Triangulates one face again.
 class FaceMerger {
  public:
   FaceMerger(const InputComplex& input, const PointTable& table, const BoundaryEdges& edges)
@@ -114,7 +114,7 @@ class FaceMerger {
   }
   [[nodiscard]] static bool is_bare(const PieceTriangle& t, std::size_t side) { return (t.boundary >> side & 1) == 0; }
 
-  /// Sides that stay, in the face's own orientation, joined across redundant vertices.
+  /// The kept sides, in the face's own orientation, joined across redundant vertices.
   void gather_runs(const SubdividedFace& face) {
     std::vector<Run> sides;
     for (const PieceTriangle& t : face.triangles)
@@ -130,8 +130,8 @@ class FaceMerger {
     join(sides, face.face);
   }
 
-  /// Runs through redundant vertices are joined. Two sides meet in such a vertex, and each face that has one of them
-  /// has both; a dividing side is met from either triangle, once in each direction.
+  /// Joins runs at redundant vertices. Two sides meet in such a vertex, and each face that has one of them has both. A
+  /// dividing side occurs once in each direction, from its two triangles.
   void join(const std::vector<Run>& sides, std::uint32_t face) {
     std::unordered_map<Id, std::vector<Run>> leaving;  // per redundant vertex
     for (const Run& s : sides)

@@ -8,15 +8,15 @@
 
 namespace strata {
 
-/// Merges pieces of one face that stay together: sides between them that bound no other piece go, so do constructed
-/// vertices in which nothing but such sides met, and those that only divide a straight edge of the result. Faces
-/// concerned are triangulated anew from their boundary loops; all others stay as they are.
+/// Merges kept pieces of one face with the same verdict. Sides between them that bound no other piece are removed. So
+/// are constructed vertices at which only such sides met, and those that only divide a straight edge of the result. The
+/// faces concerned are triangulated again from their boundary loops; all others are unchanged.
 ///
-/// Where two solids do nothing but cross (SubdividedFace::may_merge), every side and every constructed point bounds
-/// what stays, and only points of other faces are looked at.
+/// Where two solids only cross (SubdividedFace::may_merge), every side and every constructed point bounds a kept piece,
+/// so only points of other faces are examined.
 ///
-/// Whether a side or vertex is needed is decided for all faces at once, so the result meets only along shared edges and
-/// vertices as before. Input vertices on boundary loops always stay: whole faces may use them.
+/// Whether a side or vertex is needed is decided for all faces together, so the result still meets only along shared
+/// edges and vertices. Input vertices on boundary loops are always kept: whole faces may use them.
 void merge_pieces(const InputComplex& input, Subdivision& subdivision, const Monitor& monitor);
 
 }  // namespace strata

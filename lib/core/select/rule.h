@@ -18,7 +18,8 @@ class Rule {
   Rule(Operation operation, std::uint32_t operands) : operation_(operation), operands_(operands) {}
   /// Requires that the formula is closed.
   explicit Rule(Formula formula) : operands_(formula.operands()), formula_(std::move(formula)) {}
-  /// Every piece stays, whatever surrounds it: of coinciding pieces one, and none where they look both ways.
+  /// Every piece is kept, whatever the winding numbers are: of coincident pieces one, and none where they have both
+  /// orientations.
   [[nodiscard]] static Rule every_sheet() {
     Rule rule(Operation::symmetric_difference, 1);
     rule.looks_around_ = false;
@@ -29,7 +30,7 @@ class Rule {
   /// False when winding numbers do not matter.
   [[nodiscard]] bool looks_around() const { return looks_around_; }
 
-  /// True when this winding number of one operand alone decides, whatever the others are.
+  /// True when this winding number of one operand alone decides the rule, whatever the others are.
   [[nodiscard]] bool settles(std::uint32_t operand, std::int32_t winding) const {
     if (formula_) return formula_->settles(operand, winding > 0);
     switch (operation_) {
@@ -45,7 +46,7 @@ class Rule {
     return false;
   }
 
-  /// Operands that matter only in that a point is in one of them or in none: each list is as good as their union.
+  /// Lists of operands whose union alone matters to the rule: each list may be replaced by its union.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> unions() const {
     if (formula_) return formula_->unions();
     const std::uint32_t first = operation_ == Operation::difference ? 1 : 0;
@@ -81,11 +82,11 @@ class Rule {
  private:
   Operation operation_{};
   std::uint32_t operands_;
-  std::optional<Formula> formula_;  ///< in place of the operation
+  std::optional<Formula> formula_;  ///< instead of the operation
   bool looks_around_ = true;
 };
 
-/// What becomes of a piece of surface.
+/// The decision about a piece of surface.
 enum class Verdict : std::uint8_t {
   drop,
   keep,          ///< the result is behind it, as the operand was

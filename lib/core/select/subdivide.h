@@ -47,9 +47,9 @@ struct Subdivision {
 /// are known to have no piece in the result before they are subdivided (EarlyOut).
 ///
 /// The winding numbers at one point of a face come from the oracle. Those of all other pieces follow across the
-/// constraints, each of which says by how much they change. The winding numbers below a piece are those above it plus
-/// what the piece and the coplanar pieces on it contribute. Of coinciding pieces, the one of the lowest face counts.
-/// Points found equal are identified in the table of points. Throws Cancelled.
+/// constraints, each of which determines how they change. The winding numbers below a piece are those above it plus the
+/// contributions of the piece and of the coplanar pieces on it. Of coincident pieces, the one of the lowest face
+/// represents all. Points found equal are identified in the table of points. Throws Cancelled.
 [[nodiscard]] Subdivision subdivide(const InputComplex& input, Intersections intersections,
                                     const Classifier& classifier, const Monitor& monitor);
 

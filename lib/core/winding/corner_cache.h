@@ -7,15 +7,15 @@
 
 namespace strata {
 
-/// What was found out at corners of faces, which many faces share: remembers the last ones. For one thread.
+/// A cache of facts about corners of faces, which many faces share. It contains the last ones. For one thread.
 template <class Fact>
 class CornerCache {
  public:
-  /// For so many vertices in all.
+  /// For this number of vertices in all.
   explicit CornerCache(std::size_t vertices)
       : known_(std::bit_ceil(std::min(std::max(vertices, std::size_t{1}), std::size_t{4096}))) {}
 
-  /// Null if nothing was remembered of late.
+  /// Null if nothing is cached for the vertex.
   [[nodiscard]] const Fact* find(std::uint32_t vertex) const {
     const Known& k = known_[vertex & (known_.size() - 1)];
     return k.vertex == vertex ? &k.fact : nullptr;

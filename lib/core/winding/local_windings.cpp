@@ -10,7 +10,7 @@ Windings LocalWindings::around(const Point& q, std::uint32_t own) const { return
 
 Windings LocalWindings::above(std::uint32_t face, const Point& q, std::span<const std::uint32_t> covering) const {
   Windings w = walk(q, nobody, covering);
-  // The walk ends at the face. From below it goes through the covering faces to reach the upper side.
+  // The walk ends at the face. From below it continues through the covering faces to the upper side.
   const auto& cell = cells_.cells()[cells_.cell_at(grid_of(q))];
   if (side_of_origin(input_, face, cell.origin) == Sign::positive) return w;
   for (const std::uint32_t g : covering) w.add(input_.operand_of_face(g), -to_int(same_orientation(input_, face, g)));

@@ -9,9 +9,9 @@
 
 namespace strata {
 
-/// Winding numbers at points, from the signed covering about local origins: w(q) = w(O) + the signs of the faces of q's
-/// cell that the walk from O to q crosses, which are those whose tetrahedron about O holds q. No order of the faces is
-/// needed, so cyclic dominance is no obstacle. theory.md.
+/// Winding numbers at points, by the signed covering about local origins (Feito and Torres 1997): w(q) = w(O) + the
+/// signs of the faces of q's cell that the walk from O to q crosses. These are the faces whose tetrahedron about O
+/// contains q. No order of the faces is needed, so cyclic dominance is no obstacle. core/cells/theory.md.
 class LocalWindings final : public WindingOracle {
  public:
   LocalWindings(const InputComplex& input, const CellTree& cells) : input_(input), cells_(cells) {}

@@ -15,8 +15,8 @@ class WindingOracle {
  public:
   virtual ~WindingOracle() = default;
 
-  /// Winding numbers about all operands but `own`, whose entry is left out, at a point of a face of `own` that is on no
-  /// face of theirs.
+  /// Winding numbers about all operands but `own`, whose entry is left out, at a point of a face of `own`. Requires
+  /// that the point is on no face of another operand.
   [[nodiscard]] virtual Windings around(const Point& q, std::uint32_t own) const = 0;
 
   /// Winding numbers about all operands just above `face` (on its outer side) at a point of it. `covering` are the

@@ -9,9 +9,8 @@
 namespace strata::bsp {
 
 /// The boundary of a tree's region: for every node the parts of its hyperplane that have the inside on one side and the
-/// outside on the other, as convex facets with their interiors apart. Facets may meet in the middle of sides.
-/// In the order of the nodes from the root, minus sides first. O(sum over nodes of depth and of leaves next to the
-/// node).
+/// outside on the other, as convex facets with disjoint interiors. Facets may meet in the middle of sides. In the order
+/// of the nodes from the root, minus sides first. O(sum over nodes of depth and of leaves next to the node).
 template <int D>
 [[nodiscard]] std::vector<Facet<D>> boundary(const HyperplaneTable<D>& table, const Tree& tree);
 
@@ -20,14 +19,14 @@ template <int D>
 void for_each_facet(const HyperplaneTable<D>& table, const Tree& tree, Link node, std::span<const HalfSpace> path,
                     const std::function<void(const Facet<D>& facet)>& visit);
 
-/// Divides a piece among the leaves below a link that it goes through. A piece that lies in the hyperplane of a node is
-/// shown to the minus side first, and what is outside there to the plus side: parts that are next to the inside count
-/// as inside.
+/// Divides a piece among the leaves below a link that it crosses. A piece that lies in the hyperplane of a node is
+/// divided by the minus side first, and its parts outside there by the plus side: parts next to the inside count as
+/// inside.
 template <int D>
 void for_each_part(const HyperplaneTable<D>& table, const Tree& tree, Link link, const Piece<D>& piece,
                    const std::function<void(Link leaf, const Piece<D>& part)>& visit);
 
-/// True when the region has no end in some direction. O(leaves that reach infinity * depth).
+/// True when the region is unbounded. O(leaves that reach infinity * depth).
 template <int D>
 [[nodiscard]] bool reaches_infinity(const HyperplaneTable<D>& table, const Tree& tree);
 

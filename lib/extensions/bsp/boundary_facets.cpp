@@ -63,7 +63,7 @@ void for_each_node_front_to_back(const Partition<D>& region, const RationalVecto
   const std::vector<Node>& nodes = tree_of(region).nodes;
   struct Step {
     Link link;
-    bool is_ready;  // its front has been shown
+    bool is_ready;  // its front has been visited
   };
   std::vector<Step> open{{tree_of(region).root, false}};
   while (!open.empty()) {

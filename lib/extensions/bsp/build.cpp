@@ -12,10 +12,10 @@ namespace strata::bsp {
 namespace {
 
 constexpr std::size_t most_candidates = 8;   ///< facets whose hyperplanes are tried
-constexpr std::size_t most_asked = 64;       ///< facets that are asked where they lie
+constexpr std::size_t most_asked = 64;       ///< facets that are tested for their side
 constexpr std::size_t fewest_for_axes = 12;  ///< facets for which axis-parallel hyperplanes are tried
 
-/// Where facets lie, counted for some of them.
+/// The sides of facets, counted for some of them.
 struct Count {
   double minus = 0, plus = 0, both = 0;
 
@@ -24,7 +24,7 @@ struct Count {
     plus += lie == Lie::plus ? 1 : 0;
     both += lie == Lie::both ? 1 : 0;
   }
-  /// Each facet that was asked stands for so many.
+  /// Each tested facet represents this number of facets.
   [[nodiscard]] double cost(double each) const {
     const auto work = [](double m) { return m * std::log2(m + 1); };
     return work(each * (minus + both)) + work(each * (plus + both));
@@ -45,7 +45,7 @@ class Builder {
  private:
   using Facets = std::vector<Facet<D>>;
 
-  /// Facets on either side of a hyperplane, and where the region is if some lie in it.
+  /// Facets on either side of a hyperplane, and the side of the region if some lie in it.
   struct Sides {
     Facets minus, plus;
     std::optional<bool> faces_plus;
@@ -55,7 +55,7 @@ class Builder {
     monitor_.check();
     std::uint32_t cut = best_cut(facets);
     Sides sides = divide(facets, cut);
-    if (!sides.faces_plus && (sides.minus.empty() || sides.plus.empty())) {  // this cut is for nothing
+    if (!sides.faces_plus && (sides.minus.empty() || sides.plus.empty())) {  // this cut is redundant
       facets = std::move(sides.minus.empty() ? sides.plus : sides.minus);
       cut = facets.front().piece.hyperplane;
       sides = divide(facets, cut);
@@ -69,7 +69,7 @@ class Builder {
     return divided(nodes_, cut, minus, plus);
   }
 
-  /// Takes the facets.
+  /// Consumes the facets.
   Sides divide(Facets& facets, std::uint32_t cut) {
     Sides sides;
     for (Facet<D>& f : facets) {
@@ -132,7 +132,7 @@ class Builder {
     return *middle;
   }
 
-  /// An estimate, from doubles that may be rounded.
+  /// An estimate from rounded doubles.
   static Count count_along(const Facets& facets, std::size_t axis, double value) {
     Count count;
     for_some(facets.size(), most_asked, [&](std::size_t i) {

@@ -11,17 +11,17 @@ namespace strata::bsp {
 template <int D>
 struct Facet {
   Piece<D> piece;
-  bool faces_plus = false;  ///< outside is on the plus side
+  bool faces_plus = false;  ///< the outer side is the plus side
 };
 
 /// The tree of the region that facets bound. They must be the whole boundary of a region, without overlaps, bounded or
-/// not; none: nothing. Hyperplanes of facets in one plane are one node. Hyperplanes are added to the table.
+/// not; no facets: the empty region. Facets in one plane share one node. Hyperplanes are added to the table.
 ///
 /// Every node takes the hyperplane with the lowest estimate of the work below it, among those of some facets and, for
-/// large nodes, axis-parallel ones through the median corner: sum of m log m over both sides, where m counts
-/// facets and those that are divided count on both sides. So divisions are avoided first, and then sides are balanced;
-/// a convex solid, where every facet has all others on one side, gets a tree and no list.
-/// Expected O(n log^2 n) for n facets of which few are divided; theory.md, "When trees blow up", has the bad cases.
+/// large nodes, axis-parallel ones through the median corner. The estimate is the sum of m log m over both sides, where
+/// m counts facets, and divided facets count on both sides. So divisions are avoided first, and then sides are
+/// balanced. A convex solid, where every facet has all others on one side, gets a balanced tree instead of a list.
+/// Expected O(n log^2 n) for n facets of which few are divided; theory.md, "When trees are large", has the bad cases.
 /// Throws Cancelled.
 template <int D>
 [[nodiscard]] Tree built(HyperplaneTable<D>& table, std::vector<Facet<D>> facets, const Monitor& monitor = {});

@@ -24,7 +24,7 @@ class CellVisitor {
   }
 
  private:
-  /// Half-spaces further up may have become superfluous.
+  /// Half-spaces further up may have become redundant.
   [[nodiscard]] std::vector<Facet<D>> facets() const {
     std::vector<Facet<D>> facets;
     for (const HalfSpace& wall : path_) {

@@ -16,7 +16,7 @@
 namespace strata {
 namespace {
 
-/// The first face of an operand in each plane, whichever way it looks.
+/// The first face of an operand in each plane, of either orientation.
 class SourcesByPlane {
  public:
   void add(const ExactMesh& mesh, std::span<const Source> sources, std::uint32_t operand) {
@@ -29,7 +29,7 @@ class SourcesByPlane {
     }
   }
 
-  /// Nothing where no operand has a face in a plane.
+  /// Nullopt where no operand has a face in a plane.
   [[nodiscard]] std::optional<Source> at(const CanonicalPlane& plane) const {
     const auto& [a, b, c, d] = plane.coefficients;
     const auto number = planes_.find(Hyperplane<3>({a, b, c, -d}));
@@ -49,8 +49,8 @@ class SourcesByPlane {
   std::vector<Source> sources_;  ///< by number of the plane
 };
 
-/// Merges by halves: operands one after the other would make a tree as deep as all of them together. Where a tree is
-/// deep all the same, it is built anew.
+/// Merges by halves: merging operands one after the other would construct a tree as deep as all of them together. A
+/// tree that is still deep is rebuilt.
 class Merging {
  public:
   explicit Merging(const Monitor& monitor) : monitor_(monitor) {}
@@ -110,7 +110,7 @@ BooleanResult combine_partitions(Operation operation, std::span<const Operand> o
   std::vector<Source> source_of_plane;
   for (const CanonicalPlane& plane : boundary.planes) {
     const std::optional<Source> source = sources.at(plane);
-    if (!source) {  // the boundary of what crosses itself may be in planes that were only cuts
+    if (!source) {  // the boundary of an operand that crosses itself may be in planes that were only cuts
       refuse_broken_operands(operands, options);
       throw LogicError("a facet lies in a plane that no operand has");
     }

@@ -5,7 +5,7 @@
 
 namespace strata::bsp {
 
-/// Of D rows; D! times the signed size of the simplex that they span with the origin.
+/// The determinant of D rows: D! times the signed size of the simplex that they span with the origin.
 [[nodiscard]] inline Rational determinant(const std::array<RationalVector<1>, 1>& m) { return m[0][0]; }
 [[nodiscard]] inline Rational determinant(const std::array<RationalVector<2>, 2>& m) {
   return m[0][0] * m[1][1] - m[0][1] * m[1][0];

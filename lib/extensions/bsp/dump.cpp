@@ -10,12 +10,12 @@
 namespace strata::bsp {
 namespace {
 
-/// Words of one line after the other.
+/// The words of consecutive lines.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {}
 
-  /// The next line that has words.
+  /// The next line with words.
   std::vector<std::string_view> next() {
     while (!rest_.empty()) {
       const std::size_t end = std::min(rest_.find('\n'), rest_.size());

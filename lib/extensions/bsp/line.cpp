@@ -5,12 +5,13 @@
 namespace strata::bsp {
 namespace {
 
-bool is_less(const std::optional<Rational>& lower, const std::optional<Rational>& other) {  // as lower ends
+bool is_less(const std::optional<Rational>& lower,
+             const std::optional<Rational>& other) {  // as lower ends of intervals
   if (!lower || !other) return !lower && other;
   return *lower < *other;
 }
 
-/// Intervals that touch or overlap become one.
+/// Joins intervals that touch or overlap.
 std::vector<Interval> joined(std::vector<Interval> intervals) {
   std::sort(intervals.begin(), intervals.end(),
             [](const Interval& a, const Interval& b) { return is_less(a.lower, b.lower); });
@@ -30,7 +31,7 @@ std::vector<Interval> joined(std::vector<Interval> intervals) {
   return result;
 }
 
-/// Descends with the part of a line that is in a node's part of space.
+/// Descends with the part of a line in a node's part of space.
 template <int D>
 class LineCutter {
  public:

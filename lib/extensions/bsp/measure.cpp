@@ -8,9 +8,9 @@
 namespace strata::bsp {
 namespace {
 
-/// A facet of a hyperplane n . x + c = 0 as seen along the axis k in which n is longest. It is |n| / |n_k| times as
-/// large as its view, and with the origin it spans a pyramid of 1 / D times -c / |n_k| times the view, positive where
-/// the region is on the origin's side.
+/// A facet of a hyperplane n . x + c = 0, projected along the axis k in which n is longest. It is |n| / |n_k| times as
+/// large as its projection. With the origin it spans a pyramid of 1 / D times -c / |n_k| times the projection, positive
+/// where the region is on the origin's side.
 template <int D>
 class View {
  public:
@@ -28,14 +28,14 @@ class View {
     return std::sqrt(squares) / std::abs(form_.bounded()[axis_].value);
   }
 
-  /// Size of the view.
+  /// Size of the projection.
   [[nodiscard]] Rational size() const {
     Rational sum = 0;
     for_each_simplex([&](const Rational& part, const RationalVector<D>&) { sum += part; });
     return sum;
   }
 
-  /// Calls visit(size of its view, sum of its D corners) for simplices that the facet consists of.
+  /// Calls visit(size of its projection, sum of its D corners) for the simplices of the facet.
   template <class Visit>
   void for_each_simplex(const Visit& visit) const {
     if constexpr (D == 1) {
@@ -51,7 +51,7 @@ class View {
   }
 
  private:
-  /// From the first corner to another, along an axis of the view.
+  /// The vector from the first corner to another, along an axis of the projection.
   [[nodiscard]] Rational along(std::size_t corner, std::size_t axis) const {
     const std::size_t i = (axis_ + axis) % D;
     return corners_[corner][i] - corners_[0][i];

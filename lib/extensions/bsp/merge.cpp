@@ -8,7 +8,7 @@
 namespace strata::bsp {
 namespace {
 
-/// What a leaf of one tree makes of the other tree.
+/// The effect of a leaf of one tree on the other tree.
 enum class Effect { stays, orientations, becomes_in, becomes_out };
 
 /// `is_first`: the leaf belongs to the first operand.
@@ -38,7 +38,7 @@ class Merger {
         monitor_(monitor),
         first_new_(static_cast<Link>(nodes.size())) {}
 
-  /// Of two trees that divide the part of space at the end of the path.
+  /// Merges two trees that divide the part of space at the end of the path.
   Link merge(Link a, Link b) {
     if (is_leaf(a)) return changed(b, effect_of(operation_, a, true));
     if (is_leaf(b)) return changed(a, effect_of(operation_, b, false));
@@ -55,7 +55,7 @@ class Merger {
   using Halves = std::pair<Link, Link>;  ///< on the minus side, on the plus side
   using Part = std::shared_ptr<const Piece<D>>;
 
-  /// What is found there; the path ends there meanwhile.
+  /// Evaluates `find` with the path extended to that side.
   template <class Find>
   auto on_side(const Node& node, Sign side, const Find& find) {
     path_.push_back({node.hyperplane, side});
@@ -64,7 +64,7 @@ class Merger {
     return found;
   }
 
-  /// A node, unless its cut is for nothing: one side is a leaf, and so is all that the cut's part reaches on the other
+  /// A node, unless its cut is redundant: one side is a leaf, and the cut's part reaches only equal leaves on the other
   /// side. Then the other side's tree is right on both (theory.md, "Merging").
   Link joined(std::uint32_t hyperplane, const Piece<D>& part, Link minus, Link plus) {
     if (is_leaf(minus) && is_all(plus, part, minus)) return plus;
@@ -72,7 +72,7 @@ class Merger {
     return divided(nodes_, hyperplane, minus, plus);
   }
 
-  /// Whether a piece reaches nothing in a tree but one kind of leaf.
+  /// True if a piece reaches only leaves of one kind in a tree.
   bool is_all(Link tree, const Piece<D>& piece, Link leaf) const {
     if (is_leaf(tree)) return tree == leaf;
     const Node& node = nodes_[tree];
@@ -81,7 +81,7 @@ class Merger {
     return is_all(pieces.lie == Lie::minus ? node.minus : node.plus, piece, leaf);
   }
 
-  /// What is left of a tree, without cuts that are for nothing now.
+  /// The tree without cuts that have become redundant.
   Link reduced(Link tree) {
     if (is_leaf(tree) || tree < first_new_) return tree;
     monitor_.check();
@@ -104,7 +104,7 @@ class Merger {
     return tree;
   }
 
-  /// What of a node's hyperplane lies in the node's part of space, which the path leads to.
+  /// The part of a node's hyperplane in the node's part of space, which is the end of the path.
   const Part& part_of(Link link) {
     if (parts_.size() < nodes_.size()) parts_.resize(nodes_.size());
     Part& part = parts_[link];
@@ -112,8 +112,8 @@ class Merger {
     return part;
   }
 
-  /// A subtree of the second tree, which divides the part of space at the end of the path, parted by a hyperplane of
-  /// which `cut` is what lies there.
+  /// A subtree of the second tree, which divides the part of space at the end of the path, partitioned by a hyperplane
+  /// whose part there is `cut`.
   Halves parted(Link tree, const Piece<D>& cut) {
     if (is_leaf(tree)) return {tree, tree};
     const Node node = nodes_[tree];
@@ -129,7 +129,7 @@ class Merger {
     switch (pieces.lie) {
       case Lie::both: {
         const Halves minus = below(pieces.minus), plus = above(pieces.plus);
-        Split<D> halves = split(table_, *part, cut.hyperplane);  // they cross, so it has two
+        Split<D> halves = split(table_, *part, cut.hyperplane);  // they cross, so there are two
         return {kept(node, minus.first, plus.first, std::make_shared<const Piece<D>>(std::move(halves.minus))),
                 kept(node, minus.second, plus.second, std::make_shared<const Piece<D>>(std::move(halves.plus)))};
       }
@@ -151,7 +151,7 @@ class Merger {
     throw LogicError("equal hyperplanes have different numbers");
   }
 
-  /// A node with other children, and its part.
+  /// A copy of a node with other children, and its part.
   Link kept(const Node& node, Link minus, Link plus, Part part) {
     const Link link = divided(nodes_, node.hyperplane, minus, plus);
     if (is_leaf(link)) return link;
@@ -166,7 +166,7 @@ class Merger {
   const Monitor& monitor_;
   const Link first_new_;
   Path path_;
-  std::vector<Part> parts_;  ///< by node of what the second tree is at any time; found when they are asked for
+  std::vector<Part> parts_;  ///< by node of the current second tree; computed when they are needed
 };
 
 }  // namespace

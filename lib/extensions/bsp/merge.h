@@ -5,11 +5,11 @@
 
 namespace strata::bsp {
 
-/// Combines two trees over one table. `nodes` holds both; nodes of the result are appended. Where one tree has a leaf,
-/// the operation says what becomes of the other: it stays, is complemented, or is a leaf. Otherwise the other tree is
-/// parted by the first one's root, and the halves are combined on either side. Every node of the result divides its
-/// part of space, and next to a leaf, cuts that merging made have boundary on them. Throws Cancelled. Source: Naylor,
-/// Amanatides, Thibault 1990; theory.md, "Merging".
+/// Combines two trees over one table. `nodes` contains both; nodes of the result are appended. Where one tree has a
+/// leaf, the operation decides what becomes of the other: it is kept, is complemented, or becomes a leaf. Otherwise the
+/// first one's root partitions the other tree, and the halves are combined on either side. Every node of the result
+/// divides its part of space, and cuts that merging constructed next to a leaf have boundary on them. Throws Cancelled.
+/// Source: Naylor, Amanatides and Thibault 1990; theory.md, "Merging".
 template <int D>
 [[nodiscard]] Link merged(const HyperplaneTable<D>& table, std::vector<Node>& nodes, Operation operation, Link a,
                           Link b, const Monitor& monitor = {});

@@ -25,8 +25,8 @@ std::vector<ExactFacet> exact_facets(const Partition<3>& region) {
   return facets;
 }
 
-/// Sides of facets that are not met by their opposite as a whole, because vertices of other facets lie on them, get
-/// these vertices. Along a line the numbers of vertices, which are in lexicographic order, rise or fall.
+/// Inserts vertices into sides of facets whose opposite side is divided, because vertices of other facets lie on them.
+/// Along a line the numbers of vertices, which are in lexicographic order, increase or decrease.
 class Sides {
  public:
   using Side = std::pair<std::uint32_t, std::uint32_t>;
@@ -86,7 +86,7 @@ class Sides {
   std::map<Side, const std::set<std::uint32_t>*> line_of_;
 };
 
-/// Vertices of a canonical form, rounded, and what that changed.
+/// Vertices of a canonical form, rounded, with their exact positions.
 ExactMesh rounded_vertices(const CanonicalForm& form) {
   ExactMesh mesh;
   for (const RationalPoint& p : form.vertices) {
@@ -102,7 +102,7 @@ ExactMesh rounded_vertices(const CanonicalForm& form) {
   return mesh;
 }
 
-/// Divides the facets of one plane into triangles.
+/// Triangulates the facets of one plane.
 class Triangulation {
  public:
   Triangulation(const CanonicalForm& form, const ExactMesh& mesh) : form_(form), at_(mesh.mesh.vertices.size()) {
@@ -132,7 +132,7 @@ class Triangulation {
   }
 
  private:
-  /// Two axes along which the plane is seen from its outer side.
+  /// Two axes in which the plane is seen from its outer side.
   void choose_view(const CanonicalPlane& plane) {
     int axis = 2;
     while (plane.coefficients[static_cast<std::size_t>(axis)] == 0) --axis;

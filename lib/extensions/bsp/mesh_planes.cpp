@@ -96,8 +96,8 @@ HPoint<Integer> MeshPlanes::place_of(const RationalPoint& p) const {
   return {n[0], n[1], n[2], w, w == 1};
 }
 
-/// From units of the lattice to units of the mesh. Narrow forms are at most 1,100 bits longer then: a LongInt holds
-/// them.
+/// Converts from units of the lattice to units of the mesh. This makes narrow forms at most 1,100 bits longer, which
+/// fits into a LongInt.
 template <class Int>
 OrientedHyperplane<3> MeshPlanes::oriented(const HPlane<Int>& plane) const {
   using Form = std::conditional_t<std::is_same_v<Int, Narrow>, LongInt, Int>;

@@ -11,8 +11,8 @@
 
 namespace strata::bsp {
 
-/// Planes through vertices of a mesh. They are added to a table, and vertices that are doubles are noted there.
-/// Table and mesh must outlive it. Every answer is exact, and O(1) expected.
+/// Planes through vertices of a mesh. They are added to a table, and vertices that are doubles are noted there. Table
+/// and mesh must outlive it. Every result is exact, and O(1) expected.
 class MeshPlanes {
  public:
   MeshPlanes(HyperplaneTable<3>& table, ExactMeshView mesh);
@@ -21,19 +21,19 @@ class MeshPlanes {
     std::uint32_t number = 0;
     bool is_reversed = false;  ///< the vertices are seen clockwise from its plus side
   };
-  /// Through three vertices; nothing if they are collinear.
+  /// The plane through three vertices; nullopt if they are collinear.
   [[nodiscard]] std::optional<Plane> through(const Triangle& vertices);
 
-  /// Through two vertices and along an axis, which their line must not be parallel to.
+  /// The plane through two vertices and parallel to an axis, to which their line must not be parallel.
   [[nodiscard]] std::uint32_t along_axis(std::uint32_t p, std::uint32_t q, int axis);
 
-  /// True when the lines of two pairs of different vertices are parallel or one line.
+  /// True when the lines of two pairs of different vertices are parallel or equal.
   [[nodiscard]] bool are_parallel(std::array<std::uint32_t, 2> p, std::array<std::uint32_t, 2> q) const;
 
-  /// Notes a vertex that lies in a plane, if it is three doubles.
+  /// Notes a vertex that lies in a plane, if it consists of three doubles.
   void note(std::uint32_t plane, std::uint32_t vertex);
 
-  /// True when a vertex is three doubles.
+  /// True when a vertex consists of three doubles.
   [[nodiscard]] bool is_given(std::uint32_t vertex) const;
 
   [[nodiscard]] HyperplaneTable<3>& table() const { return table_; }
@@ -46,7 +46,7 @@ class MeshPlanes {
   template <class Int>
   [[nodiscard]] std::vector<HPoint<Int>> on_lattice(const Lattice& lattice) const;
   [[nodiscard]] HPoint<Integer> place_of(const RationalPoint& p) const;
-  /// What `find` makes of the places of vertices, of either type.
+  /// Evaluates `find` with the positions of vertices, of either type.
   template <class Find>
   [[nodiscard]] auto found(const Find& find) const {
     return narrow_.empty() ? find(wide_) : find(narrow_);
@@ -57,7 +57,7 @@ class MeshPlanes {
   HyperplaneTable<3>& table_;
   ExactMeshView mesh_;
   int unit_ = 0;                        ///< of the lattice, as an exponent
-  std::vector<HPoint<Narrow>> narrow_;  ///< of vertices, in its units; empty if the lattice does not allow it
+  std::vector<HPoint<Narrow>> narrow_;  ///< of vertices, in its units; empty if the lattice is too fine
   std::vector<HPoint<Integer>> wide_;   ///< the same, if that is empty
   std::array<std::unordered_map<std::uint64_t, std::uint32_t>, 3> along_;  ///< by axis and edge
 };

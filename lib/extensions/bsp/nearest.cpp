@@ -37,7 +37,8 @@ RationalVector<D> foot_on(const Hyperplane<D>& plane, const RationalVector<D>& p
   return foot;
 }
 
-/// The foot of p on the line where two planes meet: within the first plane, by what is left of the second's normal.
+/// The foot of p on the line where two planes meet: within the first plane, along the projection of the second's
+/// normal.
 RationalVector<3> foot_on_line(const Hyperplane<3>& plane, const Hyperplane<3>& wall, const RationalVector<3>& p) {
   const RationalVector<3> n = normal_of(plane), m = normal_of(wall);
   RationalVector<3> foot = foot_on<3>(plane, p), along = m;
@@ -62,7 +63,7 @@ class PieceProjector {
   }
 
  private:
-  /// The point of a segment nearest to one of its line: that point itself, or the corner that it is beyond.
+  /// The point of a segment nearest to a point of its line: that point itself, or the corner beyond which it is.
   [[nodiscard]] RationalVector<D> on_segment(const RationalVector<D>& foot, const HyperplaneMeet<D>& a,
                                              const HyperplaneMeet<D>& b) const {
     if (is_beyond(foot, a, b)) return table_.position(a);
@@ -70,7 +71,7 @@ class PieceProjector {
     return foot;
   }
 
-  /// True when the way from the first corner to a point of the line leads away from the second corner.
+  /// True when the direction from the first corner to a point of the line leads away from the second corner.
   [[nodiscard]] bool is_beyond(const RationalVector<D>& foot, const HyperplaneMeet<D>& first,
                                const HyperplaneMeet<D>& second) const {
     if (first.is_far) return false;
@@ -83,7 +84,7 @@ class PieceProjector {
     return false;
   }
 
-  /// Whither a far corner lies, up to length: its longest component has its sign, others are left out.
+  /// The direction of a far corner, up to length: its longest component has its sign, others are left out.
   [[nodiscard]] static RationalVector<D> direction(const HyperplaneMeet<D>& far) {
     std::size_t longest = 0;
     for (std::size_t i = 1; i < D; ++i)
@@ -125,7 +126,7 @@ class PieceProjector {
   const RationalVector<D>& p_;
 };
 
-/// Front to back, leaving out what is farther than the best so far.
+/// Front to back, skipping parts that are farther than the best point so far.
 template <int D>
 class NearestFinder {
  public:
@@ -172,8 +173,9 @@ class NearestFinder {
 
 double nearest_square_root(const Rational& q) {
   if (q == 0) return 0;
-  // The root of q 4^k in integers, with more bits than a double and its middles have: where the root is no integer, no
-  // middle of two doubles is between the integers around it, so all between them round alike.
+  // The root of q 4^k in integers, with more bits than a double and the midpoints of doubles have. Where the root is no
+  // integer, no midpoint of two doubles is between the integers around it, so all numbers between them round to the
+  // same double.
   constexpr int kept = 140;
   const int size = static_cast<int>(bit_length(numerator(q))) - static_cast<int>(bit_length(denominator(q)));
   int shift = kept - size;

@@ -10,7 +10,7 @@ namespace strata::bsp {
 
 namespace {
 
-/// A tree and the hyperplanes in it, without nodes and hyperplanes that are not used any more.
+/// Copies a tree and its hyperplanes, without nodes and hyperplanes that are not used any more.
 template <int D>
 class Compaction {
  public:

@@ -27,8 +27,8 @@ Lie lie_of(const Signs& signs) {
   return bsp::lie_of(minus, plus);
 }
 
-/// Where the sides of a piece go through a hyperplane that has corners on both, in their order: one point on a line,
-/// two on the rim of a polygon unless corners lie in it.
+/// The points in which the sides of a piece cross a hyperplane that has corners on both sides, in their order: one
+/// point of a segment, two on the rim of a polygon unless corners lie in it.
 template <int D>
 using Crossings = boost::container::small_vector<HyperplaneMeet<D>, 2>;
 
@@ -85,7 +85,8 @@ constexpr BoxPlanes frame_planes() {
   return frame;
 }
 
-/// The rectangle that four sides of a box cut out of a plane, counter-clockwise as seen from where `axis` looks to.
+/// The rectangle that four sides of a box cut out of a plane, counter-clockwise as seen from the positive end of
+/// `axis`.
 Piece<3> rectangle(const HyperplaneTable<3>& table, std::uint32_t plane, std::size_t axis, const BoxPlanes& box) {
   const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
   const std::array<std::uint32_t, 4> around{box[j][0], box[i][1], box[j][1], box[i][0]};

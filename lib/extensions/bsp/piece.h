@@ -10,10 +10,11 @@
 namespace strata::bsp {
 
 /// A convex part of a hyperplane, of the hyperplane's own dimension: a point of the line, a segment, a convex polygon.
-/// Where it is not bounded it reaches to the frame (`HyperplaneMeet`).
+/// Where it is unbounded it extends to the frame (`HyperplaneMeet`).
 ///
-/// In the plane its two corners lead along the line with the plus side on the left. In space its corners are listed
-/// counter-clockwise as seen from the plus side, and `walls[i]` is the other plane through corners i and i + 1.
+/// In the plane it is directed from its first corner to its second one, with the plus side on the left. In space its
+/// corners are listed counter-clockwise as seen from the plus side, and `walls[i]` is the other plane through corners i
+/// and i + 1.
 template <int D>
 struct Piece {
   static constexpr std::size_t usual = D == 3 ? 6 : D;
@@ -38,16 +39,16 @@ struct HalfSpace {
 /// The half-spaces whose intersection is the part of space that a node of a tree divides, from the root on.
 using Path = std::vector<HalfSpace>;
 
-/// Where a piece lies with respect to a hyperplane.
+/// The position of a piece relative to a hyperplane.
 enum class Lie { minus, plus, both, on };
 
-/// Of a piece with corners on the minus side, on the plus side, on both, or on the hyperplane alone.
+/// The position of a piece with corners on the minus side, on the plus side, on both, or on the hyperplane only.
 [[nodiscard]] constexpr Lie lie_of(bool has_minus, bool has_plus) {
   if (has_minus && has_plus) return Lie::both;
   return has_minus ? Lie::minus : has_plus ? Lie::plus : Lie::on;
 }
 
-/// A piece and its parts: `minus` and `plus` are there where the piece lies on both sides, otherwise empty.
+/// A piece and its parts: `minus` and `plus` are set if the piece lies on both sides, otherwise empty.
 template <int D>
 struct Split {
   Lie lie = Lie::on;
@@ -58,23 +59,23 @@ struct Split {
 template <int D>
 [[nodiscard]] Piece<D> whole(const HyperplaneTable<D>& table, std::uint32_t hyperplane);
 
-/// A side of the frame: the part of x_axis = W or -W between the others. Whatever is not bounded reaches such a side.
+/// A side of the frame: the part of x_axis = W or -W between the others. Every unbounded region reaches such a side.
 template <int D>
 [[nodiscard]] Piece<D> side_of_frame(const HyperplaneTable<D>& table, std::size_t axis, bool is_upper);
 
-/// Two planes of space for each axis, the lower one first, both looking to larger coordinates.
+/// Two planes of space for each axis, the lower one first, both with normals towards larger coordinates.
 using BoxPlanes = std::array<std::array<std::uint32_t, 2>, 3>;
 
-/// The part of a plane between the planes of a box along the two axes that are farther from its normal, or the same
-/// for a side of the box itself. It may reach out of the box along the third.
+/// The part of a plane between the planes of a box along the two axes that are farther from its normal, or the same for
+/// a side of the box itself. It may extend beyond the box along the third axis.
 [[nodiscard]] Piece<3> whole_between(const HyperplaneTable<3>& table, std::uint32_t plane, const BoxPlanes& box);
 
-/// On which sides of a hyperplane a piece lies; it may touch it.
+/// The sides of a hyperplane on which a piece lies; it may touch it.
 template <int D>
 [[nodiscard]] Lie lie_of(const HyperplaneTable<D>& table, const Piece<D>& piece, std::uint32_t hyperplane);
 
-/// Where a piece seems to lie, by doubles that may be rounded: corners that are nearly in the hyperplane count as in
-/// it. For estimates of cost; decides nothing.
+/// The approximate position of a piece, by rounded doubles: corners that are nearly in the hyperplane count as in it.
+/// For estimates of cost; decides nothing.
 template <int D>
 [[nodiscard]] Lie estimated_lie(const HyperplaneTable<D>& table, const Piece<D>& piece, std::uint32_t hyperplane);
 
@@ -82,12 +83,12 @@ template <int D>
 template <int D>
 [[nodiscard]] Split<D> split(const HyperplaneTable<D>& table, const Piece<D>& piece, std::uint32_t hyperplane);
 
-/// Leaves the part in a half-space. False when no part of the piece's own dimension is left; then it is not changed.
+/// Keeps the part in a half-space. False when no part of the piece's own dimension is left; then it is unchanged.
 template <int D>
 [[nodiscard]] bool clip(const HyperplaneTable<D>& table, Piece<D>& piece, HalfSpace half_space);
 
-/// The part of a hyperplane in the intersection of half-spaces. The later ones are asked first: they bound most.
-/// Requires that there is one.
+/// The part of a hyperplane in the intersection of half-spaces. The last ones are applied first: they cut off most.
+/// Requires that the part is not empty.
 template <int D>
 [[nodiscard]] Piece<D> part_within(const HyperplaneTable<D>& table, std::uint32_t hyperplane,
                                    std::span<const HalfSpace> path);

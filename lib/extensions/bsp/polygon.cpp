@@ -10,7 +10,7 @@ Partition<2> partition_of(std::span<const PlaneSide> sides) {
   std::vector<Facet<2>> facets;
   for (const PlaneSide& s : sides) {
     if (s.from == s.to) continue;
-    const OrientedHyperplane<2> line = line_through(s.from, s.to);  // looks to the inside
+    const OrientedHyperplane<2> line = line_through(s.from, s.to);  // its minus side is inside
     const std::size_t axis = s.from[0] != s.to[0] ? 0 : 1;
     Piece<2> piece;
     piece.hyperplane = table.add(line.hyperplane);

@@ -31,7 +31,7 @@ class Pruner {
     return divided(kept_, node.hyperplane, minus, plus);
   }
 
-  /// True when a hyperplane has a part of its own dimension in all half-spaces of the path, but the one left out.
+  /// True when a hyperplane has a part of its own dimension in all half-spaces of the path, except the one left out.
   bool meets_inside(std::uint32_t hyperplane, std::size_t left_out) {
     piece_ = whole(table_, hyperplane);
     for (std::size_t i = path_.size(); i-- > 0;)
@@ -39,7 +39,8 @@ class Pruner {
     return true;
   }
 
-  /// On which side of a hyperplane that does not divide it the part of space is: asked of one of its facets.
+  /// The side of a hyperplane on which a part of space lies that it does not divide, decided at one of the part's
+  /// facets.
   Sign side_of_part(std::uint32_t hyperplane) {
     for (std::size_t i = 0; i < path_.size(); ++i) {
       if (path_[i].hyperplane == hyperplane) return path_[i].side;

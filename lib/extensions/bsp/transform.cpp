@@ -7,7 +7,7 @@
 namespace strata::bsp {
 namespace {
 
-/// The rows x with x . matrix = unit vectors: Cramer's rule, by replaced rows.
+/// The rows x with x . matrix = unit vectors, by Cramer's rule with replaced rows.
 template <int D>
 std::array<RationalVector<D>, D> inverse(const std::array<RationalVector<D>, D>& matrix) {
   const Rational whole = determinant(matrix);

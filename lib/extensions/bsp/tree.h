@@ -25,10 +25,10 @@ struct Node {
 struct Tree {
   std::vector<Node> nodes;
   Link root = leaf_out;
-  std::size_t splits = 0;  ///< facets that were divided when it was built
+  std::size_t splits = 0;  ///< facets that were divided during construction
 };
 
-/// Appends a node, unless both sides are the same leaf: then that leaf is all there is.
+/// Appends a node, unless both sides are the same leaf: then the result is that leaf.
 inline Link divided(std::vector<Node>& nodes, std::uint32_t hyperplane, Link minus, Link plus) {
   if (minus == plus && is_leaf(minus)) return minus;
   nodes.push_back({hyperplane, minus, plus});

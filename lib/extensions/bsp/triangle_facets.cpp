@@ -6,8 +6,8 @@
 namespace strata::bsp {
 namespace {
 
-/// The walls are planes along the axis nearest to the normal, so that a wall meets the triangle's plane in the edge's
-/// line whatever lies beyond the edge.
+/// The walls are planes parallel to the axis nearest to the normal, so a wall meets the triangle's plane in the edge's
+/// line, whatever lies beyond the edge.
 Facet<3> facet(MeshPlanes& planes, Triangle t, MeshPlanes::Plane plane) {
   if (plane.is_reversed) std::swap(t[1], t[2]);
   const HyperplaneTable<3>& table = planes.table();

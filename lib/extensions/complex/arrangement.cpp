@@ -15,7 +15,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// A vertex by its place. Doubles differ, or are equal for two places that only differ beyond them.
+/// A vertex by its position. Equal doubles may belong to different positions.
 struct Place {
   Vertex doubles;
   const RationalPoint* rational = nullptr;
@@ -38,7 +38,7 @@ std::vector<std::uint8_t> turned_faces(const InputComplex& input) {
   return turned;
 }
 
-/// Points by number in lexicographic order, with those at one place next to each other.
+/// Points by number in lexicographic order, coincident points next to each other.
 std::vector<std::pair<PointId, Index>> by_place(const InputComplex& input, const PointTable& table,
                                                 std::vector<PointId> ids) {
   std::vector<std::pair<Point, PointId>> points;

@@ -11,7 +11,7 @@
 
 namespace strata::complex {
 
-/// The vertices of all operands at different places, once each, and their triangles.
+/// The vertices of all operands at distinct positions, once each, and their triangles.
 struct GivenFaces {
   GivenFaces(std::span<const Soup> operands);
 
@@ -24,7 +24,7 @@ struct GivenFaces {
 /// A part of a face, counter-clockwise as seen from its upper side.
 struct Piece {
   std::array<std::uint32_t, 3> v{};
-  std::uint32_t face = 0;               ///< the lowest of those that hold it
+  std::uint32_t face = 0;               ///< the lowest of those that contain it
   std::uint32_t first = 0, covers = 0;  ///< the others, in Arrangement::covers
 };
 
@@ -35,14 +35,14 @@ struct SidePart {
   int side = 0;
 };
 
-/// All given faces, cut where they meet: pieces share whole edges and vertices and nothing else.
+/// All given faces, divided at their intersections: pieces share whole edges and vertices and nothing else.
 struct Arrangement {
   Arrangement(const GivenFaces& faces, const Monitor& monitor);
 
   Candidates candidates;
   const InputComplex& input;
   PointTable points;
-  std::vector<PointId> vertices;         ///< in lexicographic order of places
+  std::vector<PointId> vertices;         ///< in lexicographic order of positions
   std::vector<std::uint32_t> vertex_of;  ///< of given vertices, in `vertices`
   std::vector<Piece> pieces;
   std::vector<std::uint32_t> covers;

@@ -23,7 +23,7 @@ Overlay overlay_of(std::span<const SelectiveComplex> operands, const Monitor& mo
   return overlay(soups, monitor);
 }
 
-/// Marks each cell of an overlay by the marks of the operands' cells that hold it.
+/// Marks each cell of an overlay by the marks of the operands' cells that contain it.
 void mark(Overlay& overlay, const Formula& formula, std::span<const SelectiveComplex> operands) {
   std::vector<std::vector<std::uint8_t>> marks;
   for (const SelectiveComplex& c : operands) marks.push_back(c.marks());

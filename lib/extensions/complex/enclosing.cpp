@@ -20,25 +20,25 @@ struct RayBox {
       upper[i] = std::max(upper[i], p[i]);
     }
   }
-  /// Rounding is monotone, so a box of rounded points holds the rounded points of what they span.
+  /// Rounding is monotone, so a box of rounded points contains all rounded points of the triangle.
   [[nodiscard]] bool is_on_ray(const Vertex& from) const {
     return upper[0] >= from[0] && lower[1] <= from[1] && from[1] <= upper[1] && lower[2] <= from[2] &&
            from[2] <= upper[2];
   }
 };
 
-/// The ray p + t (1, 0, 0) with p moved by (0, e, e^2): it meets the insides of triangles only.
+/// The ray p + t (1, 0, 0) with p translated by (0, e, e^2): it meets interiors of triangles only.
 class Ray {
  public:
   Ray(const InputComplex& input, const Point& from) : input_(input), from_(from) {}
 
-  /// positive: it leaves through the triangle's front; negative: through its back; zero: not at all.
+  /// positive: it leaves through the triangle's front; negative: through its back; zero: it does not meet the triangle.
   [[nodiscard]] Sign passes(const InputComplex::Indices& v) const {
     std::array<Point, 3> p;
     for (std::size_t i = 0; i < 3; ++i) p[i] = make_point(input_, SymbolicPoint::input(v[i]));
     const Sign seen = orientation(p[0], p[1]);
     if (seen == Sign::zero || orientation(p[1], p[2]) != seen || orientation(p[2], p[0]) != seen) return Sign::zero;
-    // Seen along x the front looks the way of the ray where corners turn left.
+    // Seen along x, the front is in the direction of the ray where corners are counter-clockwise.
     return orient3d(input_, p[0], p[1], p[2], from_) == -seen ? seen : Sign::zero;
   }
 
@@ -91,8 +91,7 @@ std::vector<std::uint32_t> enclosing_shells(const Arrangement& arrangement, cons
         }
     }
   }
-  for (std::size_t i = 0; i < sets.size();
-       ++i) {  // shells around a point lie in one another: the inner ones are in more
+  for (std::size_t i = 0; i < sets.size(); ++i) {  // shells around a point are nested: the inner ones are in more
     std::size_t most = 0;
     for (const Index shell : around[i])
       if (const std::size_t depth = 1 + around[set_of_shell.at(shell)].size(); depth > most) {

@@ -44,8 +44,8 @@ void FaceCutter::list_coplanar() {
   for (const Index g : coplanar_here_) coplanar.emplace_back(face_, g);
 }
 
-/// Floods the triangles from one that is known; other coplanar faces cover it or not, and across each of their
-/// edges one of them begins or ends.
+/// Traverses the triangles from one whose covering faces are known. Across the edges of a coplanar face, its covering
+/// begins or ends.
 void FaceCutter::spread() {
   const auto triangles = triangulation_.triangles();
   done_.assign(triangles.size(), false);
@@ -67,7 +67,7 @@ void FaceCutter::spread() {
   }
 }
 
-/// A place off all constraints: on the conic of weighted points each constraint has at most two.
+/// A position off all constraints: each constraint contains at most two points of the conic of weighted points.
 std::pair<std::int32_t, std::vector<Index>> FaceCutter::place_inside() {
   for (Index t = 1; t <= SymbolicPoint::weight_limit; ++t) {
     const Point q = make_point(input_, SymbolicPoint::weighted(face_, t));
@@ -108,7 +108,7 @@ std::vector<Index> FaceCutter::across(std::vector<Index> covered, std::int32_t f
   return covered;
 }
 
-/// From corner to corner along the border.
+/// From corner to corner along the boundary.
 void FaceCutter::add_border() {
   const auto triangles = triangulation_.triangles();
   next_.assign(number_.size(), -1);

@@ -10,7 +10,7 @@
 
 namespace strata::complex {
 
-/// Cuts faces, and collects what they are cut into, under numbers that are provisional until all are cut.
+/// Divides faces and collects their pieces, under numbers that are provisional until all faces are divided.
 class FaceCutter {
  public:
   FaceCutter(const InputComplex& input, const PointTable& points, const std::vector<std::uint8_t>& is_reversed)
@@ -18,9 +18,9 @@ class FaceCutter {
   FaceCutter(const FaceCutter&) = delete;
   FaceCutter& operator=(const FaceCutter&) = delete;
 
-  /// A face that meets nothing.
+  /// Adds a face without intersections.
   void keep_whole(std::uint32_t face);
-  /// A face with these constraints, which are all it has.
+  /// Divides a face by these constraints, which are all it has.
   void cut(std::span<const Constraint> constraints);
 
   // Points are numbered as in the table, and from its end on as in `constructed`.

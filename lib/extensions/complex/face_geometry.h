@@ -24,8 +24,8 @@ class WingsOfFaces {
 /// clockwise. Exact.
 [[nodiscard]] RationalPoint area_vector(const Cells& cells, std::span<const Wing> wings);
 
-/// The first axis along which the area vector is not zero: the one to look along, since on it the upper side is seen
-/// from above. In doubles with bounds where these decide.
+/// The first axis along which the area vector is not zero: the axis of projection, because the upper side is seen along
+/// it from above. In doubles with bounds where these decide.
 [[nodiscard]] std::size_t axis_of_face(const Cells& cells, std::span<const Wing> wings);
 
 }  // namespace strata::complex

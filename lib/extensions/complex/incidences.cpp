@@ -30,7 +30,8 @@ Lists Lists::followed() const {
   std::vector<Index> all;
   for (Index list = 0; list + 1 < first_.size(); ++list) {
     all.assign((*this)[list].begin(), (*this)[list].end());
-    for (std::size_t from = 0; from < all.size();) {  // each round goes up by a dimension at least: three at most
+    for (std::size_t from = 0;
+         from < all.size();) {  // each round increases the dimension by one at least: three at most
       const std::size_t end = all.size();
       for (; from < end; ++from) all.insert(all.end(), (*this)[all[from]].begin(), (*this)[all[from]].end());
       std::sort(all.begin() + static_cast<std::ptrdiff_t>(end), all.end());

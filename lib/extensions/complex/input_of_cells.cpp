@@ -8,14 +8,14 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// A double other than x, at about this distance, towards zero for large ones so that it is finite.
+/// A double other than x, at about this distance from it; towards zero for large x, so that it is finite.
 double beside(double x, double distance) {
   const double there = x > 0 ? x - distance : x + distance;
   if (there != x && std::isfinite(there)) return there;
   return std::nextafter(x, x > 0 ? -HUGE_VAL : HUGE_VAL);
 }
 
-/// Appends a vertex that is no cell: vertex v, moved along one axis.
+/// Appends a vertex that is no cell: vertex v, translated along one axis.
 Index add_moved(Soup& soup, Index v, std::size_t axis, double distance) {
   Vertex p = soup.mesh.mesh.vertices[v];
   p[axis] = beside(p[axis], distance);
@@ -47,7 +47,7 @@ void add_triangle_at_edge(Soup& soup, Index a, Index b, Index edge_cell) {
   double length = 0;
   for (std::size_t i = 0; i < 3; ++i)
     length = std::max(length, std::abs(soup.mesh.mesh.vertices[a][i] / 2 - soup.mesh.mesh.vertices[b][i] / 2));
-  const std::size_t axis = p[1] != q[1] || p[2] != q[2] ? 0 : 1;  // the edge does not run along it
+  const std::size_t axis = p[1] != q[1] || p[2] != q[2] ? 0 : 1;  // the edge is not parallel to it
   const Index c = add_moved(soup, a, axis, length);
   add(soup, {a, b, c}, edge_cell);
 }

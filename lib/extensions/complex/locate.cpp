@@ -27,7 +27,7 @@ class Locator {
   }
 
  private:
-  /// Rounding is monotone: a point outside the box of rounded ends when rounded is outside the exact one.
+  /// Rounding is monotone: if a point is outside the box of an edge after rounding, it is outside before.
   [[nodiscard]] bool is_on_edge(Index e) const {
     const auto [low, high] = cells_.edges[e];
     const Vertex &a = cells_.points[low], &b = cells_.points[high];
@@ -38,7 +38,7 @@ class Locator {
     return d[0] * q[1] == d[1] * q[0] && d[1] * q[2] == d[2] * q[1] && d[0] * q[2] == d[2] * q[0] && u < p_ && p_ < v;
   }
 
-  /// The sign of the turn from the projected edge to p moved by (e, e^2): positive where p is on its left.
+  /// The side of p, translated by (e, e^2), relative to the projected edge: positive on its left.
   [[nodiscard]] int side(const RationalPoint& u, const RationalPoint& v, std::size_t i, std::size_t j) const {
     const Rational orientation = (v[i] - u[i]) * (p_[j] - u[j]) - (v[j] - u[j]) * (p_[i] - u[i]);
     if (orientation != 0) return orientation.sign();
@@ -46,16 +46,16 @@ class Locator {
     return first != 0 ? first.sign() : Rational(v[i] - u[i]).sign();
   }
 
-  /// Whether the ray from the moved p along axis i crosses an edge, seen along the third axis.
+  /// True if the ray from the translated p along axis i crosses an edge, seen along the third axis.
   [[nodiscard]] bool crosses(Index e, std::size_t i, std::size_t j) const {
     const RationalPoint u = cells_.position(cells_.edges[e][0]), v = cells_.position(cells_.edges[e][1]);
-    // The moved p has a second coordinate above p's.
+    // The translated p has a second coordinate above p's.
     const bool u_above = u[j] > p_[j], v_above = v[j] > p_[j];
     if (u_above == v_above) return false;
     return side(u, v, i, j) == (v_above ? 1 : -1);
   }
 
-  /// The nearest edge on the ray tells by its lower side, as seen along the ray.
+  /// The face on the lower side of the nearest edge on the ray, as seen along the ray.
   [[nodiscard]] Index face_in_plane() const {
     std::optional<Rational> nearest;
     Rational nearest_slope;
@@ -65,7 +65,7 @@ class Locator {
       if (!crosses(w.edge, 0, 1) || w.left != (v[1] > u[1])) continue;
       const Rational slope = (v[0] - u[0]) / (v[1] - u[1]);
       const Rational x = u[0] + slope * (p_[1] - u[1]);
-      // Equal at the height of p means that they part just above it.
+      // If they are equal at the height of p, they separate just above it.
       if (nearest && (x > *nearest || (x == *nearest && slope > nearest_slope))) continue;
       nearest = x;
       nearest_slope = slope;
@@ -74,8 +74,8 @@ class Locator {
     return face;
   }
 
-  /// Whether the line along the axis through the moved p goes through the face: it crosses its edges an odd number of
-  /// times; one with the face on both sides counts twice.
+  /// True if the line along the axis through the translated p crosses the face: it crosses its edges an odd number of
+  /// times; an edge with the face on both sides counts twice.
   [[nodiscard]] bool passes(std::span<const Wing> wings, std::size_t axis) const {
     bool odd = false;
     for (const Wing& w : wings)
@@ -98,7 +98,7 @@ class Locator {
       const std::array<Rational, 3> t{-height / n[0], -n[1] / n[0], -n[2] / n[0]};
       if (t < std::array<Rational, 3>{0, 0, 0} || (nearest && *nearest < t)) continue;
       nearest = t;
-      volume = cells_.sides[f][1];  // n[0] > 0: the ray comes from below
+      volume = cells_.sides[f][1];  // n[0] > 0: the ray arrives from below
     }
     return {3, volume};
   }

@@ -16,7 +16,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Cells of the operands that are made here.
+/// Cells of the operands that are constructed here.
 enum Label : Index { outside, inside, border };
 
 [[noreturn]] void refuse(DefectKind kind, const Vertex& where, std::vector<Index> faces, std::string message) {

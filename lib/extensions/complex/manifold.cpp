@@ -77,7 +77,7 @@ class Rings {
   }
 
  private:
-  /// The corner of a face that begins left of one edge ends right of the next one.
+  /// The corner of a face that begins left of one edge ends right of the next edge.
   static Index next_right(std::span<const Spoke> spokes, std::size_t i) {
     for (std::size_t k = 1; k <= spokes.size(); ++k)
       if (const Spoke& s = spokes[(i + k) % spokes.size()]; !s.left) return s.edge;

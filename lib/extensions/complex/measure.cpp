@@ -16,7 +16,7 @@ Rational volume_to_origin(const Cells& cells, std::span<const Wing> wings) {
   return area[0] * p[0] + area[1] * p[1] + area[2] * p[2];
 }
 
-/// Correct to a few units even where the square is beyond all doubles.
+/// Correct to a few units in the last place, even where the square is beyond all doubles.
 double square_root(const Rational& square) {
   if (square == 0) return 0;
   const long size =
@@ -28,7 +28,7 @@ double square_root(const Rational& square) {
   return std::ldexp(std::sqrt(to_nearest_double(scaled)), static_cast<int>(half));
 }
 
-/// Volumes, but of the unbounded cell, where it is that of all others, negative.
+/// Volumes; that of the unbounded cell is minus the sum of all others.
 std::vector<Rational> volumes(const Cells& cells) {
   std::vector<Rational> result(cells.count(3), 0);
   const WingsOfFaces wings(cells);

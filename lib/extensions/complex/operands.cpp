@@ -13,7 +13,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Appends the triangles of faces to a soup that has the complex's vertices.
+/// Appends the triangles of faces to a soup with the complex's vertices.
 class FaceTriangulator {
  public:
   FaceTriangulator(const Cells& cells, Soup& soup)
@@ -43,7 +43,7 @@ class FaceTriangulator {
     soup_.edge_cell.push_back(edges);
   }
 
-  /// Three wings are a triangle: its edges run on from one another.
+  /// Three wings are a triangle: each edge starts at the end of another.
   void add_triangle(Index face, std::span<const Wing> wings) {
     const auto from = [&](const Wing& w) { return cells_.edges[w.edge][w.left ? 0 : 1]; };
     const auto to = [&](const Wing& w) { return cells_.edges[w.edge][w.left ? 1 : 0]; };
@@ -53,7 +53,7 @@ class FaceTriangulator {
            {first_edge_ + wings[0].edge, first_edge_ + second.edge, first_edge_ + third.edge});
   }
 
-  /// Looks along an axis, subdivides the plane by the face's edges and takes the parts on the face's sides of them.
+  /// Projects along an axis, subdivides the plane by the face's edges and keeps the parts on the face's sides of them.
   void add_parts(Index face, std::span<const Wing> wings) {
     const std::size_t axis = axis_of_face(cells_, wings);
     std::vector<Index> vertices;

@@ -4,9 +4,9 @@
 
 namespace strata::complex {
 
-/// A complex in space as triangles: faces are triangulated, edges and vertices in volumes get triangles to carry them.
-/// Cells are numbered as `Incidences` does. O(n log n) for faces of bounded size. Throws std::invalid_argument where
-/// edges of a face cross or do not enclose it: cells from a file may, until they are validated.
+/// A complex in space as triangles: faces are triangulated, edges and vertices in volumes get auxiliary triangles.
+/// Cells are numbered as in `Incidences`. O(n log n) for faces of bounded size. Throws std::invalid_argument where
+/// edges of a face cross or do not enclose it, which may happen for cells from a file that are not validated yet.
 [[nodiscard]] Soup soup_of(const Cells& cells);
 
 /// A complex in the plane as segments.

@@ -31,7 +31,7 @@ SelectiveComplex where(const SelectiveComplex& s, std::initializer_list<Part> wa
   return s.with_marks(marks);
 }
 
-/// Marks a cell by whether cells of full dimension about it are in the set, and whether some are not.
+/// Marks a cell by a rule of two facts: some top of its star is in the set; some top is not.
 template <class Rule>
 SelectiveComplex by_tops(const SelectiveComplex& s, const Rule& rule) {
   std::vector<std::uint8_t> marks = s.marks();

@@ -9,7 +9,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// All drawings as one: their points and segments, one after the other.
+/// All drawings as one: their points and segments, concatenated.
 struct Combined {
   explicit Combined(std::span<const Drawing> drawings) {
     for (Index k = 0; k < drawings.size(); ++k) {
@@ -56,7 +56,7 @@ class PlaneOverlay {
     return result_.labels[d][std::size_t{cell} * drawings_.size() + operand];
   }
 
-  /// Floods faces from the outside; across segments their operands' faces change as these tell.
+  /// Propagates faces from the outside; across a segment its operand's face changes as the segment specifies.
   void spread() {
     face_.assign(subdivision_.parts.size(), none);
     std::vector<Index> reached;  // parts, of faces that are new

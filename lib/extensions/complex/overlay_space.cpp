@@ -10,7 +10,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Pieces, their sides and corners as cells.
+/// Converts pieces, their sides and corners to cells.
 Cells cells_of(const Arrangement& arrangement) {
   Cells cells;
   for (Index v = 0; v < arrangement.vertices.size(); ++v) {
@@ -45,8 +45,8 @@ void add_wings(Cells& cells, const Arrangement& arrangement) {
   std::sort(cells.wings.begin(), cells.wings.end());
 }
 
-/// Tells for each cell the operands' cells that hold it: first what triangles say of themselves, then volumes, and from
-/// these what is still unknown.
+/// Finds for each cell the operands' cells that contain it: first from triangles, then for volumes, and from these for
+/// all remaining cells.
 class Labelling {
  public:
   Labelling(std::span<const Soup> operands, const GivenFaces& given, const Arrangement& arrangement, Overlay& overlay)
@@ -84,7 +84,7 @@ class Labelling {
     label(3, cells_.sides[p][1], k) = below;
   }
 
-  /// A volume of an operand is connected through pieces that are not its own.
+  /// A volume of an operand is connected through pieces that do not belong to the operand.
   void spread_through_volumes() {
     std::vector<std::pair<Index, Index>> adjacent;  // volume, piece
     for (Index p = 0; p < cells_.count(2); ++p)
@@ -132,7 +132,7 @@ class Labelling {
           label(0, arrangement_.vertex_of[v], k) = given_.vertex_cell[k][v];
   }
 
-  /// What is known of no cell is what is known of those around it, the lowest first.
+  /// Unknown labels of a cell are taken from the cells around it, the lowest first.
   void fill() {
     for (Index k = 0; k < operands_.size(); ++k) {
       for (Index e = 0; e < cells_.count(1); ++e)

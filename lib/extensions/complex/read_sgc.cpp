@@ -25,7 +25,7 @@ class Lines {
   [[noreturn]] void fail(const std::string& what) const { throw IoError(name_, {number_, {}}, what); }
   [[noreturn]] void fail_all(const std::string& what) const { throw IoError(name_, {}, what); }
 
-  /// To the next line with a word on it.
+  /// Advances to the next line with a word.
   void next() {
     for (words_.clear(), at_ = 0; words_.empty();) {
       if (!std::getline(in_, line_)) fail("the file ends too early");
@@ -33,7 +33,7 @@ class Lines {
       split();
     }
   }
-  /// Nothing but comments and blank lines may follow.
+  /// Requires that only comments and blank lines follow.
   void end_file() {
     end_line();
     while (std::getline(in_, line_)) {

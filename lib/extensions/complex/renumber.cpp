@@ -10,7 +10,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// New numbers for representatives in the order of their keys; a representative without a key comes first.
+/// New numbers for representatives in the order of their keys; a representative without a key is first.
 template <class Key>
 std::vector<Index> number_by(std::vector<std::pair<Key, Index>> first_keys, Index count) {
   std::sort(first_keys.begin(), first_keys.end());
@@ -70,8 +70,8 @@ class Renumbering {
 
   [[nodiscard]] Index face_class(Index f) { return merged_.keeps_face[f] ? merged_.faces.find(f) : none; }
 
-  /// Faces by their first wing, which is theirs alone but for its plane: then by the next ones. A face without wings
-  /// covers the plane.
+  /// Faces by their first wing, which belongs to one face per plane: then by the next ones. A face without wings covers
+  /// the plane.
   void add_faces() {
     std::vector<std::vector<std::pair<Index, bool>>> wings(old_.count(2));
     for (const Wing& w : old_.wings)
@@ -98,7 +98,7 @@ class Renumbering {
     for (Index f = 0; f < old_.count(2); ++f) face_[f] = merged_.keeps_face[f] ? face_[merged_.faces.find(f)] : none;
   }
 
-  /// Volumes by their first face and its side; the unbounded one comes first anyway.
+  /// Volumes by their first face and its side; the unbounded one is always first.
   void add_volumes() {
     new_.sides.assign(new_.plane.size(), {none, none});
     for (Index f = 0; f < old_.count(2); ++f)

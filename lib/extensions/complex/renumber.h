@@ -7,7 +7,7 @@
 
 namespace strata::complex {
 
-/// Which cells become one, and which vanish in one of higher dimension.
+/// The cells that are merged with each other, and those that are merged into one of higher dimension.
 struct Merged {
   explicit Merged(const Cells& cells)
       : edges(cells.count(1)),
@@ -26,9 +26,10 @@ struct Merged {
   std::vector<std::uint32_t> face_of_vertex, volume_of_vertex, volume_of_edge;  ///< of isolated ones
 };
 
-/// The cells that are left, in the order of their places: vertices lexicographically, edges by their vertices, faces
-/// and volumes by what bounds them; the unbounded cell first among those of the highest dimension. Throws
-/// std::invalid_argument for cells that are no complex, as far as this meets them; reads nothing outside of them.
+/// The remaining cells, in the order of their positions: vertices lexicographically, edges by their vertices, faces and
+/// volumes by their boundaries; the unbounded cell first among those of the highest dimension. Throws
+/// std::invalid_argument for cells that are no complex, as far as this is detected; reads nothing outside of the
+/// arrays.
 [[nodiscard]] Cells renumbered(const Cells& cells, Merged merged);
 
 }  // namespace strata::complex

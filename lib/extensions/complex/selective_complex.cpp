@@ -11,7 +11,7 @@ namespace strata::complex {
 
 namespace {
 
-/// Found when they are asked for first. Sets over the same cells share them.
+/// Incidences, computed when they are first needed. Sets over the same cells share them.
 class LazyIncidences {
  public:
   const Incidences& of(const Cells& cells) {

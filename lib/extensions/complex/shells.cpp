@@ -14,7 +14,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Goes around every edge. Sides of pieces are numbered 2 p above and 2 p + 1 below.
+/// Processes all wings around every edge. Sides of pieces are numbered 2 p above and 2 p + 1 below.
 class Shells {
  public:
   Shells(const Arrangement& arrangement, const Cells& cells)
@@ -35,7 +35,7 @@ class Shells {
   [[nodiscard]] Index plane(Index piece) { return planes_.find(arrangement_.pieces[piece].face); }
 
  private:
-  /// Where the inside of wing j lies as seen from wing i, by an angle about the edge: positive within half a turn.
+  /// The angle about the edge from wing i to the interior of wing j: positive below 180 degrees.
   [[nodiscard]] Sign orientation(const Wing& i, const Wing& j) {
     const Index f = arrangement_.pieces[i.face].face, g = arrangement_.pieces[j.face].face;
     if (planes_.find(f) == planes_.find(g)) return Sign::zero;
@@ -66,7 +66,7 @@ class Shells {
     }
   }
 
-  /// Wings half a turn apart lie in one plane, which is noted. Opposites come in the same order as wings.
+  /// Records pairs of wings 180 degrees apart, which lie in one plane. Opposites are in the same order as wings.
   void find_opposite() {
     const std::size_t n = order_.size();
     for (std::size_t i = 0, j = 1; i < n; ++i) {
@@ -81,7 +81,7 @@ class Shells {
   std::vector<std::pair<int, Wing>> order_;
 };
 
-/// Sides as triangles that look out of the volume, with the vertices that they use.
+/// Sides as triangles with their outer side away from the volume, and the vertices that they use.
 ExactMesh mesh_of(const Arrangement& arrangement, const Cells& cells, std::span<const Index> sides) {
   std::vector<Index> used;
   for (const Index s : sides)

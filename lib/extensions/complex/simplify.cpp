@@ -13,7 +13,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Finds, from volumes down to vertices, what is merged with what.
+/// Finds the cells to be merged, from volumes down to vertices.
 class Merger {
  public:
   explicit Merger(const Cells& cells)
@@ -110,7 +110,7 @@ class Merger {
     }
   }
 
-  /// Of a vertex on no edge: it lies in one face, or in a volume.
+  /// Merges a vertex on no edge, which lies in one face or in a volume.
   void merge_in_face_or_volume(Index v) {
     Index face = merged_.face_of_vertex[v], volume = merged_.volume_of_vertex[v];
     if (face != none && !merged_.keeps_face[face]) {
@@ -140,8 +140,7 @@ class Merger {
     return (a < v) != (b < v) && are_collinear(cells_, a, v, b);
   }
 
-  /// The face that goes round a vertex of edges which are not its own, or none: where two did, they would meet in
-  /// edges.
+  /// The face that surrounds a vertex of edges which are not its own, or none: two such faces would meet in edges.
   [[nodiscard]] Index pierced_face(Index v) {
     bordered_.clear();
     for (const Index e : edges_at(v))
@@ -160,7 +159,7 @@ class Merger {
 
   const Cells& cells_;
   Merged merged_;
-  std::vector<Index> first_wing_, volume_of_edge_;  ///< some volume at each edge that no face is left at
+  std::vector<Index> first_wing_, volume_of_edge_;  ///< some volume at each edge without faces
   std::vector<Index> first_edge_, edges_at_, bordered_;
 };
 

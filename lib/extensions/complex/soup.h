@@ -8,9 +8,9 @@
 
 namespace strata::complex {
 
-/// A complex in space as triangles, to be overlaid with others. Numbers of cells are the operand's own; `none` stands
-/// for a part of the cell of next higher dimension around it. Triangles may carry cells of lower dimension: one that is
-/// no part of a face lies in one volume, with some of its edges and vertices being cells.
+/// A complex in space as triangles, as an operand of an overlay. Numbers of cells are the operand's own; `none` means
+/// the cell of next higher dimension around the part. An auxiliary triangle that is no part of a face lies in one
+/// volume; some of its edges and vertices are cells.
 struct Soup {
   ExactMesh mesh;                                         ///< triangles of positive area
   std::vector<std::uint32_t> vertex_cell;                 ///< per vertex
@@ -31,9 +31,9 @@ struct Drawing {
   bool by_parity = false;  ///< faces alternate: across each segment 0 becomes 1 and 1 becomes 0
 };
 
-/// A complex fine enough that each of its cells lies in one cell of every operand.
+/// A complex so fine that each of its cells lies in one cell of every operand.
 struct Overlay {
-  Cells cells;  ///< without a meaning in marks
+  Cells cells;  ///< whose marks are not used
   /// Per dimension, one after the other: for each cell the cells of the operands.
   std::array<std::vector<std::uint32_t>, 4> labels;
 };

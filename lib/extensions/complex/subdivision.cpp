@@ -15,7 +15,7 @@ using Index = std::uint32_t;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-/// A triangle well around all points.
+/// A triangle that contains all points with a margin.
 std::array<Vertex, 3> corners_around(const std::vector<Vertex>& points) {
   double largest = 1;
   for (const Vertex& p : points) largest = std::max({largest, std::abs(p[0]), std::abs(p[1])});

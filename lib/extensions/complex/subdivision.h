@@ -9,12 +9,12 @@
 
 namespace strata::complex {
 
-/// Points and segments of the plane z = 0 in a triangulation of a large triangle around them, cut where they meet.
-/// All exact: equal points are one vertex, crossings are vertices, segments that overlap share sides.
+/// Points and segments of the plane z = 0 in a triangulation of a large triangle around them, divided at their
+/// intersections. All exact: equal points are one vertex, crossings are vertices, overlapping segments share sides.
 struct Subdivision {
   struct Side {
     std::int32_t neighbour = -1;  ///< the triangle across, or -1
-    /// Segments that run along it, and whether they do so from its first to its last vertex.
+    /// Segments that contain it, and whether their direction is that from its first to its last vertex.
     std::vector<std::pair<std::uint32_t, bool>> segments;
   };
   struct Part {
@@ -22,10 +22,10 @@ struct Subdivision {
     std::array<Side, 3> sides;
   };
 
-  /// Throws std::out_of_range where points are so far out that no triangle of doubles is around them.
+  /// Throws std::out_of_range where points are so far away that no triangle of doubles contains them.
   Subdivision(const ExactMesh& points, std::span<const std::array<std::uint32_t, 2>> segments);
 
-  ExactMesh vertices;                    ///< in lexicographic order of places; without triangles
+  ExactMesh vertices;                    ///< in lexicographic order of positions; without triangles
   std::vector<std::uint32_t> vertex_of;  ///< per point
   std::vector<Part> parts;
   std::uint32_t outside = 0;  ///< a part that no segment separates from infinity

@@ -64,7 +64,7 @@ void check_incidences(const Cells& c) {
   check(c.edges_in_volumes, 1, 3);
 }
 
-/// Vertices without edges, and edges without faces, lie in one cell; others in none where they bound something.
+/// Vertices without edges, and edges without faces, must lie in one cell; other vertices and edges in none.
 void check_isolated(const Cells& c) {
   std::vector<int> uses(c.count(0)), places(c.count(0)), wings(c.count(1)), left(c.count(1)), volumes(c.count(1));
   for (const auto& edge : c.edges)
@@ -98,7 +98,7 @@ void check_volumes(const Cells& c) {
   for (Index v = 1; v < c.count(3); ++v) require(has_face[v] != 0, {3, v}, "a bounded volume has no faces");
 }
 
-/// Each vertex of a face is reached as often as it is left.
+/// Each vertex of a face must have as many incoming as outgoing edges.
 void check_closed(const Cells& c, Index face, std::span<const Wing> wings) {
   std::map<Index, int> balance;
   for (const Wing& w : wings) {
@@ -124,7 +124,7 @@ void check_faces(const Cells& c) {
   if (c.dimension == 2 && c.count(2) > 0) check_closed(c, 0, wings[0]);
 }
 
-/// The same cells arranged anew.
+/// The arrangement of the same cells.
 SelectiveComplex arranged(const SelectiveComplex& s) {
   Formula same(1);
   same.close(same.operand(0));
@@ -164,10 +164,10 @@ SelectiveComplex validated(Cells cells) {
   const char* const mismatch = "cells meet otherwise than they say, or do not bound the cells that they should";
   try {
     SelectiveComplex s = SelectiveComplex::of(cells);
-    check_faces(s.cells());  // cells that contradict one another may merge to faces that are none
+    check_faces(s.cells());  // contradictory cells may be merged to invalid faces
     if (arranged(s) == s) return s;
   } catch (const std::exception&) {
-    // Simplification and arrangement trust their input; what they stumble over is no complex.
+    // Simplification and arrangement require valid input; their exceptions mean that the cells are no complex.
   }
   throw ComplexError({cells.dimension, 0}, mismatch);
 }

@@ -17,7 +17,7 @@
 namespace strata::contact {
 namespace {
 
-/// Tells a monitor how many of many tasks are done, from any thread.
+/// Reports to a monitor how many of many tasks are done, from any thread.
 class Progress {
  public:
   Progress(const Monitor& monitor, std::size_t tasks) : monitor_(monitor), tasks_(tasks) {}
@@ -35,8 +35,7 @@ class Progress {
   std::mutex mutex_;
 };
 
-/// A box that contains what is as far as half of `reach` from it: boxes that are `reach` apart overlap when both are
-/// grown.
+/// A box enlarged by half of `reach`: boxes at a distance of `reach` overlap when both are enlarged.
 Box grown(Box box, double reach) {
   if (box.empty()) return box;
   constexpr double infinity = Box::infinity;
@@ -84,7 +83,8 @@ Solid Assembly::overlap(std::uint32_t a, std::uint32_t b) const {
   if (parts_->common_box(a, b).empty()) return {};
   try {
     return part(a) & part(b);
-  } catch (const InputError&) {  // a part touches itself inside of a face, which shows where the other one comes near
+  } catch (
+      const InputError&) {  // a part touches itself inside of a face, which is visible where the other one comes near
     const auto resolved = [&](std::uint32_t p) { return Solid(part(p).exact_mesh(), InputClass::overlapping); };
     return resolved(a) & resolved(b);
   }

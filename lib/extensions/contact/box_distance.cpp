@@ -6,7 +6,7 @@
 namespace strata::contact {
 
 double half_distance(const Box& a, const Box& b) {
-  constexpr double lost = 0x1p-1073;  // by halving subnormals
+  constexpr double lost = 0x1p-1073;  // the error of halving subnormals
   std::array<double, 3> gap{};
   double most = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -32,7 +32,7 @@ std::vector<std::uint32_t> faces_within(const Parts& parts, std::uint32_t part, 
   return found;
 }
 
-/// Finds vertices of a part by their places; where there are several, one of them.
+/// Finds vertices of a part by position; if there are several, one of them.
 class VerticesByPlace {
  public:
   VerticesByPlace(const InputComplex& input, std::uint32_t part, const std::vector<std::uint32_t>& faces)
@@ -56,7 +56,7 @@ class VerticesByPlace {
   std::vector<std::uint32_t> vertices_;
 };
 
-/// A face turned so that its lowest corner comes first, or the mirror image of that.
+/// A face rotated so that its lowest corner is first, or the mirror image of that.
 struct Turned {
   explicit Turned(const Indices& vertices, std::uint32_t number = 0) : corners(vertices), face(number) {
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
@@ -79,7 +79,7 @@ Twins::Twins(const Parts& parts, std::uint32_t a, std::uint32_t b) : input_(part
   for (const std::uint32_t g : of_b) faces.emplace_back(input_.faces(b)[g], g);
   std::sort(faces.begin(), faces.end());
   const auto points = input_.points(a);
-  std::vector<std::uint32_t> same(points.size(), none);  // vertices of b at the places of a's
+  std::vector<std::uint32_t> same(points.size(), none);  // vertices of b at the positions of a's
   std::vector<bool> is_known(points.size());
   for (const std::uint32_t f : of_a) {
     const auto& corners = input_.faces(a)[f];
@@ -108,8 +108,7 @@ bool Twins::tell(std::uint32_t f, std::uint32_t g) const {
          (of_g != none && meet_in_corners(parts_[0], of_g, in_a));
 }
 
-/// True when faces of one part are the same, or have corners and nothing but corners and edges in common, as doubles
-/// tell.
+/// True when doubles prove that faces of one part are equal, or have only corners and edges in common.
 bool Twins::meet_in_corners(std::uint32_t part, std::uint32_t face, std::uint32_t other) const {
   if (face == other) return true;
   const auto &corners = input_.faces(part)[face], &others = input_.faces(part)[other];

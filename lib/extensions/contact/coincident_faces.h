@@ -7,8 +7,8 @@
 
 namespace strata::contact {
 
-/// Faces of two parts that have the same three corners. Parts that were made to fit mostly touch in such faces, and
-/// what these share with their neighbours is known beforehand.
+/// Coincident faces of two parts: faces with the same three corners. Parts made to fit mostly touch in such faces. What
+/// these share with their neighbours is known beforehand (theory.md, section 3).
 class Twins {
  public:
   struct Pair {
@@ -17,13 +17,13 @@ class Twins {
   };
   static constexpr std::uint32_t none = ~0u;
 
-  /// Finds those whose corners are doubles. O(m log m) for m faces near what the boxes of the parts have in common.
+  /// Finds those whose corners are doubles. O(m log m) for m faces near the intersection of the parts' boxes.
   Twins(const Parts& parts, std::uint32_t a, std::uint32_t b);
 
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
 
-  /// True when the faces are coincident faces, or share nothing but corners that one of them has in common with the
-  /// twin of the other one, as doubles tell.
+  /// True when the faces are coincident, or when doubles prove that they share only corners which one of them has in
+  /// common with the coincident face of the other.
   [[nodiscard]] bool tell(std::uint32_t f, std::uint32_t g) const;
 
  private:

@@ -6,12 +6,12 @@
 
 namespace strata::contact {
 
-/// Names of the corners of what two faces share: a point, the ends of a segment, or the corners of a convex polygon in
-/// no order. Different names are different places.
+/// Names of the corners of the intersection of two faces: a point, the ends of a segment, or the corners of a convex
+/// polygon in no order. Different names are different positions.
 using CommonPoints = boost::container::static_vector<SymbolicPoint, 32>;
 
-/// What two faces, and no others, have in common, from what `meet_faces` says about them. Where two vertices meet, the
-/// name is that of the first face.
+/// The intersection of two faces, from the constraints that `meet_faces` finds for them alone. Where two vertices meet,
+/// the name is that of the first face.
 [[nodiscard]] CommonPoints common_points(const InputComplex& input, const PairIntersections& intersections);
 
 /// True when these faces lie in one plane.
@@ -19,7 +19,7 @@ using CommonPoints = boost::container::static_vector<SymbolicPoint, 32>;
   return !intersections.constraints.empty() && intersections.constraints.front().kind == ConstraintKind::coplanar;
 }
 
-/// True when what two faces share has an area.
+/// True when the intersection of two faces has an area.
 [[nodiscard]] inline bool share_area(const InputComplex& input, const PairIntersections& intersections) {
   return are_coplanar(intersections) && common_points(input, intersections).size() >= 3;
 }

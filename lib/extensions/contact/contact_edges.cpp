@@ -13,8 +13,8 @@ namespace {
 
 bool is_zero(const RationalPoint& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
 
-/// A line: its direction with first component 1 that is not 0, and the point in which that coordinate is 0. Equal for
-/// equal lines. The coordinate is the line's parameter.
+/// A line: its direction with first nonzero component 1, and the point in which that coordinate is 0. Equal for equal
+/// lines. The coordinate is the line's parameter.
 struct Line {
   std::size_t axis = 0;
   RationalPoint direction, base;
@@ -43,14 +43,14 @@ struct OnLine {
   Intervals all, taken;
 };
 
-/// The polygons with their boxes, of nearest doubles: rounding is monotone, so boxes of what meets meet.
+/// The polygons with their boxes, of nearest doubles: rounding is monotone, so objects that meet have boxes that meet.
 class BoxedPolygons {
  public:
   explicit BoxedPolygons(const SharedPieces& pieces) : pieces_(pieces), boxes_(pieces.polygons.size()) {
     for (std::size_t i = 0; i < boxes_.size(); ++i)
       for (const std::uint32_t n : pieces.polygons[i]) boxes_[i].include(pieces.places.nearest(n));
   }
-  /// Calls `visit(polygon)` for those whose boxes meet a box; ends, and returns false, when it does.
+  /// Calls `visit(polygon)` for those whose boxes meet a box; stops and returns false when `visit` does.
   template <class Visit>
   bool for_each_near(const Box& box, const Visit& visit) const {
     for (std::size_t i = 0; i < boxes_.size(); ++i)
@@ -81,7 +81,7 @@ bool is_on(const RationalSegment& segment, const RationalPoint& p) {
   return segment[0] <= p && p <= segment[1];
 }
 
-/// What polygons cover of intervals of a line by their insides.
+/// The parts of intervals of a line that the interiors of polygons cover.
 Intervals inside_polygons(const BoxedPolygons& polygons, const Line& line, const Intervals& intervals) {
   Intervals covered;
   for (const auto& [from, to] : intervals)

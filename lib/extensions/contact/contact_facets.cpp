@@ -11,7 +11,7 @@ namespace {
 
 using Loop = std::vector<std::uint32_t>;
 
-/// Loops of one plane, put together to facets.
+/// The loops of one plane, grouped into facets.
 class Nesting {
  public:
   Nesting(const std::vector<RationalPoint>& points, const CanonicalFacets& plane) : points_(points), plane_(plane) {
@@ -46,12 +46,12 @@ class Nesting {
     }
     return sum;
   }
-  /// Along the outward normal, in units of one coordinate.
+  /// The coordinate along the outward normal, in units of one coordinate axis.
   [[nodiscard]] Rational height(const RationalPoint& v) const {
     return plane_.plane.coefficients[axis_] > 0 ? v[axis_] : Rational(-v[axis_]);
   }
 
-  /// The smallest of the outer loops around a hole. The middle of a hole's side is on no other loop.
+  /// The smallest outer loop around a hole. The middle of a hole's side is on no other loop.
   [[nodiscard]] std::size_t around(const Loop& hole) const {
     RationalPoint middle;
     for (std::size_t i = 0; i < 3; ++i) middle[i] = (points_[hole[0]][i] + points_[hole[1]][i]) / 2;
@@ -68,7 +68,7 @@ class Nesting {
     if (best == outer_.size()) throw LogicError("a hole of a contact is in no facet");
     return best;
   }
-  /// By the parity of sides that a ray crosses.
+  /// Decided by the parity of the sides that a ray crosses.
   [[nodiscard]] bool has_inside(const Loop& loop, const RationalPoint& p) const {
     const std::size_t u = (axis_ + 1) % 3, v = (axis_ + 2) % 3;
     bool inside = false;

@@ -6,7 +6,7 @@
 
 namespace strata::contact {
 
-/// The connected facets of which polygons are parts, maximal. Corners are numbered as in the points of the form.
+/// The connected, maximal facets that polygons form. Corners are numbered as the points of the form.
 struct ContactFacets {
   std::vector<RationalPoint> points;
   std::vector<ContactFacet> facets;

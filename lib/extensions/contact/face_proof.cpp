@@ -28,7 +28,8 @@ std::optional<SoleFaces> prove_interference(const InputComplex& input, const Fil
   if (on_f.kind == ConstraintKind::point) return std::nullopt;
   if (!on_f.line.edge) return SoleFaces{.first = true, .second = true, .either = true};
   if (on_f.kind == on_g.kind) return std::nullopt;
-  // One face hangs below the other by an edge: inside of it, unless that one stands upon the edge by one of its own.
+  // One face is below the other with an edge in the other's interior, unless the other one has an edge on that edge and
+  // is above.
   if (on_f.kind == ConstraintKind::touch) return when(has_vertex_below(input, g, f), {.first = true});
   return when(has_vertex_below(input, f, g), {.second = true});
 }

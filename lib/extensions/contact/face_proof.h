@@ -7,17 +7,18 @@
 
 namespace strata::contact {
 
-/// Of two faces, those that must be the only ones of their parts around a point for what is said about it to hold.
+/// Of two faces, those that must be the only faces of their parts around a point for a proof to hold.
 struct SoleFaces {
   bool first = false, second = false;
-  bool either = false;  ///< one of them is enough
+  bool either = false;  ///< one of them suffices
 
   friend bool operator==(const SoleFaces&, const SoleFaces&) = default;
 };
 
-/// Faces of which one reaches below the other in a segment that runs inside of that one, or that lie on one another
-/// looking the same way: the interiors of their solids meet around a point inside of what the faces share, if there the
-/// solids have no other faces than is told. Nothing for other faces. theory.md, section 2.
+/// The proof of interference by two faces: one reaches below the other in a segment in the other's interior, or they
+/// overlap with the same orientation. Then the interiors of their solids meet around an interior point of the faces'
+/// intersection, if the solids have no other faces there than the result permits. Nullopt for other faces. theory.md,
+/// section 2.
 [[nodiscard]] std::optional<SoleFaces> prove_interference(const InputComplex& input, const FilteredFace& f,
                                                           const FilteredFace& g,
                                                           const PairIntersections& intersections);

@@ -5,14 +5,14 @@
 
 namespace strata::contact {
 
-/// Distances of a feature of one triangle from one of another, by corners p of one and q of the other, in a type with
-/// error bounds or in rationals. The closest points lie inside the features where all `inside` are positive: then
+/// Distances of a feature of one triangle from a feature of another, by corners p of one and q of the other, in a type
+/// with error bounds or in rationals. The closest points lie inside the features where all `inside` are positive: then
 /// `squared` is over / under.
 template <class Real>
 struct FeatureDistance {
   std::array<Real, 4> inside;
   Real over, under;
-  int conditions = 0;  ///< how many of `inside` count
+  int conditions = 0;  ///< how many entries of `inside` are used
 };
 
 template <class Real>

@@ -49,8 +49,8 @@ bool InteriorSides::show_interference() const {
   return has_interior_side_inside(surfaces_[0], surfaces_[1]) || has_interior_side_inside(surfaces_[1], surfaces_[0]);
 }
 
-/// Vertices that are not on the other surface join the faces around them: there the interior sides are where the vertex
-/// is.
+/// Vertices that are not on the other surface connect the faces around them: there the interior sides are where the
+/// vertex is.
 bool InteriorSides::has_interior_side_inside(const Surface& surface, const Surface& other) const {
   const InputComplex& input = parts_.input();
   const auto points = input.points(surface.part);
@@ -86,8 +86,9 @@ bool InteriorSides::has_interior_side_inside(const Surface& surface, const Surfa
   return false;
 }
 
-/// By a point inside of the face that is in no plane of the other part's faces near it but the face's own, of which
-/// they have no area. Such a plane holds two weighted points at most, for these are on a conic.
+/// Decided at a point inside of the face that is in no plane of the other part's faces near it except the face's own
+/// plane, in which these faces have no area in common with it. Such a plane contains at most two weighted points,
+/// because these are on a conic.
 bool InteriorSides::is_interior_side_inside(std::uint32_t face, std::uint32_t other) const {
   const InputComplex& input = parts_.input();
   const std::uint32_t part = input.operand_of_face(face);

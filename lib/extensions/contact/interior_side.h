@@ -8,23 +8,23 @@
 
 namespace strata::contact {
 
-/// The *interior side* of a face: the points just below its inside. Where no two faces of two parts prove interference,
-/// the interior side of a face is inside the other part or outside of it, all of it, and the interiors of the parts
-/// meet exactly where some interior side of one is inside the other. theory.md, section 3.
+/// The *interior side* of a face: the points just below its interior. Where no two faces of two parts prove
+/// interference, the interior side of a face is entirely inside the other part or entirely outside, and the interiors
+/// of the parts meet exactly where an interior side of one part is inside the other. theory.md, section 3.
 ///
-/// This notes which vertices of either part lie on the other one's surface, and which faces lie on one of its faces,
-/// and then asks for the interior sides, of as few faces as it can.
+/// This class records which vertices of either part lie on the other one's surface, and which faces overlap one of its
+/// faces. Then it tests the interior sides, of as few faces as possible.
 class InteriorSides {
  public:
   InteriorSides(const Parts& parts, std::uint32_t a, std::uint32_t b);
 
   /// What two faces share, the first of a and the second of b. Requires that they do not prove interference.
   void note(const PairIntersections& intersections);
-  /// Faces with the same corners, which look opposite ways.
+  /// Records coincident faces, which have opposite orientations.
   void note_coincident_faces(std::uint32_t f, std::uint32_t g);
 
-  /// True when the interiors of the parts meet. Requires that everything which their faces share has been noted.
-  /// O(n log n), one question of membership for each piece into which what is noted divides the surfaces.
+  /// True when the interiors of the parts meet. Requires that all intersections of their faces have been recorded. O(n
+  /// log n), and one membership test for each component into which the recorded facts divide the surfaces.
   [[nodiscard]] bool show_interference() const;
 
  private:
@@ -32,7 +32,8 @@ class InteriorSides {
   struct Surface {
     std::uint32_t part = 0;
     std::vector<bool> has_vertex_on;  ///< on the other surface
-    std::vector<bool> has_face_on;    ///< shares an area with a face of the other part, which looks the other way
+    std::vector<bool>
+        has_face_on;  ///< shares an area with a face of the other part, which has the opposite orientation
   };
 
   void note_vertex(std::uint32_t vertex);

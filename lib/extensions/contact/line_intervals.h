@@ -11,7 +11,7 @@ using Interval = std::pair<Rational, Rational>;
 using Intervals = std::vector<Interval>;
 
 /// Maximal intervals of positive length of the closure of (union of `all` without union of `taken`), in order. Where
-/// nothing is taken, intervals that share an end are one. O(n log n).
+/// nothing is taken, intervals that share an end are joined. O(n log n).
 [[nodiscard]] Intervals without(const Intervals& all, const Intervals& taken);
 
 }  // namespace strata::contact

@@ -11,7 +11,7 @@
 
 namespace strata::contact {
 
-/// The faces of a leaf that are near something, with what a first look at them needs.
+/// The faces of a leaf that are near a box, with the data for filters in doubles.
 class LeafFaces {
  public:
   LeafFaces(const InputComplex& input, std::uint32_t part, const PartTree& tree, const PartTree::Node& leaf,
@@ -42,7 +42,7 @@ class LeafFaces {
   boost::container::small_vector<Entry, PartTree::leaf_size> list_;
 };
 
-/// Calls `visit(node of a, node of b)` for pairs of leaves whose boxes meet; ends, and returns false, when it does.
+/// Calls `visit(node of a, node of b)` for pairs of leaves whose boxes meet; stops and returns false when `visit` does.
 template <class Visit>
 bool for_each_near_leaves(const PartTree& a, const PartTree& b, const Visit& visit) {
   if (a.nodes().empty() || b.nodes().empty()) return true;
@@ -65,9 +65,9 @@ bool for_each_near_leaves(const PartTree& a, const PartTree& b, const Visit& vis
   return true;
 }
 
-/// Calls `visit(f, g, intersections)` for all faces f of part a and g of part b that share a point, but for those of
-/// which `skip(f, g)` holds, with what `meet_faces` says about them alone; ends, and returns false, when `visit` does.
-/// Always in the same order.
+/// Calls `visit(f, g, intersections)` for all faces f of part a and g of part b that share a point, except those for
+/// which `skip(f, g)` holds, with the constraints that `meet_faces` finds for them alone. Stops and returns false when
+/// `visit` does. The order is always the same.
 template <class Skip, class Visit>
 bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Skip& skip, const Visit& visit) {
   const InputComplex& input = parts.input();

@@ -11,7 +11,7 @@
 namespace strata::contact {
 namespace {
 
-/// Two nodes, the nearest first; where they are as near, those found first.
+/// Two nodes, the nearest first; of equally near ones, those found first.
 struct NearNodes {
   double half_distance = 0;
   std::uint32_t a = 0, b = 0;
@@ -19,7 +19,7 @@ struct NearNodes {
   friend bool operator<(const NearNodes& x, const NearNodes& y) { return x.half_distance > y.half_distance; }
 };
 
-/// Faces of two leaves, the pairs that may be as near as the best.
+/// Processes the faces of two leaves, the pairs that may be as near as the best.
 void look_at_leaves(const Parts& parts, std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> of_a,
                     std::span<const std::uint32_t> of_b, NearestCandidates& candidates) {
   std::vector<Box> boxes;

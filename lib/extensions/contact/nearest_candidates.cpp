@@ -19,7 +19,7 @@ MeshFeature face(InputComplex::Indices v) {
   return {Kind::face, v};
 }
 
-/// The distance of the inside of one feature from that of another, by a function from vertices to places.
+/// The distance of the interior of one feature from that of another, by a function from vertices to positions.
 template <class Real, class Place>
 FeatureDistance<Real> distance_of(const MeshFeature& a, const MeshFeature& b, const Place& place) {
   const auto p = [&](std::size_t i) { return place(a.vertices[i]); };
@@ -47,7 +47,7 @@ std::size_t NearestCandidates::Hash::operator()(const Pair& p) const {
   return h;
 }
 
-/// Coordinates of two faces times a power of two, so that the largest are about one: products of what matters neither
+/// Coordinates of two faces times a power of two, such that the largest are about one: relevant products neither
 /// overflow nor underflow.
 class NearestCandidates::Scale {
  public:
@@ -104,8 +104,8 @@ void NearestCandidates::look_at(std::uint32_t f, std::uint32_t g) {
   }
 }
 
-/// True when, seen along the way between the closest points so far, the faces are farther apart than these. Scaled
-/// coordinates and components are at most 1, so that 2^-48 is more than all rounding; theory.md, section 7.
+/// True when, along the vector between the closest points so far, the faces are farther apart than these. Scaled
+/// coordinates and components are at most 1, so 2^-48 exceeds all rounding errors; theory.md, section 7.
 bool NearestCandidates::are_apart_along_best(const InputComplex::Indices& f, const InputComplex::Indices& g,
                                              const Scale& scale) const {
   if (!has_best_) return false;
@@ -122,7 +122,7 @@ bool NearestCandidates::are_apart_along_best(const InputComplex::Indices& f, con
   return start_of_g - end_of_f - 0x1p-48 > half_bound_ * scale.factor() * 2 * length * (1 + 0x1p-40);
 }
 
-/// By running errors: false when the closest points are certainly not inside the features, or certainly too far.
+/// By running errors: false when the closest points are certainly not inside the features, or certainly too far apart.
 bool NearestCandidates::may_be_best(const Pair& pair, const Scale& scale) const {
   const auto d = distance_of<Bounded>(pair.a, pair.b, scale);
   for (int i = 0; i < d.conditions; ++i) {
@@ -156,8 +156,8 @@ void NearestCandidates::decide(const Pair& pair) {
           pair.b.kind == Kind::vertex ? q : foot_on(pair.b, q, p));
 }
 
-/// Two names of one pair of points do not occur: a point is inside one feature only. Vertices at one place do; then the
-/// lower numbers are taken.
+/// One pair of points never has two names of features, because a point is inside one feature only. Coincident vertices
+/// do have several names; then the lower numbers are used.
 void NearestCandidates::offer(const Pair& pair, const Rational& squared, const RationalPoint& on_a,
                               const RationalPoint& on_b) {
   if (has_best_ && squared == best_.squared &&

@@ -9,17 +9,17 @@
 
 namespace strata::contact {
 
-/// The best of the pairs of features looked at so far. For one thread.
+/// The best of the pairs of features processed so far. For one thread.
 class NearestCandidates {
  public:
   explicit NearestCandidates(const InputComplex& input) : input_(input) {}
 
-  /// Looks at all features of two faces, the first one of part a.
+  /// Processes all features of two faces, the first one of part a.
   void look_at(std::uint32_t f, std::uint32_t g);
 
   /// Half of an upper bound of the least distance.
   [[nodiscard]] double half_bound() const { return half_bound_; }
-  /// Requires that faces were looked at. Vertices are numbered globally.
+  /// Requires that faces were processed. Vertices are numbered globally.
   [[nodiscard]] const Nearest& best() const { return best_; }
 
  private:

@@ -13,8 +13,8 @@
 
 namespace strata::contact {
 
-/// The parts of an assembly under one numbering, with what is asked of them again and again. Trees and components are
-/// made when they are first asked for. Safe to read from many threads.
+/// The parts of an assembly under one numbering, with cached data. Trees and components are computed when they are
+/// first needed. Reading is thread-safe.
 class Parts {
  public:
   explicit Parts(std::span<const Solid> solids);
@@ -22,23 +22,23 @@ class Parts {
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(solids_.size()); }
   [[nodiscard]] const Solid& solid(std::uint32_t part) const { return solids_[part]; }
   [[nodiscard]] const InputComplex& input() const { return input_; }
-  /// Holds the part; empty for an empty one.
+  /// A box that contains the part; empty for an empty one.
   [[nodiscard]] const Box& box(std::uint32_t part) const { return boxes_[part]; }
-  /// What the boxes of two parts have in common; empty if that is nothing.
+  /// The intersection of the boxes of two parts; empty if they are disjoint.
   [[nodiscard]] Box common_box(std::uint32_t a, std::uint32_t b) const;
-  /// True when their boxes alone tell that the interiors of two parts are disjoint.
+  /// True when the boxes alone prove that the interiors of two parts are disjoint.
   [[nodiscard]] bool are_beside(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] const PartTree& tree(std::uint32_t part) const;
 
-  /// True when some piece of a part's surface that is connected by common vertices lies inside another part. Requires
-  /// that the surfaces of the two do not meet. One walk per piece: theory.md, section 3.
+  /// True when some component of a part's surface, connected by common vertices, lies inside another part. Requires
+  /// that the surfaces of the two do not meet. One walk per component: theory.md, section 3.
   [[nodiscard]] bool has_piece_inside(std::uint32_t part, std::uint32_t other) const;
-  /// True when a point that is not on a part's surface is inside the part: by the winding number, exactly. O(log n) and
-  /// the faces that a ray from there may meet.
+  /// True when a point that is not on a part's surface is inside the part: by the winding number, exactly. O(log n)
+  /// plus the faces that a ray from there may meet.
   [[nodiscard]] bool is_inside(const Point& point, std::uint32_t part) const;
 
  private:
-  /// A connected piece of surface.
+  /// A connected component of a surface.
   struct Piece {
     std::uint32_t vertex = 0;  ///< some vertex of it
     Box box;

@@ -11,7 +11,7 @@
 
 namespace strata::contact {
 
-/// Distinct points, found by name and by place: names that are one place get one number.
+/// Distinct points, found by name and by position: coincident names get one number.
 class Places {
  public:
   explicit Places(const InputComplex& input) : input_(input) {}

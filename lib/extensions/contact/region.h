@@ -7,7 +7,7 @@
 namespace strata::contact {
 
 /// The contact region of two parts, in coordinates of the model. Requires that their interiors do not meet. O(k log k)
-/// for k pairs of faces that meet, in rationals, and pairs of what is left of edges and points with what is near them.
+/// for k pairs of faces that meet, in rationals, plus pairs of remaining edges and points with objects near them.
 [[nodiscard]] ContactRegion region_of(const Parts& parts, std::uint32_t a, std::uint32_t b);
 
 }  // namespace strata::contact

@@ -17,13 +17,13 @@
 namespace strata::contact {
 namespace {
 
-/// What is learned of two parts, one pair of faces that meet after the other.
+/// The decision about two parts, from pairs of faces that meet, one after the other.
 class Inquiry {
  public:
   Inquiry(const Parts& parts, std::uint32_t a, std::uint32_t b)
       : parts_(parts), a_(a), b_(b), are_beside_(parts.are_beside(a, b)) {}
 
-  /// Nothing where faces would prove interference if their parts had no other faces there, and no others do prove it.
+  /// Nullopt where faces would prove interference if their parts had no other faces there, and no others do prove it.
   std::optional<Relation> find() {
     const auto skip = [this](std::uint32_t f, std::uint32_t g) { return coincident_ && coincident_->tell(f, g); };
     const auto visit = [this](const FilteredFace& f, const FilteredFace& g, const PairIntersections& m) {
@@ -54,7 +54,7 @@ class Inquiry {
     if (++undecided_ == many) find_coincident_faces();
   }
 
-  /// Faces have the form of a proof; are they what it takes to be one, around the middle of what they share?
+  /// The faces have the form of a proof. Decides whether they are one, around the middle of their intersection.
   void conclude(const FilteredFace& f, const FilteredFace& g, SoleFaces sole, const CommonPoints& shared) {
     const bool holds_f = sole.first && is_sole_face(parts_, f, shared);
     const bool holds_g = sole.second && !(sole.either && holds_f) && is_sole_face(parts_, g, shared);
@@ -64,7 +64,7 @@ class Inquiry {
     is_doubtful_ |= !holds;
   }
 
-  /// From now on, what coincident faces tell is not asked.
+  /// After this, pairs that coincident faces decide are skipped.
   void find_coincident_faces() {
     coincident_.emplace(parts_, a_, b_);
     const InputComplex& input = parts_.input();
@@ -102,9 +102,9 @@ class Inquiry {
   bool are_beside_;
   Relation relation_ = Relation::apart;
   bool is_decided_ = false;
-  bool is_doubtful_ = false;  ///< some faces have the form of a proof, and are none: interior sides tell nothing
-  std::optional<InteriorSides> interior_sides_;  ///< once faces share something that decides nothing
-  int undecided_ = 0;                            ///< such pairs of faces
+  bool is_doubtful_ = false;  ///< some faces have the form of a proof, and are none: interior sides decide nothing
+  std::optional<InteriorSides> interior_sides_;  ///< once faces share a set that decides nothing
+  int undecided_ = 0;                            ///< the number of such pairs of faces
   std::optional<Twins> coincident_;              ///< once these are many
   boost::container::static_vector<std::uint32_t, most_planes> tried_;
 };

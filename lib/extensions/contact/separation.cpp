@@ -19,7 +19,7 @@ struct HalfBox {
   Box box;
 };
 
-/// The side of a plane on which a point within bounds certainly is; zero when that does not show.
+/// The side of a plane on which a point within bounds certainly is; zero when that is not certain.
 Sign side_of(const FilteredFace& plane, const BoundedPoint& p) {
   if (plane.is_exact) return static_cast<Sign>(plane.plane.side_within(p));
   return dot<Bounded>(plane.rational_plane.normal, p - plane.rational_plane.at).sign().value_or(Sign::zero);
@@ -35,8 +35,8 @@ Sign side_of_box(const FilteredFace& plane, const Box& box) {
   return side_of(plane, all);
 }
 
-/// Sides of a plane on which a part's vertices are. Remembers some: those of neighbouring faces come soon after one
-/// another, and vertices in the plane take long.
+/// Sides of a plane on which a part's vertices are. Caches some of them: those of neighbouring faces are needed soon
+/// after one another, and vertices in the plane are expensive.
 class Sides {
  public:
   Sides(const Parts& parts, std::uint32_t part, const FilteredFace& plane)
@@ -94,7 +94,8 @@ bool is_clear_of(const Parts& parts, std::uint32_t part, const HalfBox& half) {
   });
 }
 
-/// A corner of the box strictly in the half; none: no point of the box is, since a plane leaves a box at a corner.
+/// A corner of the box strictly in the half; nullopt: no point of the box is, because a linear form is largest at a
+/// corner.
 std::optional<InputComplex::Coordinates> corner_in(const InputComplex& input, const HalfBox& half) {
   for (std::size_t number = 0; number < 8; ++number) {
     InputComplex::Coordinates corner{};
@@ -104,7 +105,8 @@ std::optional<InputComplex::Coordinates> corner_in(const InputComplex& input, co
   return std::nullopt;
 }
 
-/// True when a part has nothing of the half: its surface keeps clear, and some point there is outside of it.
+/// True when a part has nothing of the half: its surface does not reach it, and some point there is outside of the
+/// part.
 bool has_nothing_of(const Parts& parts, std::uint32_t part, const HalfBox& half) {
   if (!is_clear_of(parts, part, half)) return false;
   const auto corner = corner_in(parts.input(), half);

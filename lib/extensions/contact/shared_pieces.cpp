@@ -11,7 +11,7 @@ namespace {
 
 SharedPieces::Segment segment(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Sorts corners of a convex polygon in the plane of a face around, as seen from its outer side.
+/// Sorts the corners of a convex polygon in the plane of a face counter-clockwise, as seen from its outer side.
 void sort_around(const InputComplex& input, const Places& places, std::uint32_t face, SharedPieces::Polygon& corners) {
   const Projection projection = projection_of(input, face);
   const std::uint32_t first = corners.front();

@@ -9,15 +9,16 @@
 
 namespace strata::contact {
 
-/// What pairs of faces of two parts share, by numbers of places: convex polygons, segments and points. Each once.
+/// The intersections of pairs of faces of two parts, by numbers of positions: convex polygons, segments and points.
+/// Each once.
 struct SharedPieces {
   using Polygon = std::vector<std::uint32_t>;
   using Segment = std::array<std::uint32_t, 2>;  ///< the lower number first
 
   Places places;
-  std::vector<Polygon> polygons;   ///< counter-clockwise as seen from outside of the first part; insides are disjoint
-  std::set<Segment> segments;      ///< but for sides of polygons
-  std::set<std::uint32_t> points;  ///< but for ends of segments and corners of polygons
+  std::vector<Polygon> polygons;   ///< counter-clockwise as seen from outside of the first part; interiors are disjoint
+  std::set<Segment> segments;      ///< except sides of polygons
+  std::set<std::uint32_t> points;  ///< except ends of segments and corners of polygons
   std::set<Segment> sides;         ///< of polygons
 };
 

@@ -24,7 +24,7 @@ ConvexPolygon triangle(const InputComplex& input, std::uint32_t face) {
   return ConvexPolygon(std::move(corners));
 }
 
-/// True when nothing of `other` is inside of `face`, as doubles tell.
+/// True when doubles prove that no point of `other` is in the interior of `face`.
 bool is_beside(const FilteredFace& face, const FilteredFace& other) {
   return face.is_beside(other, face.sides_of(other)) || face.is_off(other);
 }
@@ -34,7 +34,7 @@ bool is_beside(const FilteredFace& face, const FilteredFace& other) {
 bool is_sole_face(const Parts& parts, const FilteredFace& face, const CommonPoints& points) {
   const InputComplex& input = parts.input();
   const std::uint32_t part = input.operand_of_face(face.face);
-  Box near;  // holds all points, and so their middle
+  Box near;  // contains all points, and so their middle
   for (const SymbolicPoint& name : points) {
     const BoundedPoint p = make_point(input, name).at;
     near.include(InputComplex::Coordinates{p[0].lower(), p[1].lower(), p[2].lower()});

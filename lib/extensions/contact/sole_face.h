@@ -5,8 +5,8 @@
 
 namespace strata::contact {
 
-/// True when no other face of the part of `face` holds the middle of some points. Requires that this middle is inside
-/// of the face. O(log n) and the faces near the points; rationals for those of which doubles do not tell.
+/// True when no other face of the part of `face` contains the middle of some points. Requires that this middle is
+/// inside of the face. O(log n) plus the faces near the points; rationals for those that doubles do not decide.
 [[nodiscard]] bool is_sole_face(const Parts& parts, const FilteredFace& face, const CommonPoints& points);
 
 }  // namespace strata::contact

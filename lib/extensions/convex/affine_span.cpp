@@ -13,7 +13,8 @@ bool are_collinear(const PointCloud& cloud, std::uint32_t p, std::uint32_t q, st
   return true;
 }
 
-/// The point of the largest size if it serves, else the first one that does, else none. Sizes choose, `serves` decides.
+/// The point of the largest size if it is suitable, otherwise the first suitable one, otherwise nullopt. Sizes affect
+/// the choice; `serves` decides suitability.
 template <class Size, class Serves>
 std::uint32_t largest(const PointCloud& cloud, const Size& size, const Serves& serves) {
   std::uint32_t best = 0;

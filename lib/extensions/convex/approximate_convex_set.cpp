@@ -9,17 +9,17 @@
 namespace strata::convex {
 namespace {
 
-/// What a coordinate stands for that is rounded to this double.
+/// An interval that contains every coordinate which rounds to this double.
 Bounded rounded(double x) { return {x, std::abs(x) * Bounded::rounding + Bounded::underflow}; }
 
-/// Along a direction that is exact.
+/// The coordinate along a direction that is exact.
 Bounded along(const Vertex& direction, const Vertex& rounded_point) {
   Bounded sum;
   for (std::size_t i = 0; i < 3; ++i) sum = sum + Bounded(direction[i]) * rounded(rounded_point[i]);
   return sum;
 }
 
-/// Does one of the half-spaces of a, moved by any point of b, not hold x?
+/// Is x outside of one of the half-spaces of a, translated by any point of b?
 bool is_beyond(std::span<const ApproximateConvexSet::HalfSpace> of_a, std::span<const Vertex> points_of_b,
                const Vertex& x) {
   return std::any_of(of_a.begin(), of_a.end(), [&](const ApproximateConvexSet::HalfSpace& h) {

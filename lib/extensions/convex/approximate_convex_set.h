@@ -10,25 +10,25 @@
 
 namespace strata::convex {
 
-/// Side of the plane through p, q, r that x is on, all rounded to nearest doubles: positive where they are
-/// counter-clockwise. Nothing if doubles cannot tell.
+/// Side of x relative to the plane through p, q, r, all rounded to nearest doubles: positive where they are
+/// counter-clockwise. Nullopt if doubles do not decide.
 [[nodiscard]] std::optional<Sign> rounded_side(const Vertex& p, const Vertex& q, const Vertex& r, const Vertex& x);
 
-/// A convex set as doubles see it: points that it is the hull of, and half-spaces that hold it.
+/// A convex set in doubles: points of which it is the hull, and half-spaces that contain it.
 class ApproximateConvexSet {
  public:
-  /// All x with direction . x <= reach. Any direction will do.
+  /// All x with direction . x <= reach, for any direction.
   struct HalfSpace {
     Vertex direction{};
     double reach = 0;
   };
 
-  /// The hull of points, given by nearest doubles. Its half-spaces are those of the corners of facets, nearly.
+  /// The hull of points, given by nearest doubles. Its half-spaces are approximately those of the corners of facets.
   explicit ApproximateConvexSet(std::vector<Vertex> points) : points_(std::move(points)) {}
-  /// Adds nothing where that overflows.
+  /// Adds nothing if the computation overflows.
   void add_facet(const Vertex& p, const Vertex& q, const Vertex& r);
 
-  /// Is no point of the exact a + b rounded to x? Certain where the answer is yes.
+  /// Does no point of the exact a + b round to x? A positive answer is certain.
   friend bool sum_misses(const ApproximateConvexSet& a, const ApproximateConvexSet& b, const Vertex& x);
 
  private:

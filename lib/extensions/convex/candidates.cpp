@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t block = 512;
 
-/// The points of a sample that are farthest along the axes, the diagonals and those of the sides.
+/// The points of a sample that are farthest along the axes, the space diagonals and the diagonals of coordinate planes.
 std::vector<std::uint32_t> far_points(const PointCloud& cloud) {
   constexpr std::uint32_t sample = 1 << 16;
   constexpr std::array<Vertex, 13> directions{{{1, 0, 0},
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> far_points(const PointCloud& cloud) {
   return {far.begin(), std::unique(far.begin(), far.end())};
 }
 
-/// Which points of a block are not certainly in the hull of those with these planes.
+/// The points of a block that are not certainly in the hull with these planes.
 class Sieve {
  public:
   explicit Sieve(const PointCloud& cloud, std::vector<Quickhull::Plane> planes)
@@ -70,7 +70,7 @@ class Sieve {
   std::vector<Quickhull::Plane> planes_;
 };
 
-/// Every third bit of a number of ten bits.
+/// Moves the bits of a number of ten bits to every third bit.
 std::uint64_t spread(std::uint64_t x) {
   x = (x | x << 16) & 0x30000ff;
   x = (x | x << 8) & 0x300f00f;
@@ -78,13 +78,13 @@ std::uint64_t spread(std::uint64_t x) {
   return (x | x << 2) & 0x9249249;
 }
 
-/// Sorts points along a Z-curve through 1024 cells each way (Morton 1966), within a cell by number.
+/// Sorts points along a Z-curve through 1024 cells along each axis (Morton 1966), within a cell by number.
 void sort_by_place(const PointCloud& cloud, std::vector<std::uint32_t>& points) {
   Vertex scale;
   for (std::size_t i = 0; i < 3; ++i) scale[i] = 1023 / cloud.extent()[i].value;
   const auto cell = [&](std::uint32_t p, std::size_t axis) {
     const double x = (cloud.at(p)[axis] - cloud.lowest()[axis]) * scale[axis];
-    return spread(x > 0 ? static_cast<std::uint64_t>(std::min(x, 1023.0)) : 0);  // of NaN, where this overflows, 0
+    return spread(x > 0 ? static_cast<std::uint64_t>(std::min(x, 1023.0)) : 0);  // 0 for NaN, where this overflows
   };
   std::vector<std::uint64_t> keys(points.size());
   tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {

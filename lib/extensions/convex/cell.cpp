@@ -110,7 +110,7 @@ bsp::Piece<3> CellMaker::piece_of(const CellFacet& facet) const {
   return polygon;
 }
 
-/// Divides one cell by one plane.
+/// Divides a cell by a plane.
 class CellMaker::Splitter {
  public:
   Splitter(CellMaker& maker, const Cell& cell, std::uint32_t plane) : maker_(maker), cell_(cell), plane_(plane) {
@@ -234,7 +234,7 @@ class CellMaker::Merger {
   }
 
  private:
-  /// Both have the same facet: gathers, side by side, the walls of both.
+  /// True when both have the same facet; collects, side by side, the neighbouring planes of both.
   bool match_facets() {
     const CellFacet &f = *a_.facet_in(plane_), &g = *b_.facet_in(plane_);
     const std::size_t n = f.corners.size();
@@ -261,7 +261,7 @@ class CellMaker::Merger {
     });
   }
 
-  /// A corner of a facet at the plane that is not on it: the one after the side there.
+  /// A corner of a facet with a side in the plane, which is not in the plane: the one after that side.
   [[nodiscard]] std::uint32_t corner_off_plane(const CellFacet& g) const {
     const std::size_t n = g.corners.size(), side = side_at_plane(g);
     return g.corners[(side + 2) % n];
@@ -272,7 +272,7 @@ class CellMaker::Merger {
     return static_cast<std::size_t>(at - f.walls.begin());
   }
 
-  /// A facet of one cell alone has the other cell's facet beyond the plane now.
+  /// A facet of one cell alone has the other cell's facet as its neighbour beyond the plane now.
   [[nodiscard]] CellFacet renamed(const CellFacet& f,
                                   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& beyond) const {
     CellFacet result = f;
@@ -282,8 +282,8 @@ class CellMaker::Merger {
     return result;
   }
 
-  /// Facets in one plane: the sides of f after the common one, then those of g; where the same wall goes on, the corner
-  /// is no vertex any more.
+  /// The union of facets in one plane: the sides of f after the common one, then those of g. Where the same
+  /// neighbouring plane continues, the corner is no vertex any more.
   [[nodiscard]] CellFacet joined(const CellFacet& f, const CellFacet& g) const {
     CellFacet result{f.plane, f.faces_plus, {}, {}};
     append(f, side_at_plane(f), result);
@@ -307,7 +307,8 @@ class CellMaker::Merger {
   CellMaker& maker_;
   const Cell &a_, &b_;
   std::uint32_t plane_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> wall_of_a_, wall_of_b_;  ///< own wall, the other cell's there
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> wall_of_a_,
+      wall_of_b_;  ///< own neighbouring plane, and the other cell's there
 };
 
 std::optional<Cell> CellMaker::merged(const Cell& a, const Cell& b, std::uint32_t plane) {

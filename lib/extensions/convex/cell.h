@@ -14,7 +14,7 @@ namespace strata::convex {
 /// A facet of a cell, in a plane of a table.
 struct CellFacet {
   std::uint32_t plane = 0;
-  bool faces_plus = false;                                   ///< outside is on the plus side
+  bool faces_plus = false;                                   ///< the outer side is the plus side
   boost::container::small_vector<std::uint32_t, 6> corners;  ///< counter-clockwise as seen from outside
   boost::container::small_vector<std::uint32_t, 6> walls;    ///< walls[i]: the other plane at the side from corner i
 };
@@ -26,8 +26,8 @@ struct Cell {
   [[nodiscard]] const CellFacet* facet_in(std::uint32_t plane) const;
 };
 
-/// Makes cells within a box and keeps their corners, each once where cells were made by dividing one another. All
-/// decisions are exact signs of the table. The table must outlive it.
+/// Constructs cells within a box and stores their corners, each once where cells were constructed by dividing one
+/// another. All decisions are exact signs of the table. The table must outlive it.
 class CellMaker {
  public:
   CellMaker(const HyperplaneTable<3>& table, const bsp::BoxPlanes& box) : table_(table), box_(box) {}
@@ -36,31 +36,31 @@ class CellMaker {
 
   /// The whole box.
   [[nodiscard]] Cell box();
-  /// A polygon in a plane that holds all of its part of the box.
+  /// A polygon in a plane that contains all of the plane's part of the box.
   [[nodiscard]] bsp::Piece<3> whole(std::uint32_t plane) const { return bsp::whole_between(table_, plane, box_); }
   [[nodiscard]] bool is_of_box(std::uint32_t plane) const;
 
-  /// A polygon as a facet, and back.
+  /// Converts a polygon to a facet, and back.
   [[nodiscard]] CellFacet facet_of(const bsp::Piece<3>& polygon, bool faces_plus);
   [[nodiscard]] bsp::Piece<3> piece_of(const CellFacet& facet) const;
 
   struct Halves {
-    std::optional<Cell> minus, plus;  ///< of which at least one is there
+    std::optional<Cell> minus, plus;  ///< at least one is present
   };
   /// The parts on both sides of a plane, those with an interior. O(size of the cell + k^2) for a section
   /// of k sides.
   [[nodiscard]] Halves split(const Cell& cell, std::uint32_t plane);
 
-  /// The union of two cells with their interiors apart, on different sides of a plane, if it is convex. It is
+  /// The union of two cells with disjoint interiors, on different sides of a plane, if it is convex. It is convex
   /// exactly if both have the same facet in this plane and no angle beside it is more than 180 degrees. O(size).
   [[nodiscard]] std::optional<Cell> merged(const Cell& a, const Cell& b, std::uint32_t plane);
 
-  /// True when two corners are at the same place.
+  /// True when two corners coincide.
   [[nodiscard]] bool is_same(std::uint32_t a, std::uint32_t b);
-  /// One of those that have been found to be at the place of a corner.
+  /// One of those that have been found to coincide with a corner.
   [[nodiscard]] std::uint32_t representative(std::uint32_t corner);
 
-  /// True when boxes about two facets have nothing in common; false is no answer.
+  /// True when boxes about two facets are disjoint; false if this is not known.
   [[nodiscard]] bool are_boxes_apart(const CellFacet& f, const CellFacet& g) const;
 
  private:
@@ -76,10 +76,11 @@ class CellMaker {
   const HyperplaneTable<3>& table_;
   bsp::BoxPlanes box_;
   std::vector<HyperplaneMeet<3>> corners_;
-  std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, NamesHash> numbers_;  ///< by names, rising
-  std::vector<std::pair<std::uint32_t, Sign>> signs_;  ///< of corners, and in which division that was
-  std::uint32_t split_ = 0;                            ///< the number of the last division
-  std::vector<std::uint32_t> same_as_;                 ///< corners found to be at one place, as a forest
+  std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, NamesHash> numbers_;  ///< by names, increasing
+  std::vector<std::pair<std::uint32_t, Sign>>
+      signs_;                           ///< of corners, and the number of the division in which it was computed
+  std::uint32_t split_ = 0;             ///< the number of the last division
+  std::vector<std::uint32_t> same_as_;  ///< corners found to coincide, as a forest
 };
 
 }  // namespace strata::convex

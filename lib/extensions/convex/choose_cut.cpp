@@ -10,12 +10,12 @@ namespace strata::convex {
 namespace {
 
 constexpr std::size_t most_candidates = 128;    ///< planes through reflex edges that are tried
-constexpr std::size_t most_edges_asked = 1024;  ///< reflex edges that are asked whether they are divided
-constexpr std::size_t most_asked = 64;          ///< faces that are asked where they lie
+constexpr std::size_t most_edges_asked = 1024;  ///< reflex edges that are tested for being divided
+constexpr std::size_t most_asked = 64;          ///< faces that are tested for their side
 constexpr std::size_t parts_tried = 6;          ///< connected parts whose planes are tried, and planes of each
-constexpr double cost_of_divided_face = 0.05;   ///< where a reflex edge that is resolved is worth 1; measured
+constexpr double cost_of_divided_face = 0.05;   ///< where a reflex edge that is resolved counts 1; measured
 
-/// Edges, those in doubles that tell nearly always whether a plane divides them.
+/// Edges, and their ends in doubles, which decide in nearly all cases whether a plane divides them.
 class ReflexEdges {
  public:
   explicit ReflexEdges(const HyperplaneTable<3>& table) : table_(table) {}
@@ -32,7 +32,7 @@ class ReflexEdges {
     }
   }
 
-  /// How many a plane divides; no more than `enough` are counted.
+  /// The number of edges that a plane divides; at most `enough` are counted.
   [[nodiscard]] std::size_t divided_by(std::uint32_t plane, double enough) const {
     const auto [form, bound] = table_.form_within(plane, largest_);
     const auto value = [&, form = form](const Point& p) {
@@ -75,8 +75,8 @@ class CutChooser {
  private:
   using Part = std::vector<const Face*>;
 
-  /// The plane that is worth most: reflex edges that it is known to resolve, minus those that it divides, minus a
-  /// little for faces.
+  /// The plane with the best value: reflex edges that it is known to resolve, minus those that it divides, minus a
+  /// small cost for divided faces.
   [[nodiscard]] std::uint32_t through_reflex_edges() const {
     std::uint32_t best = 0;
     double highest = -HUGE_VAL;
@@ -93,10 +93,10 @@ class CutChooser {
 
   struct Candidate {
     std::uint32_t plane = 0;
-    std::uint32_t edges = 0;  ///< reflex ones that it is known to go through
+    std::uint32_t edges = 0;  ///< reflex edges that are known to lie in it
   };
 
-  /// The planes through most reflex edges come first.
+  /// The planes through most reflex edges first.
   [[nodiscard]] std::vector<Candidate> candidates() const {
     std::vector<Candidate> planes;
     for (const Edge* e : reflex_)
@@ -112,7 +112,7 @@ class CutChooser {
     return planes;
   }
 
-  /// Reflex edges that a plane divides, no more than `enough` are counted. Of many edges some are asked for all.
+  /// The number of reflex edges that a plane divides; at most `enough` are counted. Of many edges a sample is tested.
   [[nodiscard]] double divided_edges(std::uint32_t plane, double enough) const {
     const std::size_t count = reflex_.size();
     const double each = static_cast<double>(count) / static_cast<double>(std::min(count, most_edges_asked));
@@ -129,7 +129,7 @@ class CutChooser {
     return divided * static_cast<double>(count) / static_cast<double>(std::min(count, most_asked));
   }
 
-  /// A plane of a face that divides few parts of the boundary and leaves about as many on either side.
+  /// A plane of a face that divides few components of the boundary and leaves about as many on either side.
   [[nodiscard]] std::optional<std::uint32_t> between_parts() const {
     const std::vector<Part> parts = connected_parts();
     if (parts.size() == 1) return std::nullopt;
@@ -165,9 +165,9 @@ class CutChooser {
     return cost_of_divided_part * divided + std::max(minus, plus);
   }
 
-  /// Faces connected over edges. In the order of their first faces.
+  /// Components: faces connected over edges. In the order of their first faces.
   [[nodiscard]] std::vector<Part> connected_parts() const {
-    std::vector<std::uint32_t>& parent = workspace_.parents;  // those of faces of the region are set here
+    std::vector<std::uint32_t>& parent = workspace_.parents;  // the entries of faces of the region are set here
     for (const Face& f : region_.faces) parent[f.triangle] = f.triangle;
     const auto root = [&](std::uint32_t t) {
       while (parent[t] != t) t = parent[t] = parent[parent[t]];
@@ -180,7 +180,7 @@ class CutChooser {
       count -= a != b ? 1 : 0;
       parent[a] = b;
     }
-    if (count == 1) return std::vector<Part>(1);  // whose faces are not asked for
+    if (count == 1) return std::vector<Part>(1);  // whose faces are not needed
     std::vector<Part> parts;
     std::map<std::uint32_t, std::size_t> number;
     for (const Face& f : region_.faces) {

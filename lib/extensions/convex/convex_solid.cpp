@@ -23,7 +23,7 @@ bool is_connected(const Surface& surface) {
   return true;
 }
 
-/// The borders of the facets that faces in one plane make up: from every corner to the next.
+/// The boundary loops of the facets that faces in one plane form: from every corner to the next.
 std::vector<Loop> facets_of(const Surface& surface, const std::vector<signed char>& bend) {
   DisjointSets<std::uint32_t> planes(surface.faces.size());
   for (std::size_t e = 0; e < bend.size(); ++e)
@@ -55,7 +55,7 @@ void drop_straight_corners(Loop& loop, const LatticePoints& lattice) {
   loop = std::move(kept);
 }
 
-/// The polytope of those vertices that facets have, in order.
+/// The polytope of the vertices that facets have, in lexicographic order.
 Polytope in_order(const Surface& surface, std::vector<Loop> loops, const LatticePoints& lattice) {
   std::vector<std::uint32_t> used;
   for (const Loop& loop : loops) used.insert(used.end(), loop.begin(), loop.end());
@@ -82,7 +82,7 @@ Polytope in_order(const Surface& surface, std::vector<Loop> loops, const Lattice
   return result;
 }
 
-/// Doubles often tell of an edge that a solid is not convex there.
+/// Doubles often prove that a solid is not convex at an edge.
 bool is_surely_reflex(const Surface& surface, const SurfaceEdge& edge) {
   const auto& vertices = surface.points.mesh.vertices;
   const Loop& left = surface.faces[edge.left];

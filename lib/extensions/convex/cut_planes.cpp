@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_partners = 4;  ///< planes through an edge and another one
 constexpr std::size_t nearest_parallel = 2;
-constexpr double nearly = 0x1p-30;  ///< of an estimate; what is parallel is decided exactly
+constexpr double nearly = 0x1p-30;  ///< for an estimate; exact signs decide whether edges are parallel
 
 class CutPlanes {
  public:
@@ -35,8 +35,8 @@ class CutPlanes {
     if (std::find(planes.begin(), planes.end(), plane) == planes.end()) planes.push_back(plane);
   }
 
-  /// Notes the plane through edge v and a vertex of edge w for both, unless one has enough or the vertex is on v's
-  /// line.
+  /// Adds the plane through edge v and a vertex of edge w to the candidates of both, unless one has enough or the
+  /// vertex is on v's line.
   void pair(std::uint32_t v, std::uint32_t w, std::uint32_t apex) {
     if (through_[v].size() >= 2 + most_partners || through_[w].size() >= 2 + most_partners) return;
     const auto [p, q] = wedges_[v].vertices;
@@ -47,7 +47,7 @@ class CutPlanes {
     note(w, plane->number);
   }
 
-  /// In lexicographic order of the vertices, so that little depends on how they are numbered.
+  /// In lexicographic order of the vertices, so that the result depends little on their numbering.
   void pair_at_ends() {
     struct End {
       std::uint32_t vertex, other, wedge;
@@ -68,7 +68,7 @@ class CutPlanes {
     }
   }
 
-  /// Edges by estimated direction; each with those of the nearest middles.
+  /// Edges by estimated direction; each with those whose midpoints are nearest.
   void pair_parallel() {
     struct Line {
       std::uint32_t wedge;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double share_of_division = 0.8;  ///< of the time, an estimate; the rest is for walls and points
 
-/// Divides until everything is convex, and joins again what need not have been divided.
+/// Divides until everything is convex, then joins pieces whose union is convex.
 class Divider {
  public:
   Divider(const PreparedBoundary& boundary, CellMaker& maker, PiecePool& pool, const Monitor& monitor)
@@ -39,7 +39,7 @@ class Divider {
   }
 
  private:
-  /// A region to be divided; without one, the pieces of both sides of a plane are to be joined.
+  /// A region to be divided; without one, the pieces of both sides of a plane to be joined.
   struct Task {
     std::optional<Region> region;
     std::uint32_t first = 0;  ///< piece of these sides
@@ -76,12 +76,13 @@ class Divider {
   PiecePool& pool_;
   const Monitor& monitor_;
   Workspace workspace_;
-  std::vector<Task> tasks_;  ///< the last one is next: both sides of a plane come before their pieces are joined
+  std::vector<Task>
+      tasks_;  ///< the last one is next: both sides of a plane are processed before their pieces are joined
   std::size_t cuts_ = 0;
   double done_ = 0;
 };
 
-/// Numbers the pieces that are left and finds the walls between them.
+/// Numbers the remaining pieces and finds the walls between them.
 class Gatherer {
  public:
   Gatherer(const PreparedBoundary& boundary, CellMaker& maker, const PiecePool& pool, const Monitor& monitor)
@@ -112,7 +113,7 @@ class Gatherer {
     return polygon;
   }
 
-  /// Plane by plane, in any order: both lists are sorted by what no two entries have in common.
+  /// Plane by plane, in any order: both lists are sorted afterwards by keys that no two entries share.
   void add_walls_and_boundary() {
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> triangles;  // by plane
     for (std::uint32_t t = 0; t < boundary_.facets.size(); ++t) triangles[boundary_.plane_of(t)].push_back(t);
@@ -140,7 +141,7 @@ class Gatherer {
     std::vector<bsp::HalfSpace> by;
   };
 
-  /// Those in a plane, of the pieces that are left.
+  /// The facets in a plane, of the remaining pieces.
   [[nodiscard]] std::vector<BoundedFacet> facets_in(std::uint32_t plane,
                                                     const std::vector<std::uint32_t>& pieces) const {
     std::vector<BoundedFacet> facets;
@@ -153,7 +154,7 @@ class Gatherer {
     return facets;
   }
 
-  /// Between facets that look at one another and overlap. Two convex pieces have one wall at most.
+  /// Adds the walls between facets of opposite orientation that overlap. Two convex pieces have at most one wall.
   void add_walls(const std::vector<BoundedFacet>& facets) {
     for (const BoundedFacet& f : facets) {
       if (!f.facet->faces_plus) continue;
@@ -177,7 +178,7 @@ class Gatherer {
     }
   }
 
-  /// What a polygon and a facet in its plane have in common.
+  /// The intersection of a polygon and a facet in its plane.
   [[nodiscard]] std::optional<bsp::Piece<3>> common_part(const CellFacet& polygon, const BoundedFacet& facet) const {
     if (maker_.are_boxes_apart(polygon, *facet.facet)) return std::nullopt;
     bsp::Piece<3> common = maker_.piece_of(polygon);
@@ -206,7 +207,7 @@ class Gatherer {
   Decomposition result_;
 };
 
-/// Six times a volume, by the facets that bound it, within bounds.
+/// Six times a volume within bounds, computed from the facets that bound it.
 class NearVolume {
  public:
   template <class Corners>
@@ -218,7 +219,7 @@ class NearVolume {
   [[nodiscard]] Bounded value() const { return sum_; }
 
  private:
-  /// The exact place behind nearest doubles.
+  /// Bounds of the exact position with these nearest doubles.
   static BoundedPoint bounded(const Vertex& v) {
     BoundedPoint p;
     for (std::size_t i = 0; i < 3; ++i) p[i] = Bounded(v[i], std::abs(v[i]) * Bounded::rounding + Bounded::underflow);
@@ -227,14 +228,14 @@ class NearVolume {
   Bounded sum_ = 0;
 };
 
-/// Pieces of a solid that touches itself away from its vertices and edges may lack a part of it.
+/// Refuses a solid that touches itself away from its vertices and edges: its pieces may lack a part of it.
 void refuse_loss(const Mesh& solid, const Decomposition& d) {
   NearVolume of_solid, of_pieces;
   for (const Triangle& t : solid.triangles) of_solid.add(solid.vertices, t);
   for (const auto& piece : d.pieces)
     for (const Decomposition::Polygon& facet : piece) of_pieces.add(d.points, facet);
   const Bounded lost = of_solid.value() - of_pieces.value();
-  if (std::abs(lost.value) > 2 * lost.error)  // twice, for the rounding of the bound, however many steps it has
+  if (std::abs(lost.value) > 2 * lost.error)  // twice, for the rounding of the bound, whatever its number of steps
     throw std::invalid_argument(
         "the solid touches or crosses itself away from common vertices and edges: read it as overlapping input");
 }
@@ -258,7 +259,7 @@ std::vector<ExactVertex> Decomposition::exact() const {
 Polytope Decomposition::polytope(std::uint32_t piece) const {
   Polytope polytope;
   polytope.dimension = 3;
-  std::map<std::uint32_t, std::uint32_t> number;  // points are in order already
+  std::map<std::uint32_t, std::uint32_t> number;  // points are sorted already
   for (const Polygon& facet : pieces[piece])
     for (const std::uint32_t point : facet) number.emplace(point, 0);
   auto meet = meets.begin();

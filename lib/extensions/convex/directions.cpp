@@ -12,7 +12,7 @@ int bits_of(const std::vector<Triple<Integer>>& points) {
   return static_cast<int>(bits);
 }
 
-/// Rationals by their common denominator.
+/// Rationals over their common denominator.
 LatticePoints by_denominator(ExactMeshView view) {
   std::vector<RationalPoint> places;
   Integer unit = 1;

@@ -36,7 +36,7 @@ template <int Limbs>
 }
 [[nodiscard]] inline int sign_number(const Integer& x) { return x.sign(); }
 
-/// With a relative error of at most 2^-52; infinite beyond the doubles.
+/// The value with a relative error of at most 2^-52; infinite beyond the doubles.
 [[nodiscard]] inline double nearly(__int128 x) { return static_cast<double>(x); }
 template <int Limbs>
 [[nodiscard]] double nearly(const WideInt<Limbs>& x) {
@@ -44,7 +44,7 @@ template <int Limbs>
   const auto limbs = (is_negative ? -x : x).limbs();
   int top = Limbs - 1;
   while (top > 0 && limbs[top] == 0) --top;
-  // What is below the two highest limbs is less than 2^-64 of the whole.
+  // The limbs below the two highest contribute less than 2^-64 of the value.
   double r = std::ldexp(static_cast<double>(limbs[top]), 64 * top);
   if (top > 0) {
     const auto two = static_cast<unsigned __int128>(limbs[top]) << 64 | limbs[top - 1];
@@ -85,9 +85,9 @@ template <class N>
   return sign_number(dot(a.exact[i], b.exact[j]));
 }
 
-/// The sign of the first product of components in different axes that is not zero: what decides a scalar product that
-/// is zero, once the second vector is turned by infinitely little. Not zero for vectors that are not zero and at right
-/// angles: if u_i v_j = 0 for all i != j, both lie in one axis or one is zero.
+/// The sign of the first product of components in different axes that is not zero. It decides a scalar product that is
+/// zero, after an infinitesimal transformation of the second vector (theory.md, "Minkowski sums"). Not zero for
+/// perpendicular vectors that are not zero: if u_i v_j = 0 for all i != j, both lie along one axis or one is zero.
 [[nodiscard]] inline int turned_sign(const std::array<double, 3>& u, const std::array<double, 3>& v) {
   constexpr std::array<std::array<std::size_t, 2>, 6> order{{{0, 1}, {1, 2}, {2, 0}, {1, 0}, {2, 1}, {0, 2}}};
   for (const auto& [i, j] : order)
@@ -95,7 +95,7 @@ template <class N>
   return 0;
 }
 
-/// Normals of faces, directions of edges, and how edges bend, of a surface on its own lattice.
+/// Normals of faces, directions of edges, and the convexity of edges, of a surface on its own lattice.
 template <class N>
 struct Directions {
   Vectors<N> normals;             ///< of faces, outwards
@@ -104,13 +104,13 @@ struct Directions {
   std::vector<signed char> bend;  ///< per edge: 1 convex, 0 flat, -1 reflex
 };
 
-/// Coordinates as integers in a common unit, and the bits they need: |x| < 2^bits.
+/// Coordinates as integers in a common unit, and their number of bits: |x| < 2^bits.
 struct LatticePoints {
   std::vector<Triple<Integer>> points;
   int bits = 1;
 };
 
-/// O(n) and rational arithmetic where there are rationals.
+/// O(n), with rational arithmetic where there are rationals.
 [[nodiscard]] LatticePoints lattice_points(ExactMeshView points);
 
 template <class N>

@@ -5,7 +5,7 @@
 namespace strata::convex {
 namespace {
 
-/// Walks along the rims of facets, which are the edges between triangles of different planes.
+/// Traces the rims of facets, which are the edges between triangles of different planes.
 class Rims {
  public:
   explicit Rims(const Quickhull& hull) : hull_(hull), flat_(hull.faces().size(), 0) {
@@ -45,7 +45,7 @@ class Rims {
     return (flat_[beyond] & bit(Quickhull::edge_to(hull_.faces()[beyond], f))) != 0;
   }
 
-  /// From an edge of a rim to the next one, around the corner between them.
+  /// Advances from an edge of a rim to the next one, around the corner between them.
   void go_on(std::uint32_t& f, std::uint32_t& edge) const {
     edge = (edge + 1) % 3;
     while (is_flat(f, edge)) {

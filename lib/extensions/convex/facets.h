@@ -4,7 +4,7 @@
 
 namespace strata::convex {
 
-/// The maximal facets of a hull: its triangles gathered by plane, without the points that are inside facets or edges.
+/// The maximal facets of a hull: its triangles grouped by plane, without the points inside facets or edges.
 /// O(triangles).
 [[nodiscard]] Loops maximal_facets(const Quickhull& hull, std::uint32_t points);
 

@@ -29,7 +29,7 @@ struct Operands {
   const Surface& of_b;
 };
 
-/// A point inside a piece, moved outwards by infinitely little; another one for every k > 0.
+/// A point inside a piece, moved outwards by an infinitesimal distance; another point for every k > 0.
 NearPoint place_in_front(const InputComplex& input, const PointTable& points, const PieceOfFace& piece, int k) {
   const auto place = [&](PointId v) { return exact_position(input, points.point(v)); };
   const RationalPoint a = place(piece.corners[0]), b = place(piece.corners[1]), c = place(piece.corners[2]);
@@ -79,7 +79,7 @@ Solid sum_of(const Operands& operands, const Options& options) {
     touching = touching_faces(operands.a.surface, operands.of_b, monitor);
   });
   monitor.report(0.1);
-  // Faces that cross any others take ten times as long as those of plain solids, and more.
+  // Faces that cross many others take ten times as long as those of ordinary solids, or more.
   arena_for(options, 10 * touching.mesh.triangles.size()).execute([&] {
     sum = outer_boundary(touching, operands, monitor);
   });

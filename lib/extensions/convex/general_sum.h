@@ -7,7 +7,7 @@
 
 namespace strata::convex {
 
-/// A solid that is not empty, and its boundary with neighbourhoods. Someone else owns both.
+/// A solid that is not empty, and its boundary with neighbourhoods. Refers to both.
 struct SolidSurface {
   const ExactMesh& mesh;
   const Surface& surface;

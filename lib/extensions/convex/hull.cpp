@@ -16,7 +16,7 @@
 namespace strata::convex {
 namespace {
 
-/// The points as vertices of a polytope, in lexicographic order, -0 as 0. `number` is, for each of them, its place
+/// The points as vertices of a polytope, in lexicographic order, -0 as 0. `number` maps each of them to its position
 /// there.
 Polytope with_vertices(const PointCloud& cloud, std::vector<std::uint32_t> points, std::vector<std::uint32_t>& number) {
   tbb::parallel_sort(points, [&](std::uint32_t p, std::uint32_t q) { return cloud.compare(p, q) == Sign::negative; });
@@ -43,7 +43,7 @@ std::vector<std::uint32_t> corners_of(const Loops& loops, std::uint32_t points) 
   return result;
 }
 
-/// Renumbers, and lets every loop begin with its lowest corner.
+/// Renumbers, and rotates every loop to its lowest corner.
 void renumber(Loops& loops, const std::vector<std::uint32_t>& number) {
   tbb::parallel_for(std::size_t{0}, loops.size(), [&](std::size_t i) {
     const auto begin = loops.corners.begin() + static_cast<std::ptrdiff_t>(i == 0 ? 0 : loops.ends[i - 1]);
@@ -95,7 +95,7 @@ Polytope solid(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simp
   return result;
 }
 
-/// The same by those points only that may be extreme.
+/// The same, using only the points that may be extreme.
 Polytope solid_of_many(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simplex) {
   ExactMesh chosen;
   for (const std::uint32_t p : candidates(cloud, simplex)) {

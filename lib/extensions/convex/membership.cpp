@@ -22,7 +22,7 @@ RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Bounds of the exact place behind rounded coordinates.
+/// Bounds of the exact position with these rounded coordinates.
 Box bounds_of(const Vertex& v) {
   Box box;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -55,7 +55,7 @@ Vertex nearest(const RationalPoint& p) {
   return {to_nearest_double(p[0]), to_nearest_double(p[1]), to_nearest_double(p[2])};
 }
 
-/// The vertices of every connected part of a surface.
+/// The vertices of every connected component of a surface.
 std::vector<std::vector<RationalPoint>> parts_of(const Surface& surface) {
   DisjointSets<std::uint32_t> parts(surface.fans.size());
   for (const SurfaceEdge& e : surface.edges) parts.unite(e.fans[0], e.fans[1]);
@@ -66,7 +66,7 @@ std::vector<std::vector<RationalPoint>> parts_of(const Surface& surface) {
   return all;
 }
 
-/// Turn of p, q, r in the plane of x and y, where r is moved by (e, e^2).
+/// Orientation of p, q, r in the plane of x and y, where r is translated by (e, e^2).
 int orientation(const RationalPoint& p, const RationalPoint& q, const RationalPoint& r) {
   const Rational x = q[0] - p[0], y = q[1] - p[1];
   const Rational value = x * (r[1] - p[1]) - y * (r[0] - p[0]);
@@ -82,7 +82,8 @@ int place_in_triangle(const std::array<RationalPoint, 3>& t, const RationalPoint
   return least;
 }
 
-/// Counts what is straight above. A point inside faces is in front of them or behind them; on edges it is not decided.
+/// Counts the faces straight above. A point in the interior of faces is in front of them or behind them; on edges it is
+/// not decided.
 Side side_of_solid(const ExactMesh& solid, const BoxIndex& triangles, const NearPoint& point) {
   const RationalPoint& p = point.p;
   Box upwards = bounds_of(nearest(p));
@@ -190,7 +191,8 @@ SumMembership::SumMembership(const ExactMesh& a, const Surface& of_a, const Exac
 }
 
 Side SumMembership::side(const NearPoint& point) const {
-  // One operand holds a part of the other, or their boundaries meet. What is deep inside is told by the first alone.
+  // One operand contains a component of the other, or their boundaries meet. The first condition alone decides most
+  // interior points.
   bool unknown = false;
   const auto holds = [&](const ExactMesh& solid, const BoxIndex& triangles,
                          const std::vector<std::vector<RationalPoint>>& parts) {
@@ -226,7 +228,7 @@ Side SumMembership::side_of_boundaries(const NearPoint& point) const {
 template <class PieceOfB>
 Side SumMembership::side_of_sums(const NearPoint& point, const Vertex& near, const Box& bounds_of_b,
                                  const ApproximateConvexSet& set_b, const PieceOfB& piece_of_b) const {
-  std::optional<Polytope> of_b;  // when it is needed
+  std::optional<Polytope> of_b;  // computed when it is needed
   bool unknown = false;
   const bool is_out =
       triangles_of_a_.for_each_overlapping(minus(bounds_of(near), bounds_of_b), [&](std::uint32_t number) {

@@ -14,30 +14,31 @@
 
 namespace strata::convex {
 
-/// A point moved by infinitely little: p + e n, e > 0.
+/// A point with an infinitesimal displacement: p + e n, e > 0.
 struct NearPoint {
   RationalPoint p;
   RationalPoint n;
 };
 
-/// Where such a point lies. `unknown`: n runs along a boundary that p lies on.
+/// The position of such a point. `unknown`: n is parallel to a boundary that contains p.
 enum class Side { out, in, unknown };
 
-/// With respect to a polytope of any dimension; of those below 3, nothing is inside. O(facets), exact.
+/// The position relative to a polytope of any dimension; a polytope of a dimension below 3 has no interior. O(facets),
+/// exact.
 [[nodiscard]] Side side_of(const Polytope& polytope, const NearPoint& point);
 
 [[nodiscard]] Polytope triangle_polytope(ExactMeshView mesh, const Triangle& triangle);
 
-/// Tells whether points lie in the sum of two solids, or of a solid and a polytope, by its definition: x is in A + B
-/// if A meets x - B. Then their boundaries meet, or one holds a part of the other.
+/// Decides whether points lie in the sum of two solids, or of a solid and a polytope, by its definition: x is in A + B
+/// if A meets x - B. Then their boundaries meet, or one contains a component of the other.
 class SumMembership {
  public:
-  /// `b` is a solid, or null where the second operand is a polytope. What it is given must outlive it.
+  /// `b` is a solid, or null where the second operand is a polytope. The arguments must outlive it.
   SumMembership(const ExactMesh& a, const Surface& of_a, const ExactMesh* b, const Surface& of_b,
                 const Polytope* whole_b);
 
   /// Exact. Where boxes overlap little, O(m log n + sums of pieces near the point) for m triangles of b, or for m = 1
-  /// where b is a polytope, and as much for every part of an operand.
+  /// where b is a polytope, and as much for every component of an operand.
   [[nodiscard]] Side side(const NearPoint& point) const;
 
  private:

@@ -15,7 +15,7 @@
 namespace strata::convex {
 namespace {
 
-/// A box about all places from which something of the size of b reaches a, and more: powers of two.
+/// A box around all positions in which b meets a, and more: its coordinates are powers of two.
 Mesh room_around(const Solid& a, const BoundingBox& of_b) {
   const BoundingBox of_a = a.bounding_box();
   double reach = 0;
@@ -32,7 +32,7 @@ Mesh room_around(const Solid& a, const BoundingBox& of_b) {
   return box;
 }
 
-/// The same solid: parts that touch in faces are one, and where it touches itself it has vertices.
+/// The same solid in which components that touch in faces are united, and which has vertices where it touches itself.
 ExactMesh resolved(const Solid& solid, const Options& options) {
   const ExactMesh mesh = solid.exact_mesh();
   const Operand operand[] = {{mesh.mesh, mesh.exact, true}};
@@ -45,8 +45,9 @@ ExactMesh resolved(const Solid& solid, const Options& options) {
   return {std::move(united.mesh), std::move(united.exact)};
 }
 
-/// What is between a box and the solid within: the box's faces, and those of the solid turned over. Parts of the solid
-/// that touch in faces are united before: their common walls are no part of the rest.
+/// The region between a box and the solid in it: the box's faces, and those of the solid with opposite orientation.
+/// Components of the solid that touch in faces are united before, because their common facets are not in the boundary
+/// of that region.
 ExactMesh rest_of(const Mesh& room, const Solid& solid, const Options& options) {
   ExactMesh rest = resolved(solid, options);
   for (Triangle& t : rest.mesh.triangles) std::swap(t[1], t[2]);
@@ -56,7 +57,7 @@ ExactMesh rest_of(const Mesh& room, const Solid& solid, const Options& options) 
   return rest;
 }
 
-/// The part of a box half as large that no point of the obstacle's sum covers.
+/// The part of a box of half the size that the sum with the obstacle does not cover.
 Solid uncovered(Mesh room, const Solid& covered, const Options& options) {
   for (Vertex& v : room.vertices)
     for (double& x : v) x /= 2;

@@ -33,7 +33,7 @@ Mesh icosahedron() {
            {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 }
 
-/// Its faces divided into triangles, corners moved to the unit sphere; nearly.
+/// Its faces subdivided into triangles, with corners moved approximately to the unit sphere.
 Mesh geodesic_sphere(int frequency) {
   const Mesh coarse = icosahedron();
   Mesh fine;
@@ -89,7 +89,7 @@ bool contains_ball(const Mesh& mesh, double radius) {
   });
 }
 
-/// The least distance of a plane of the sphere's faces from the origin; nearly.
+/// The least distance of a plane of the sphere's faces from the origin, approximately.
 double inner_radius(const Mesh& sphere) {
   double least = 1;
   for (const Triangle& t : sphere.triangles) {
@@ -99,7 +99,7 @@ double inner_radius(const Mesh& sphere) {
   return least;
 }
 
-/// The smallest double found for which all vertices are within (1 + it) * radius.
+/// The smallest double found for which all vertices are proven to be within (1 + it) * radius.
 double proven_excess(const Mesh& mesh, double radius) {
   const Rational r = to_rational(radius);
   Rational furthest = 0;

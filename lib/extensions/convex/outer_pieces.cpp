@@ -22,7 +22,7 @@ struct SideOfPiece {
 
 bool on_one_edge(const SideOfPiece& a, const SideOfPiece& b) { return a.low == b.low && a.high == b.high; }
 
-/// Pieces that stay or go together, and what is known of them.
+/// Pieces that are kept or dropped together, and whether this is known.
 class Patches {
  public:
   explicit Patches(const std::vector<PieceOfFace>& pieces)
@@ -40,19 +40,19 @@ class Patches {
   }
 
   [[nodiscard]] bool is_gone(std::uint32_t piece) { return gone_[sets_.find(piece)]; }
-  /// What is known of a piece is known of its patch.
+  /// A decision about a piece is one about its patch.
   void drop(std::uint32_t piece) {
     if (stays_[sets_.find(piece)]) throw LogicError("a piece of a boundary is alone at an edge");
     gone_[sets_.find(piece)] = true;
   }
   void keep(std::uint32_t piece) { stays_[sets_.find(piece)] = true; }
-  /// Finds what follows for others.
+  /// Propagates the consequences to other pieces.
   void spread() {
     while (look_at_edges()) {
     }
   }
 
-  /// The patches of which nothing is known, the largest first.
+  /// The patches without a decision, the largest first.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> unknown() {
     std::vector<std::uint32_t> number(gone_.size(), none);
     std::vector<std::vector<std::uint32_t>> patches;
@@ -72,7 +72,8 @@ class Patches {
  private:
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  /// Looks at all edges that may tell more, and forgets those that have told all. True if one told something.
+  /// Examines all edges that may lead to further decisions, and removes those that are exhausted. True if one led to a
+  /// decision.
   bool look_at_edges() {
     bool changed = false;
     auto kept = sides_.begin();
@@ -89,7 +90,7 @@ class Patches {
     return changed;
   }
 
-  /// Two pieces alone at an edge have the solid behind both only if they run along it in opposite directions.
+  /// Two pieces that are alone at an edge have the solid behind both only if their directions along it are opposite.
   void connect(const SideOfPiece& a, const SideOfPiece& b) {
     if (a.forward != b.forward) {
       const bool stays = stays_[sets_.find(a.piece)] || stays_[sets_.find(b.piece)];
@@ -102,11 +103,11 @@ class Patches {
   }
 
   DisjointSets<std::uint32_t> sets_;
-  std::vector<bool> gone_, stays_;  ///< per patch, at the piece that stands for it
+  std::vector<bool> gone_, stays_;  ///< per patch, at its representative piece
   std::vector<SideOfPiece> sides_;  ///< by edges
 };
 
-/// All that an arrangement holds: whole faces, then pieces of the others.
+/// All pieces of an arrangement: whole faces, then pieces of the others.
 std::vector<PieceOfFace> list_pieces(const InputComplex& input, const std::vector<Verdict>& verdicts,
                                      const Subdivision& subdivision) {
   std::vector<PieceOfFace> all;
@@ -122,7 +123,7 @@ std::vector<PieceOfFace> list_pieces(const InputComplex& input, const std::vecto
   return all;
 }
 
-/// How far a patch reaches along the first axis, within bounds.
+/// The extent of a patch along the first axis, within bounds.
 struct Reach {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = lower;
@@ -140,8 +141,8 @@ Reach reach_of(const std::vector<std::uint32_t>& patch, const std::vector<PieceO
   return reach;
 }
 
-/// The patch that certainly reaches farther than all others, or their number. It is outside, since some patch of those
-/// that reach as far as anything is.
+/// The patch that certainly extends farther than all others, or their number if it is not certain. It is in the
+/// boundary, because one of the patches that extend farthest is.
 std::size_t farthest(const std::vector<std::vector<std::uint32_t>>& patches, const std::vector<PieceOfFace>& pieces,
                      const PointTable& points) {
   if (patches.size() == 1) return 0;
@@ -154,8 +155,8 @@ std::size_t farthest(const std::vector<std::vector<std::uint32_t>>& patches, con
   return static_cast<std::size_t>(first - reaches.begin());
 }
 
-/// Asks at one place of a patch after the other until one is known: those that are not lie on finitely many lines, and
-/// none of these has more than two of the places in one piece.
+/// Tests one position of a patch after the other until one is decided. Undecided positions lie on finitely many lines,
+/// and each line contains at most two of the positions in one piece.
 Side side_in_front(const std::vector<std::uint32_t>& patch, const std::vector<PieceOfFace>& pieces,
                    const SideInFront& ask, const Monitor& monitor) {
   constexpr int limit = 1 << 20;
@@ -167,7 +168,7 @@ Side side_in_front(const std::vector<std::uint32_t>& patch, const std::vector<Pi
   fail("no place in front of a piece is known", pieces[patch.front()].face);
 }
 
-/// The triangles of a face that are left, and their points.
+/// The remaining triangles of a face, and their points.
 class Remainder {
  public:
   void clear() {
@@ -237,7 +238,7 @@ void keep_outer_pieces(const InputComplex& input, std::vector<Verdict>& verdicts
     patches.keep(unknown[outside].front());
     unknown.erase(unknown.begin() + static_cast<std::ptrdiff_t>(outside));
   }
-  // What some patches tell answers for many others.
+  // Decisions about some patches decide many others.
   constexpr std::size_t least = 16, share = 8;
   while (!unknown.empty()) {
     unknown.resize(std::min(unknown.size(), std::max(least, unknown.size() / share)));

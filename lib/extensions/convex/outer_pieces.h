@@ -18,15 +18,15 @@ struct PieceOfFace {
   std::array<PointId, 3> corners{};
 };
 
-/// On which side of a solid a place just in front of a piece is: another place for every number > 0, of which nearly
-/// all are known. Called from several threads.
+/// The side of a solid on which a position just in front of a piece lies. Every number > 0 gives another position;
+/// nearly all of them are decided. Called from several threads.
 using SideInFront = std::function<Side(const PieceOfFace&, int)>;
 
-/// Drops those pieces of an arrangement that are no part of the boundary of a bounded solid, which pieces make up, each
-/// with the solid behind it. Around an edge the boundary has an even number of pieces, so a piece alone at an edge
-/// goes, and two alone at an edge stay both or go both: one question per patch that is connected in this way.
-/// O(n log n), and as much as there are edges of three pieces and more for each time that pieces leave others alone.
-/// Throws Cancelled.
+/// Drops the pieces of an arrangement that are not in the boundary of a bounded solid. The boundary consists of pieces,
+/// each with the solid behind it. Around an edge the boundary has an even number of pieces. So a piece alone at an edge
+/// is dropped, and two pieces alone at an edge are both kept or both dropped: one membership test per patch that is
+/// connected in this way. O(n log n), and the number of edges of three or more pieces for each time that a removal
+/// leaves others alone. Throws Cancelled.
 void keep_outer_pieces(const InputComplex& input, std::vector<Verdict>& verdicts, Subdivision& subdivision,
                        const SideInFront& in_front, const Monitor& monitor);
 

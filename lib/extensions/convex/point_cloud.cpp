@@ -37,7 +37,7 @@ HPoint<Integer> homogeneous(const RationalPoint& p) {
   return r;
 }
 
-/// A point in units of 1 in units of 2^unit.
+/// Converts a point in units of 1 to units of 2^unit.
 HPoint<Integer> in_units(HPoint<Integer> p, int unit) {
   if (unit > 0) {
     p.w <<= static_cast<unsigned>(unit);
@@ -48,11 +48,11 @@ HPoint<Integer> in_units(HPoint<Integer> p, int unit) {
   return p;
 }
 
-/// How far the place may be from its nearest double.
+/// The largest distance between a position and its nearest double.
 double rounding_of(double x) { return std::abs(x) * Bounded::rounding + Bounded::underflow; }
 
-/// Whether the coordinates are integers of at most 15 bits times one power of two, far from overflow and underflow:
-/// then differences have 16 bits, minors 33, the value 51, and doubles hold them all.
+/// True if the coordinates are integers of at most 15 bits times one power of two, far from overflow and underflow.
+/// Then differences have 16 bits, minors 33, the value 51, and doubles represent them all.
 bool fit_small_lattice(std::span<const Vertex> points) {
   constexpr int small = 15, least_unit = -300, largest_unit = 300;
   Lattice lattice;
@@ -146,8 +146,8 @@ std::array<HPoint<Int>, N> PointCloud::integers(const std::array<std::uint32_t, 
   return result;
 }
 
-/// The sign of `value` of the points in exact integers that are wide enough: on a lattice of b bits values have 3b + 7,
-/// as core/kernel/theory.md, "Widths", has it; a shifted magnitude needs b + 65.
+/// The sign of `value` of the points in exact integers that are wide enough: on a lattice of b bits values have 3b + 7
+/// bits (core/kernel/theory.md, "Widths"); a shifted magnitude needs b + 65.
 template <std::size_t N, class Value>
 Sign PointCloud::decide(const std::array<std::uint32_t, N>& points, const Value& value) const {
   Lattice lattice;

@@ -12,7 +12,7 @@
 namespace strata::convex {
 namespace {
 
-/// Orders corners by their exact places.
+/// Orders corners by their exact positions.
 class Places {
  public:
   Places(const HyperplaneTable<3>& table, const CellMaker& maker, std::span<const std::uint32_t> corners)
@@ -26,7 +26,8 @@ class Places {
   [[nodiscard]] const RoundedPoint<3>& operator[](std::size_t k) const { return rounded_[k]; }
   [[nodiscard]] const HyperplaneMeet<3>& corner(std::size_t k) const { return maker_.corner(corners_[k]); }
 
-  /// Rounding keeps the order, so exact places decide only between equal doubles that were rounded the same way.
+  /// Rounding is monotone, so exact positions are compared only for equal doubles with equal signs of the rounding
+  /// error.
   [[nodiscard]] std::strong_ordering compare(std::size_t a, std::size_t b) {
     const RoundedPoint<3>&p = rounded_[a], &q = rounded_[b];
     for (std::size_t i = 0; i < 3; ++i) {

@@ -12,16 +12,16 @@ namespace strata::convex {
 
 ;
 
-/// Gathers corners and tells their places in the end: corners at one place are one point.
+/// Collects corners and computes their positions at the end: coincident corners are one point.
 class PointList {
  public:
   PointList(const HyperplaneTable<3>& table, CellMaker& maker) : table_(table), maker_(maker) {}
 
-  /// A number for a corner; corners at one place may have several.
+  /// A number for a corner; coincident corners may have several.
   [[nodiscard]] std::uint32_t number_of(std::uint32_t corner);
 
-  /// All points in lexicographic order of their exact places, as nearest doubles and, where these are not exact, by
-  /// their planes. Returns the point of each number. O(n log n), places found on all threads.
+  /// All points in lexicographic order of their exact positions, as nearest doubles and, where these are not exact, by
+  /// their planes. Returns the point of each number. O(n log n); positions are computed on all threads.
   [[nodiscard]] std::vector<std::uint32_t> sorted(std::vector<Vertex>& points, std::vector<MeetOfThree>& meets) const;
 
  private:

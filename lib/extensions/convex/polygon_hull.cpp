@@ -8,14 +8,14 @@
 namespace strata::convex {
 namespace {
 
-/// An axis that is not parallel to the plane: seen along it different points are different.
+/// An axis that is not parallel to the plane: projected along it, different points are different.
 std::size_t axis_of_view(const PointCloud& cloud, const std::array<std::uint32_t, 3>& t) {
   for (std::size_t axis = 0; axis < 2; ++axis)
     if (cloud.orientation(t[0], t[1], t[2], axis) != Sign::zero) return axis;
   return 2;
 }
 
-/// The chain of points that turn left, of points in order; the last one is left for the way back.
+/// The chain of counter-clockwise turns through sorted points; the last point belongs to the chain back.
 template <class Iterator>
 void append_chain(const PointCloud& cloud, std::size_t axis, Iterator begin, Iterator end,
                   std::vector<std::uint32_t>& corners) {

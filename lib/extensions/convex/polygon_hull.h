@@ -7,8 +7,8 @@
 
 namespace strata::convex {
 
-/// The corners of the hull of points that are all in the plane of three of them, in order; none lies between others.
-/// O(n log n). Source: Andrew 1979, the monotone chain.
+/// The corners of the hull of points in the plane of three of them, in order; no corner lies between others. O(n log
+/// n). Source: Andrew 1979, the monotone chain.
 [[nodiscard]] std::vector<std::uint32_t> polygon_hull(const PointCloud& cloud,
                                                       const std::array<std::uint32_t, 3>& triangle);
 

@@ -23,8 +23,8 @@ Quickhull::Quickhull(const PointCloud& cloud, const std::array<std::uint32_t, 4>
   next_.resize(cloud.size(), none);
 }
 
-/// The bound is that of the running errors of orient3d for the largest differences of coordinates there are: rounding
-/// is monotone, so those of smaller differences are smaller; theory.md, "Hulls".
+/// The bound is that of the running errors of orient3d for the largest differences of coordinates. Rounding is
+/// monotone, so those of smaller differences are smaller; theory.md, "Hulls".
 Quickhull::Plane Quickhull::plane_of(const Face& face) const {
   const auto& [a, b, c] = face.corner;
   const BoundedPoint from = cloud_.bounded(a);
@@ -104,7 +104,7 @@ void Quickhull::insert(std::uint32_t point, std::uint32_t face) {
   unused_.insert(unused_.end(), visible_.begin(), visible_.end());
 }
 
-/// Depth first, through the edges of every face in their order, so that the edges of the rim come in theirs.
+/// Depth first, through the edges of every face in their order, so that the edges of the rim are found in order.
 void Quickhull::find_horizon(std::uint32_t point, std::uint32_t face) {
   const std::uint32_t hidden = 2 * round_, visible = hidden + 1;
   visible_.assign(1, face);

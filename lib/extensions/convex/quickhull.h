@@ -8,13 +8,13 @@
 
 namespace strata::convex {
 
-/// The boundary of the hull of points as triangles, which grows point by point.
+/// The boundary of the hull of points as triangles; points are added incrementally.
 ///
-/// Points wait at a face that they are strictly above. The farthest of them is made a corner: the faces that it is
-/// strictly above are replaced by triangles from it to their rim, and the points that waited there are shared out among
-/// these; those above none are in the hull. So coplanar triangles are neighbours that nobody tells from others here,
-/// and no triangle has zero area; theory.md, "Hulls".
-/// Source: Barber, Dobkin, Huhdanpaa 1996.
+/// A point that is not processed yet is assigned to a face that it is strictly above. The farthest point of a face
+/// becomes a corner: the faces that it is strictly above are replaced by triangles from it to their rim, and the points
+/// assigned to them are distributed to the new triangles. Points above none are in the hull. So coplanar triangles are
+/// neighbours and are treated like others here, and no triangle has zero area; theory.md, "Hulls". Source: Barber,
+/// Dobkin and Huhdanpaa 1996.
 class Quickhull {
  public:
   static constexpr std::uint32_t none = 0xffffffff;
@@ -24,7 +24,7 @@ class Quickhull {
     std::array<std::uint32_t, 3> neighbor;  ///< across the edge from corner i to the next
   };
 
-  /// Which side points are on, in doubles: `height` above the plane is certain beyond `bound`.
+  /// The plane of a face in doubles: the side of a point is certain if its `height` is beyond `bound`.
   struct Plane {
     Vertex anchor{}, normal{};
     double bound = 0;
@@ -33,13 +33,13 @@ class Quickhull {
       return normal[0] * (p[0] - anchor[0]) + normal[1] * (p[1] - anchor[1]) + normal[2] * (p[2] - anchor[2]);
     }
   };
-  /// The hull of four points that are not coplanar, with others to come.
+  /// The hull of four points that are not coplanar; others are added later.
   Quickhull(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simplex);
 
-  /// Makes the hull that of the points so far and these, which are different numbers.
+  /// Adds points, which are different numbers, to the hull.
   void add(std::span<const std::uint32_t> points);
 
-  /// The triangles by number, and some numbers that are `is_used` by none.
+  /// The triangles by number; numbers for which `is_used` is false are free.
   [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
   [[nodiscard]] bool is_used(std::uint32_t face) const { return mark_[face] != none; }
   /// The planes of the triangles.
@@ -47,7 +47,7 @@ class Quickhull {
   /// True when the triangle beyond an edge of a face is in its plane.
   [[nodiscard]] bool is_flat(std::uint32_t face, std::uint32_t edge) const;
 
-  /// Which edge of a face is the one to a neighbour.
+  /// The edge of a face that it shares with a neighbour.
   [[nodiscard]] static std::uint32_t edge_to(const Face& face, std::uint32_t neighbor) {
     return face.neighbor[0] == neighbor ? 0 : face.neighbor[1] == neighbor ? 1 : 2;
   }
@@ -55,12 +55,12 @@ class Quickhull {
  private:
   struct Waiting {
     std::uint32_t first = none;     ///< of a list through next_
-    std::uint32_t farthest = none;  ///< of them, as doubles have it
+    std::uint32_t farthest = none;  ///< of them, judged in doubles
     double height = 0;
   };
   struct HorizonEdge {
-    std::uint32_t from, to;    ///< corners, as the visible face has them
-    std::uint32_t face, edge;  ///< beyond
+    std::uint32_t from, to;    ///< corners, as in the visible face
+    std::uint32_t face, edge;  ///< beyond the edge
   };
   struct Visit {
     std::uint32_t face, edge, left;
@@ -86,7 +86,7 @@ class Quickhull {
   std::vector<std::uint32_t> next_;  ///< by point
   std::vector<std::uint32_t> pending_;
   std::uint32_t round_ = 0;
-  // Of the point at hand.
+  // Of the current point.
   std::vector<std::uint32_t> visible_, cone_;
   std::vector<HorizonEdge> horizon_;
   std::vector<Visit> visits_;

@@ -14,7 +14,7 @@
 namespace strata::convex {
 namespace {
 
-/// Divides what is in a region. Where its faces lie is noted in the workspace.
+/// Divides the content of a region. The sides of its faces are recorded in the workspace.
 class Splitter {
  public:
   Splitter(const PreparedBoundary& boundary, Workspace& workspace, std::uint32_t plane, RegionSides& sides)
@@ -41,7 +41,7 @@ class Splitter {
     }
   }
 
-  /// Faces come first.
+  /// Requires that faces are added before edges.
   void add(const Edge& e) {
     const Wedge& w = boundary_.wedges[e.wedge];
     const Sign from = boundary_.table.side(plane_, e.ends[0]), to = boundary_.table.side(plane_, e.ends[1]);
@@ -80,7 +80,7 @@ struct OwnFacet {
   std::vector<bsp::HalfSpace> by;
 };
 
-/// By plane, rising.
+/// By plane, increasing.
 std::vector<OwnFacet> own_facets(const PreparedBoundary& boundary, const Region& region) {
   std::vector<OwnFacet> facets;
   for (const Face& f : region.faces)
@@ -105,8 +105,8 @@ std::vector<OwnFacet> own_facets(const PreparedBoundary& boundary, const Region&
   return facets;
 }
 
-/// Clips a facet by the plane of another one. A side in that plane has it as its wall then: what was beyond it is cut
-/// off. False if nothing is left.
+/// Clips a facet by the plane of another one. A side in that plane gets it as its neighbour, because the part beyond it
+/// is cut off. False if nothing is left.
 bool clip_facet(const HyperplaneTable<3>& table, bsp::Piece<3>& polygon, const bsp::HalfSpace& h) {
   if (!bsp::clip(table, polygon, h)) return false;
   const std::size_t n = polygon.corners.size();
@@ -116,8 +116,8 @@ bool clip_facet(const HyperplaneTable<3>& table, bsp::Piece<3>& polygon, const b
   return true;
 }
 
-/// About as far from the vertices as these are from one another, so numbers do not become much larger, and beyond what
-/// rounding of vertices hides.
+/// The planes are about as far from the vertices as these are from one another, so that numbers are not much larger,
+/// and beyond the rounding errors of vertices.
 bsp::BoxPlanes box_about(HyperplaneTable<3>& table, const MeshView& mesh) {
   constexpr double share_of_coordinate = 0x1p-40;
   Box box;
@@ -160,9 +160,8 @@ Region whole_region(const PreparedBoundary& boundary, CellMaker& maker) {
   return all;
 }
 
-// A side without faces is outside or inside as a whole. If the region has faces in the plane, they tell which. If not,
-// the plane goes through a reflex edge, beside which the outside takes less than half of the way round: so it is
-// inside.
+// A side without faces is outside or inside as a whole. If the region has faces in the plane, these decide. If not, the
+// plane contains a reflex edge, at which the outside takes less than 180 degrees, so the side is inside.
 RegionSides split(const PreparedBoundary& boundary, CellMaker& maker, Workspace& workspace, const Region& region,
                   std::uint32_t plane) {
   RegionSides sides;
@@ -176,7 +175,7 @@ RegionSides split(const PreparedBoundary& boundary, CellMaker& maker, Workspace&
   return sides;
 }
 
-// The region's own facets come first: of these only the ones that are left bound the others.
+// The region's own facets are first: only those that are left bound the others.
 Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region& region) {
   const std::vector<OwnFacet> own = own_facets(boundary, region);
   Cell inside;

@@ -11,7 +11,7 @@
 
 namespace strata::convex {
 
-/// A solid's boundary, prepared for being divided: triangles, wedges between them, planes that resolve reflex ones.
+/// A solid's boundary, prepared for division: triangles, wedges between them, planes that resolve reflex wedges.
 struct PreparedBoundary {
   /// Throws std::invalid_argument where a triangle has no area, Cancelled.
   PreparedBoundary(ExactMeshView mesh, const Monitor& monitor);
@@ -25,27 +25,27 @@ struct PreparedBoundary {
   [[nodiscard]] std::uint32_t plane_of(std::uint32_t triangle) const { return facets[triangle].piece.hyperplane; }
 };
 
-/// A triangle of the boundary, as far as it is in a region.
+/// The part of a triangle of the boundary in a region.
 struct Face {
   std::uint32_t triangle = 0;
   const bsp::Piece<3>* part = nullptr;  ///< the facet of the boundary, or of a workspace
 };
 
-/// A wedge, as far as its edge goes through a region or along its walls with both faces inside.
+/// A wedge whose edge passes through a region, or along its walls with both faces inside.
 struct Edge {
   std::uint32_t wedge = 0;
   std::array<HyperplaneMeet<3>, 2> ends;
 };
 
-/// A convex part of space and what is in it of a solid's boundary.
+/// A convex part of space and the parts of a solid's boundary in it.
 struct Region {
   Cell cell;
   std::vector<Face> faces;
   std::vector<Edge> edges;
 };
 
-/// What regions of one boundary share while they are divided: parts of faces, and memory for marks, which is used again
-/// from call to call. Regions are valid as long as it is. For one thread.
+/// Data shared by the regions of one boundary during division: parts of faces, and memory for marks, which is reused
+/// from call to call. Regions are valid as long as it exists. For one thread.
 struct Workspace {
   explicit Workspace(const PreparedBoundary& boundary);
 
@@ -58,26 +58,26 @@ struct Workspace {
 /// The whole box about the solid.
 [[nodiscard]] Region whole_region(const PreparedBoundary& boundary, CellMaker& maker);
 
-/// Both sides of a plane through a region. Where a side has no faces it is inside or outside as a whole.
+/// Both sides of a plane through a region. A side without faces is inside or outside as a whole.
 struct RegionSides {
   Region minus, plus;
   bool is_minus_inside = true, is_plus_inside = true;  ///< of sides without faces
 };
 
-/// Divides a region by a plane through one of its reflex edges or in which it has faces. Edges in the plane are
-/// resolved, and left out, unless their wedge is on one side as a whole. O(size).
+/// Divides a region by a plane that contains one of its reflex edges or some of its faces. Edges in the plane are
+/// resolved and left out, unless their wedge is on one side as a whole. O(size).
 [[nodiscard]] RegionSides split(const PreparedBoundary& boundary, CellMaker& maker, Workspace& workspace,
                                 const Region& region, std::uint32_t plane);
 
-/// A plane that divides a region well: among some planes through its reflex edges the one that resolves most of them
-/// and divides few edges and faces; without reflex edges, a plane of a face between connected parts of the boundary.
-/// Nothing if the boundary is one part without reflex edges: then the part of the region inside the solid is convex.
-/// O(size * candidates), of which there are at most 128.
+/// A plane that divides a region well: among some planes through its reflex edges, the one that resolves most of them
+/// and divides few edges and faces; without reflex edges, a plane of a face between connected components of the
+/// boundary. Nullopt if the boundary is connected and has no reflex edges: then the part of the region inside the solid
+/// is convex. O(size * candidates), of which there are at most 128.
 [[nodiscard]] std::optional<std::uint32_t> choose_cut(const PreparedBoundary& boundary, Workspace& workspace,
                                                       const Region& region);
 
-/// The part of a region inside the solid, where `choose_cut` finds nothing to divide. O(faces * facets of
-/// the cell + squares of sides of facets).
+/// The part of a region inside the solid, where `choose_cut` finds nothing to divide. O(faces * facets of the cell +
+/// squares of sides of facets).
 [[nodiscard]] Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region& region);
 
 }  // namespace strata::convex

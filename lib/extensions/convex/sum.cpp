@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t none = Surface::no_face;
 
-/// A polytope with its directions, as what is extreme in a direction is looked for.
+/// A polytope with its directions, for queries of its extreme vertices in a direction.
 template <class N>
 class Extremes {
  public:
@@ -26,7 +26,7 @@ class Extremes {
   [[nodiscard]] const Directions<N>& directions() const { return directions_; }
 
   /// The vertices whose product with u is largest: one, two, or those of a facet, counter-clockwise about u. The search
-  /// climbs from edge to edge, starting from where the last one ended.
+  /// climbs from edge to edge and starts at the result of the last one.
   [[nodiscard]] std::vector<std::uint32_t> face(const Vectors<N>& u, std::size_t i) {
     while (const auto higher = step(u, i, 1)) at_ = other_end(*higher);
     const auto level = step(u, i, 0);
@@ -63,7 +63,7 @@ class Extremes {
       if (rise(u, i, s) == wanted) return &s;
     return nullptr;
   }
-  /// The facet between two level spokes side by side that faces along u.
+  /// The facet, with outward direction u, between two consecutive spokes perpendicular to u.
   [[nodiscard]] std::uint32_t level_facet(const Vectors<N>& u, std::size_t i) const {
     const auto& spokes = fan().spokes;
     for (std::size_t k = 0; k < spokes.size() && spokes.size() > 1; ++k) {
@@ -74,7 +74,7 @@ class Extremes {
     }
     return none;
   }
-  /// Of two vectors that are parallel: they are not opposite.
+  /// True if two parallel vectors are not opposite.
   static bool is_along(const std::array<double, 3>& u, const std::array<double, 3>& v) {
     for (std::size_t k = 0; k < 3; ++k)
       if (u[k] != 0) return (u[k] > 0) == (v[k] > 0);
@@ -125,16 +125,16 @@ class Summation {
     return sign_number(v[0]) == 0 && sign_number(v[1]) == 0 && sign_number(v[2]) == 0;
   }
 
-  /// Of the plane of a sum of dimension 2.
+  /// The normal of the plane of a sum of dimension 2.
   [[nodiscard]] Triple<N> flat_normal() const {
     if (a_.surface().dimension == 2) return a_.directions().normals.exact[0];
     return cross(a_.directions().edges.exact[0], b_.directions().edges.exact[0]);
   }
 
-  /// All vertices of a polytope of dimension 0 to 2; a polygon as its first face sees it.
+  /// All vertices of a polytope of dimension 0 to 2; a polygon in the order of its first face.
   std::vector<std::uint32_t> whole(const Extremes<N>& x) const {
     if (x.surface().dimension == 2) {
-      // Both polygons are to turn about the normal of a.
+      // Both polygons must be counter-clockwise about the normal of a.
       const auto &n = a_.directions().normals.approximate[0], &m = x.directions().normals.approximate[0];
       for (std::size_t k = 0; k < 3; ++k)
         if (n[k] != 0) return x.surface().faces[(n[k] > 0) == (m[k] > 0) ? 0 : 1];
@@ -158,8 +158,8 @@ class Summation {
     return facets;
   }
 
-  /// Where arcs of the two Gauss maps cross in points inside both. `signs` has the sides of the normals of a with
-  /// respect to the edges of b.
+  /// Adds the parallelograms: arcs of the two Gauss maps cross in points inside both. `signs` has the sides of the
+  /// normals of a with respect to the edges of b.
   void add_parallelograms(std::vector<std::vector<std::uint32_t>>& facets) {
     const auto &a = a_.surface(), &b = b_.surface();
     const std::size_t columns = b.edges.size();
@@ -191,8 +191,9 @@ class Summation {
     return loop;
   }
 
-  /// The sum of two convex polygons in parallel planes, each counter-clockwise about u: their sides by angle. A polygon
-  /// may be a side or a point. Signs of turns are those in two axes along which the plane is not projected to a line.
+  /// The sum of two convex polygons in parallel planes, each counter-clockwise about u: their sides merged by angle. A
+  /// polygon may be a side or a point. Orientations are those in two axes along which the plane is not projected to a
+  /// line.
   std::vector<std::uint32_t> merged(std::vector<std::uint32_t> p, std::vector<std::uint32_t> q, const Triple<N>& u) {
     std::size_t k = 0;
     while (sign_number(u[k]) == 0) ++k;
@@ -221,7 +222,7 @@ class Summation {
     return loop;
   }
 
-  /// With vertices in lexicographic order of their exact places.
+  /// The polytope with vertices in lexicographic order of their exact positions.
   Polytope in_order(int dimension, std::vector<std::vector<std::uint32_t>> facets) {
     ExactMesh& points = sums_.points();
     std::vector<std::uint32_t> order(points.mesh.vertices.size()), number(order.size());

@@ -10,7 +10,7 @@
 
 namespace strata::convex {
 
-/// Sums of vertices of two operands, each pair made once: doubles where these are exact, rationals elsewhere.
+/// Sums of vertices of two operands, each pair computed once: doubles where these are exact, rationals elsewhere.
 class SumPoints {
  public:
   SumPoints(const ExactMesh& a, const ExactMesh& b) : a_(a), b_(b) {}
@@ -24,7 +24,7 @@ class SumPoints {
   [[nodiscard]] ExactMesh& points() { return points_; }
 
  private:
-  /// Two-sum (Knuth): what rounding a + b loses is itself a double.
+  /// Two-sum (Knuth): the rounding error of a + b is itself a double.
   static double loss(double a, double b, double sum) {
     const double part = sum - a;
     return (a - (sum - part)) + (b - part);

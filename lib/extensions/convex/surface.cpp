@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t none = Surface::no_face;
 
-/// The sides of faces, each as seen from its face, numbered face after face.
+/// The sides of faces as half-edges, numbered face after face.
 class HalfEdges {
  public:
   explicit HalfEdges(const Surface& surface) : surface_(surface) {
@@ -33,9 +33,9 @@ class HalfEdges {
   [[nodiscard]] std::uint32_t to(std::uint32_t h) const { return from_[next_[h]]; }
   [[nodiscard]] std::uint32_t face(std::uint32_t h) const { return face_[h]; }
   [[nodiscard]] std::uint32_t partner(std::uint32_t h) const { return partner_[h]; }
-  /// A corner of its face off its line.
+  /// A corner of its face that is not on its line.
   [[nodiscard]] std::uint32_t third(std::uint32_t h) const { return from_[next_[next_[h]]]; }
-  /// The next side out of the same vertex, counter-clockwise.
+  /// The next half-edge out of the same vertex, counter-clockwise.
   [[nodiscard]] std::uint32_t around(std::uint32_t h) const { return partner_[before_[h]]; }
 
  private:
@@ -60,14 +60,14 @@ class HalfEdges {
   void pair_about_edge(std::span<std::uint32_t> sides) {
     if (sides.size() % 2 != 0) throw std::invalid_argument("faces about an edge do not bound a solid");
     if (sides.size() > 2) sort_about_edge(sides);
-    // A side that runs forwards has the solid clockwise of it, between itself and the one before.
+    // A side that runs forwards has the solid clockwise of it, between itself and the previous side.
     const std::size_t first = from(sides[0]) < to(sides[0]) ? 1 : 0;
     for (std::size_t i = first; i < sides.size() + first; i += 2)
       connect(sides[i % sides.size()], sides[(i + 1) % sides.size()]);
   }
 
-  /// By angle about the edge, counter-clockwise as seen against its direction from the lower vertex to the higher.
-  /// Faces on one another touch from outside: the one with the solid before it comes first.
+  /// Sorts by angle about the edge, counter-clockwise as seen against its direction from the lower vertex to the
+  /// higher. Coincident faces touch from outside: the one with the solid before it is first.
   void sort_about_edge(std::span<std::uint32_t> sides) const {
     const std::uint32_t low = std::min(from(sides[0]), to(sides[0])), high = std::max(from(sides[0]), to(sides[0]));
     const RationalPoint p = surface_.points.position(low), q = surface_.points.position(high);
@@ -94,7 +94,7 @@ class HalfEdges {
       all.push_back({dot(u, x), dot(u, y), from(h) > to(h), h});
     }
     const auto half = [](const Direction& d) { return d.y > 0 || (d.y == 0 && d.x > 0) ? 0 : 1; };
-    // x and y are not of one length: that stretches the plane, which keeps the order of directions.
+    // x and y have different lengths. This stretches the plane, which preserves the order of directions.
     std::stable_sort(all.begin(), all.end(), [&](const Direction& a, const Direction& b) {
       if (half(a) != half(b)) return half(a) < half(b);
       const Rational orientation = a.x * b.y - a.y * b.x;
@@ -111,7 +111,7 @@ class HalfEdges {
   std::vector<std::uint32_t> face_, next_, before_, from_, partner_;
 };
 
-/// Edges, and fans about vertices, of a surface that has its faces.
+/// Adds edges, and fans about vertices, to a surface that has its faces.
 void add_neighbourhoods(Surface& surface) {
   const HalfEdges sides(surface);
   std::vector<std::uint32_t> edge_of(sides.size(), none);

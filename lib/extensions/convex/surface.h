@@ -29,7 +29,7 @@ struct Fan {
 
 /// The boundary of a solid or of a polytope of dimension 0..3, with its neighbourhoods. A polygon has two faces, back
 /// to back; a segment has an edge without faces; a point is a fan without spokes. Where more than two faces meet in an
-/// edge, the two sides of each wedge of the solid are neighbours, as if the solid were cut open along the edge; a
+/// edge, the two sides of each wedge of the solid are neighbours, as if the solid were cut open along the edge. A
 /// vertex of several sheets has several fans.
 struct Surface {
   static constexpr std::uint32_t no_face = 0xffff'ffff;
@@ -42,11 +42,11 @@ struct Surface {
   int dimension = 3;
 };
 
-/// Of a closed mesh with winding numbers 0 and 1 and no triangles of zero area, as solids have.
-/// Throws std::invalid_argument where the faces about an edge are not those of a solid. O(n) expected.
+/// The surface of a closed mesh with winding numbers 0 and 1 and no triangles of zero area, as solids have. Throws
+/// std::invalid_argument where the faces about an edge are not those of a solid. O(n) expected.
 [[nodiscard]] Surface surface_of(const ExactMesh& solid);
 
-/// Of a polytope that is not empty. O(n) expected.
+/// The surface of a polytope that is not empty. O(n) expected.
 [[nodiscard]] Surface surface_of(const Polytope& polytope);
 
 }  // namespace strata::convex

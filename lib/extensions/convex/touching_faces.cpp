@@ -65,9 +65,9 @@ class VertexEdges {
       if (used[v]) vertices_.push_back(v);
   }
 
-  /// Those on the surface.
+  /// The vertices on the surface.
   [[nodiscard]] const std::vector<std::uint32_t>& vertices() const { return vertices_; }
-  /// Do all edges of a vertex lead to where something does not hold?
+  /// True if all edges of a vertex lead to vertices for which a condition does not hold.
   template <class Beyond>
   [[nodiscard]] bool none_leads(std::uint32_t vertex, Beyond beyond) const {
     for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i)
@@ -115,16 +115,16 @@ class TouchingFaces {
   }
 
  private:
-  // The directions of B are those of B turned by I + E with infinitesimal E, so that nothing is parallel to anything.
-  /// Side of a normal of A with respect to an edge of B: scalar product with the edge as turned.
+  // The directions of B are those of B transformed by I + E with infinitesimal E, so that nothing is parallel.
+  /// Side of a normal of A with respect to an edge of B: the scalar product with the transformed edge.
   [[nodiscard]] bool face_of_a_beyond(std::uint32_t face, std::uint32_t edge) const {
     const int sign = product_sign(a_directions_.normals, face, b_directions_.edges, edge);
     return (sign != 0
                 ? sign
                 : turned_sign(a_directions_.normals.approximate[face], b_directions_.edges.approximate[edge])) > 0;
   }
-  /// Side of a normal of B with respect to an edge of A: turning normals by the inverse transpose of I + E is turning
-  /// the edge by I - E.
+  /// Side of a normal of B with respect to an edge of A: transforming normals by the inverse transpose of I + E equals
+  /// transforming the edge by I - E.
   [[nodiscard]] bool face_of_b_beyond(std::uint32_t face, std::uint32_t edge) const {
     const int sign = product_sign(b_directions_.normals, face, a_directions_.edges, edge);
     return (sign != 0
@@ -132,9 +132,10 @@ class TouchingFaces {
                 : -turned_sign(b_directions_.normals.approximate[face], a_directions_.edges.approximate[edge])) > 0;
   }
 
-  /// Of two convex edges, if there is a direction towards which both are outermost: the normals of the faces beside an
-  /// edge are the ends of an arc on the sphere of directions, and two arcs cross in one point. Their great circles
-  /// cross in two opposite ones; both arcs must pass through the same. The outward normal is e x g times the side of
+  /// Adds the parallelogram of two convex edges, if both are extreme in a common direction: the normals of the faces
+  /// beside an edge are the ends of an arc on the sphere of directions, and two arcs cross in one point. Their great
+  /// circles cross in two opposite points; both arcs must contain the same one. The outward normal is e x g times the
+  /// side of a's left face.
   /// a's left face.
   void add_parallelogram(std::uint32_t e, std::uint32_t g) {
     if (b_directions_.bend[g] <= 0) return;
@@ -164,7 +165,7 @@ class TouchingFaces {
     return sign_number(n[0]) == 0 && sign_number(n[1]) == 0 && sign_number(n[2]) == 0;
   }
 
-  /// Faces of one surface at the vertices of the other from which nothing near rises along the face's normal.
+  /// Faces of one surface at the vertices of the other from which no edge rises along the face's normal.
   template <class Beyond>
   void add_faces(const Surface& surface, const Surface& other, Beyond beyond, bool vertices_of_a) {
     const VertexEdges ends(other);

@@ -5,13 +5,13 @@
 
 namespace strata::convex {
 
-/// The faces of which the boundary of A + B consists, and others: all triangles of sums of points of both boundaries in
-/// which the two may touch from outside without crossing near by. Just behind each of them is the inside of A + B. They
-/// may cross, touch and coincide, and are no closed surface; theory.md, "Minkowski sums".
+/// A superset of the faces of the boundary of A + B: all triangles of sums of points of both boundaries in which the
+/// two may touch from outside without crossing nearby. Just behind each of them is the interior of A + B. They may
+/// cross, touch and coincide, and are no closed surface; theory.md, "Minkowski sums".
 ///
-/// Of the boundary of a solid and that of a solid or of a polytope of any dimension. The lattice of each operand
-/// decides about the integers used. Throws Cancelled, std::overflow_error where a sum is beyond all doubles. O(n m)
-/// signs, most of them in doubles, for n and m edges; O(n + m + triangles) memory but for n m bits.
+/// For the boundary of a solid and that of a solid or of a polytope of any dimension. The lattice of each operand
+/// determines the integers used. Throws Cancelled, std::overflow_error where a sum is beyond all doubles. O(n m) signs,
+/// most of them in doubles, for n and m edges; O(n + m + triangles) memory and n m bits.
 [[nodiscard]] ExactMesh touching_faces(const Surface& a, const Surface& b, const Monitor& monitor = {});
 
 }  // namespace strata::convex

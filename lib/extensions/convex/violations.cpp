@@ -8,14 +8,15 @@
 namespace strata::convex {
 namespace {
 
-/// Everything in rationals and one point after the other: slow, and nothing in common with what it checks.
+/// Checks all properties in rationals, one point after the other: slow, and sharing no code with the algorithms it
+/// checks.
 class Checker {
  public:
   explicit Checker(const Polytope& polytope) : polytope_(polytope) {}
 
   std::vector<std::string> check() {
     check_vertices();
-    if (!found_.empty()) return found_;  // there are no places to speak of
+    if (!found_.empty()) return found_;  // there are no valid positions
     for (std::uint32_t v = 0; v < polytope_.vertices.size(); ++v) places_.push_back(polytope_.position(v));
     check_order();
     check_counts();
@@ -104,7 +105,7 @@ class Checker {
     return cross(difference(places_[loop[1]], from), difference(places_[loop[2]], from));
   }
 
-  /// Of loops whose first corner turns left about the normal.
+  /// Checks loops whose first corner is counter-clockwise about the normal.
   void check_convexity(std::size_t f, const Loop& loop, const RationalPoint& normal) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
@@ -125,8 +126,8 @@ class Checker {
     check_convexity(0, loop, normal);
   }
 
-  /// Every facet is all of what the polytope has in its plane, everything else is below, and every edge has a facet on
-  /// either side: such facets close up around the hull of the vertices, and their corners are extreme.
+  /// Every facet must contain all vertices of the polytope in its plane, all others must be below, and every edge must
+  /// have a facet on either side. Such facets are the hull of the vertices, and their corners are extreme.
   void check_solid() {
     std::set<std::array<std::uint32_t, 2>> edges;
     std::vector<bool> is_corner(places_.size(), false);

@@ -13,7 +13,7 @@
 namespace strata::convex {
 namespace {
 
-/// The boundary of a solid as the boundary of what is not solid: triangles turned round.
+/// The boundary of the complement of a solid: triangles with opposite orientation.
 ExactMesh turned(const ExactMesh& mesh) {
   ExactMesh result = mesh;
   for (Triangle& t : result.mesh.triangles) std::swap(t[1], t[2]);
@@ -41,15 +41,16 @@ ExactMesh part_of(const ExactMesh& mesh, const std::vector<std::uint32_t>& trian
   return part;
 }
 
-/// A connected part of the boundary as seen from outside the solid, as triangles of the turned mesh.
+/// A connected component of the boundary as seen from outside the solid, as triangles of the mesh with opposite
+/// orientation.
 struct OuterShell {
   std::vector<std::uint32_t> triangles;
   ExactMesh mesh;
-  bool is_cavity = false;  ///< it encloses what is on its outer side
+  bool is_cavity = false;  ///< it encloses the region on its outer side
   std::uint32_t volume = 0;
 };
 
-/// Triangles connected through what is not solid, in the order of their first ones.
+/// Triangles connected through the complement of the solid, in the order of their first ones.
 std::vector<OuterShell> outer_shells(const ExactMesh& outside) {
   HyperplaneTable<3> table;
   const std::vector<bsp::Facet<3>> facets = bsp::triangle_facets(table, outside);
@@ -74,7 +75,7 @@ std::vector<OuterShell> outer_shells(const ExactMesh& outside) {
   return shells;
 }
 
-/// A point inside a triangle: no other triangle of a solid's boundary goes through it.
+/// A point inside a triangle: no other triangle of a solid's boundary contains it.
 RationalPoint middle(const ExactMesh& mesh, const Triangle& t) {
   const RationalPoint a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
   RationalPoint p;
@@ -82,8 +83,8 @@ RationalPoint middle(const ExactMesh& mesh, const Triangle& t) {
   return p;
 }
 
-/// Numbers the volumes outside the solid: cavities from 1 on. A shell that encloses none is part of the innermost
-/// cavity around it, or of the outside. Returns the number of volumes.
+/// Numbers the volumes outside the solid: cavities from 1 on. A shell that encloses no cavity belongs to the innermost
+/// cavity around it, or to the outside. Returns the number of volumes.
 std::uint32_t assign_volumes(std::vector<OuterShell>& shells) {
   std::vector<const OuterShell*> cavities;
   for (OuterShell& shell : shells)
@@ -92,7 +93,7 @@ std::uint32_t assign_volumes(std::vector<OuterShell>& shells) {
       shell.volume = static_cast<std::uint32_t>(cavities.size());
     }
   if (cavities.empty() || cavities.size() == shells.size()) return static_cast<std::uint32_t>(cavities.size()) + 1;
-  // Cavities around a point lie in one another: the innermost is the smallest.
+  // Cavities around a point are nested: the innermost is the smallest.
   std::vector<std::pair<Rational, std::size_t>> by_size;
   std::vector<bsp::Partition<3>> regions;
   for (std::size_t k = 0; k < cavities.size(); ++k) {
@@ -119,10 +120,10 @@ void add_interfaces(VolumeComplex& complex, const Decomposition& d, const std::v
     complex.interfaces.push_back({{first + part.piece, outside_of[part.triangle]}, part.polygon});
 }
 
-/// Outer volumes have the shells that were found, pieces one each.
+/// Outer volumes have the shells that were found; pieces have one each.
 void add_shells(VolumeComplex& complex, const Decomposition& d, const std::vector<OuterShell>& shells) {
   std::vector<std::pair<std::uint32_t, std::size_t>> shell_of(d.boundary.empty() ? 0 : d.boundary.back().triangle + 1);
-  for (const bool is_cavity : {true, false})  // the enclosing shell of a cavity comes first
+  for (const bool is_cavity : {true, false})  // the enclosing shell of a cavity is first
     for (const OuterShell& shell : shells) {
       if (shell.is_cavity != is_cavity) continue;
       Volume& volume = complex.volumes[shell.volume];

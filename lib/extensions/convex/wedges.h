@@ -12,9 +12,9 @@ namespace strata::convex {
 /// The angle of a solid at an edge, between two triangles of its boundary. An edge with 2k triangles has k of them.
 struct Wedge {
   std::array<std::uint32_t, 2> faces;     ///< the triangles that bound it
-  std::array<std::uint32_t, 2> planes;    ///< two planes that meet in the edge's line
-  std::array<std::uint32_t, 2> vertices;  ///< of the edge; one number for equal ones
-  std::array<HyperplaneMeet<3>, 2> ends;  ///< their places
+  std::array<std::uint32_t, 2> planes;    ///< two planes that contain the edge's line
+  std::array<std::uint32_t, 2> vertices;  ///< of the edge; one number for coincident ones
+  std::array<HyperplaneMeet<3>, 2> ends;  ///< their positions
   bool is_reflex = false;                 ///< larger than 180 degrees
 };
 

@@ -8,19 +8,19 @@
 
 namespace strata {
 
-/// The source planes of the faces of an evaluation, made when they are asked for. For one thread.
+/// The source planes of the faces of an evaluation, computed when they are first needed. For one thread.
 class FacePlanes {
  public:
   explicit FacePlanes(const InputComplex& input) : input_(input), planes_(std::size_t{2} * input.face_count()) {}
 
-  /// The plane of a face is known.
+  /// Sets the known plane of a face.
   void know(std::uint32_t face, const PlanePointer& plane) { planes_[std::size_t{2} * face] = plane; }
-  /// The plane of a face; `turned`: looking the other way.
+  /// The plane of a face; `turned`: with opposite orientation.
   [[nodiscard]] const PlanePointer& of(std::uint32_t face, bool turned);
 
  private:
   const InputComplex& input_;
-  std::vector<PlanePointer> planes_;  ///< per face, as it is and turned
+  std::vector<PlanePointer> planes_;  ///< per face, as it is and with opposite orientation
 };
 
 }  // namespace strata

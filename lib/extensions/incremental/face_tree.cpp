@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_in_leaf = 16;
 
-/// A tree stays as long as neither half has more than this part of its faces.
+/// A tree is not rebuilt while neither half has more than this part of its faces.
 constexpr double balance = 0.75;
 
 DoubleDouble coordinate(const IncrementalVertex& c, std::size_t axis) {
@@ -36,7 +36,7 @@ std::size_t longest_axis(const Box& b) {
   return axis;
 }
 
-/// By how much a box must grow to take another one, in half perimeters.
+/// The growth of a box that takes in another one, in half perimeters.
 double growth(const Box& box, const Box& added) {
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -102,7 +102,7 @@ FaceTree::NodePointer FaceTree::build(std::vector<WorkFace> faces) {
   return build(faces, order);
 }
 
-/// Of the faces that `order` names, in halves along the axis along which they are spread most.
+/// A tree of the faces that `order` lists, halved along the axis along which they extend most.
 FaceTree::NodePointer FaceTree::build(std::span<WorkFace> faces, std::span<std::uint32_t> order) {
   if (order.size() <= most_in_leaf) {
     std::vector<WorkFace> taken;

@@ -17,10 +17,10 @@ namespace strata {
 
 using PlanePointer = std::shared_ptr<const SourcePlane>;
 
-/// A vertex of a incremental solid: at doubles, at a rational place that was given, or where three source planes meet.
+/// A vertex of an incremental solid: at doubles, at a given rational position, or where three source planes meet.
 struct IncrementalVertex {
-  InputComplex::Coordinates at{};           ///< the place, or the nearest doubles
-  bool is_given = true;                     ///< a vertex of an operand, as opposed to one that was constructed
+  InputComplex::Coordinates at{};           ///< the position, or the nearest doubles
+  bool is_given = true;                     ///< a vertex of an operand, as opposed to a constructed one
   std::optional<RationalPoint> rational;    ///< if given, and not in doubles
   MeetOfPlanes meet;                        ///< if constructed, and not in doubles
   std::array<PlanePointer, 3> meet_planes;  ///< own the planes of `meet`
@@ -29,16 +29,16 @@ struct IncrementalVertex {
 };
 using IncrementalVertexPointer = std::shared_ptr<const IncrementalVertex>;
 
-/// A triangle of a incremental solid.
+/// A triangle of an incremental solid.
 class WorkFace {
  public:
-  /// Corners counter-clockwise from outside; the plane that the face is a part of, or null for the one through its
-  /// corners, which are doubles then.
+  /// Corners counter-clockwise from outside; the source plane of the face, or null for the one through its corners,
+  /// which are doubles then.
   WorkFace(std::array<IncrementalVertexPointer, 3> corners, PlanePointer plane);
 
   [[nodiscard]] const std::array<IncrementalVertexPointer, 3>& corners() const { return corners_; }
   [[nodiscard]] const PlanePointer& plane() const { return plane_; }
-  /// Of the corners' doubles. Rounding is monotone: boxes of faces that meet overlap.
+  /// The box of the corners' doubles. Rounding is monotone: boxes of faces that meet overlap.
   [[nodiscard]] const Box& box() const { return box_; }
   /// Six times the signed volume between the face and the coordinates' origin, within bounds.
   [[nodiscard]] const DoubleDouble& determinant() const { return determinant_; }
@@ -50,14 +50,14 @@ class WorkFace {
   DoubleDouble determinant_;
 };
 
-/// Faces of a tree, by their addresses, that go, and others that come in their place.
+/// Faces of a tree, by their addresses, that are removed, and the faces that replace them.
 struct FaceChange {
   std::vector<const WorkFace*> removed;
   std::vector<WorkFace> added;
 };
 
-/// The faces of a incremental solid in an immutable tree of boxes. A tree that differs in a few faces shares all
-/// subtrees in which it does not. The shape of a tree follows from how it was made, not from threads or addresses.
+/// The faces of an incremental solid in an immutable tree of boxes. A tree that differs in a few faces shares all equal
+/// subtrees. The shape of a tree depends on its history, not on threads or addresses.
 class FaceTree {
  public:
   FaceTree() = default;
@@ -68,8 +68,9 @@ class FaceTree {
   /// Six times the volume inside, within bounds.
   [[nodiscard]] DoubleDouble determinant() const;
 
-  /// Calls `visit(const WorkFace&)` for all faces whose boxes a region may hold something of, in the order of the tree.
-  /// `overlaps(const Box&)` is true of a box if it is of a box inside. The references are valid as long as the tree is.
+  /// Calls `visit(const WorkFace&)` for all faces whose boxes may meet a region, in the order of the tree.
+  /// `overlaps(const Box&)` must be true for a box if it is for a box inside. The references are valid as long as the
+  /// tree is.
   template <class Overlaps, class Visit>
   void for_each_in(const Overlaps& overlaps, const Visit& visit) const {
     if (root_ != nullptr) visit_node(*root_, overlaps, visit);
@@ -79,8 +80,8 @@ class FaceTree {
     for_each_in([](const Box&) { return true; }, visit);
   }
 
-  /// The tree after changes of this very one, no two of which remove the same face. O(k log n) for k faces that come
-  /// and go, amortized.
+  /// The tree after changes of this tree, no two of which remove the same face. O(k log n) for k faces that are removed
+  /// and inserted, amortized.
   [[nodiscard]] FaceTree with(std::vector<FaceChange> changes) const;
 
  private:

@@ -8,14 +8,14 @@ namespace strata {
 
 namespace {
 
-/// The faces that the cells of an evaluation see near a tool: its grid may be too coarse to tell them from those in the
-/// tool's box.
+/// The region in which an evaluation may use faces near a tool: its grid may be too coarse to distinguish them from
+/// those in the tool's box.
 class Reach {
  public:
   Reach(const Box& solid_in_steps, const Box& tool) : grid_(lower(solid_in_steps, tool), upper(solid_in_steps, tool)) {
     tool_.lower = grid_.at(tool.lower);
     tool_.upper = grid_.at(tool.upper);
-    tool_.upper[0] = Grid::extent;  // walks come from beyond
+    tool_.upper[0] = Grid::extent;  // walks start beyond all faces
   }
   [[nodiscard]] bool operator()(const Box& box) const {
     return GridBox{grid_.at(box.lower), grid_.at(box.upper)}.overlaps(tool_);

@@ -7,13 +7,14 @@
 
 namespace strata {
 
-/// Some faces of a incremental solid as arrays that can carry an evaluation. The tree they come from must outlive it.
+/// Some faces of an incremental solid as the arrays of an operand. The tree must outlive it.
 class Patch {
  public:
-  /// All faces that a tool in this box may meet, and those which a walk from the box towards greater x may cross.
+  /// All faces that a tool in this box may meet, and those that a walk from the box towards greater x may cross.
   Patch(const FaceTree& tree, const Box& tool);
 
-  /// As the operand that the whole incremental solid is: where it has no faces, it may be inside.
+  /// Adds the patch as an operand with the bounds of the whole incremental solid: where it has no faces, a point may be
+  /// inside.
   void add_to(InputComplex& input) const { input.add(points_, triangles_, placed_, planes_, bounds_); }
 
   [[nodiscard]] std::uint32_t face_count() const { return static_cast<std::uint32_t>(faces_.size()); }

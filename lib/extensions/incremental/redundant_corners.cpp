@@ -15,13 +15,13 @@ namespace {
 using Index = std::uint32_t;
 constexpr Index none = std::numeric_limits<Index>::max();
 
-/// Triangles around a corner in one plane that look one way.
+/// Triangles around a corner in one plane and with one orientation.
 struct Sheet {
   PlanePointer plane;
   boost::container::small_vector<Index, 8> triangles;
 };
 
-/// How far three planes are from having a line in common, 0 to 1.
+/// A measure from 0 to 1 of how far three planes are from having a line in common.
 double spread(const SourcePlane& p, const SourcePlane& q, const SourcePlane& r) {
   const auto length = [](const BoundedPoint& n) { return std::hypot(n[0].value, n[1].value, n[2].value); };
   const auto &a = p.bounded_normal(), &b = q.bounded_normal(), &c = r.bounded_normal();
@@ -71,8 +71,7 @@ class CornerRemover {
     }
   }
 
-  /// Three planes that meet in the corner, of those around it the ones that tell its place best; false if there are no
-  /// three.
+  /// Three planes that meet in the corner, of those around it the best conditioned ones; false if there are no three.
   bool find_meeting(MeetingPlanes& meeting) const {
     double best = -1;
     const std::size_t n = std::min<std::size_t>(sheets_.size(), 6), all = sheets_.size();
@@ -93,7 +92,7 @@ class CornerRemover {
     meeting = {p, q, r};
   }
 
-  /// False if the corner has to stay.
+  /// False if the corner cannot be removed.
   bool remove(Index corner) {
     fans_.clear();
     for (const Sheet& sheet : sheets_)
@@ -115,14 +114,14 @@ class CornerRemover {
     return true;
   }
 
-  /// What the triangles of a sheet show of it around a corner: all around, or from one side to another.
+  /// The triangles of a sheet around a corner: a whole disc, or a fan from one side to another.
   struct Fan {
     std::size_t sheet = 0;
     bool is_closed = false;
     std::vector<PointId> loop;
   };
 
-  /// Chains the sides opposite to the corner. False when they branch.
+  /// Connects the sides opposite to the corner to chains. False when they branch.
   bool find_fans(PointId corner, const Sheet& sheet) {
     std::vector<std::pair<PointId, PointId>> sides;
     for (const Index t : sheet.triangles) {
@@ -161,8 +160,8 @@ class CornerRemover {
     return true;
   }
 
-  /// Where sheets bend, they do it in one line, which must stay an edge of all sheets through it: flat ones are split
-  /// along it. False when the line does not end in the same two corners for all of them.
+  /// Where sheets bend, they bend along one line, which must remain an edge of all sheets through it: flat sheets are
+  /// split along it. False when the line does not end in the same two corners for all of them.
   bool split_discs() {
     const auto open = std::find_if(fans_.begin(), fans_.end(), [](const Fan& f) { return !f.is_closed; });
     if (open == fans_.end()) return fans_.size() == 1;
@@ -189,7 +188,7 @@ class CornerRemover {
     return true;
   }
 
-  /// Will the sides that close the open fans bound nothing? Then the result stays closed.
+  /// True if the sides that close the open fans cancel. Then the result remains closed.
   [[nodiscard]] bool ends_match() const {
     std::vector<std::pair<PointId, PointId>> forth, back;
     for (const Fan& fan : fans_) {

@@ -41,7 +41,7 @@ class Rounds {
   }
 
  private:
-  /// The first tool is the incremental solid.
+  /// The first operand is the incremental solid.
   void begin() {
     std::vector<Solid>& tools = waiting_.front().tools;
     tree_ = FaceTree(faces_of(tools.front()));
@@ -63,7 +63,7 @@ class Rounds {
     apply(std::move(changes), std::move(round));
   }
 
-  /// Applies the changes that do not want a face which an earlier one takes; the others' groups wait again.
+  /// Applies the changes that remove no face which an earlier one removes; the other groups wait for the next round.
   void apply(std::vector<FaceChange> changes, std::vector<ToolGroup> round) {
     std::vector<FaceChange> independent;
     std::vector<ToolGroup> again;
@@ -82,8 +82,8 @@ class Rounds {
     waiting_.insert(waiting_.begin(), std::make_move_iterator(again.begin()), std::make_move_iterator(again.end()));
   }
 
-  /// The first groups that are apart from each other, taken from those that wait. What an intersection leaves depends
-  /// on all faces, so its steps are taken one by one.
+  /// The first waiting groups that are apart from each other. The result of an intersection depends on all faces, so
+  /// its steps are taken one by one.
   std::vector<ToolGroup> chosen() {
     const std::size_t most = operation_ == Operation::intersection ? 1 : most_;
     std::vector<ToolGroup> round, rest;
@@ -102,7 +102,7 @@ class Rounds {
   const std::size_t all_;
   const Options& options_;
   const Monitor monitor_;
-  std::size_t most_ = 4;  ///< groups in the next round; fewer where rounds fail, as in one large face
+  std::size_t most_ = 4;  ///< groups in the next round; fewer after conflicts, as in one large face
 };
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace strata {
 
-/// A incremental solid after a step with each group of tools. Groups that are apart from each other take their steps at
-/// the same time, in rounds; which ones these are does not depend on the number of threads. Throws as `combine` does.
+/// An incremental solid after a step with each group of tools. Groups that are apart from each other take their steps
+/// at the same time, in rounds. The rounds do not depend on the number of threads. Throws as `combine` does.
 [[nodiscard]] FaceTree take_steps(FaceTree solid_in_steps, Operation operation, std::vector<ToolGroup> groups,
                                   const Options& options);
 

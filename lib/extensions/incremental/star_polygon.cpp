@@ -7,7 +7,7 @@
 namespace strata {
 namespace {
 
-/// Axes that show the plane without turning it over.
+/// Axes in which the plane has its own orientation.
 Projection projection_of(const SourcePlane& plane) {
   std::size_t axis = 0;
   const auto& n = plane.normal();
@@ -69,7 +69,7 @@ class EarCutter {
     return true;
   }
 
-  /// Area by the square of the longest side, in doubles: 0 for a sliver.
+  /// Area divided by the square of the longest side, in doubles: 0 for a sliver.
   [[nodiscard]] double roundness(std::size_t a, std::size_t b, std::size_t c) const {
     const auto u = difference(a, b), v = difference(b, c), w = difference(c, a);
     const double longest = std::max({length2(u), length2(v), length2(w)});

@@ -34,7 +34,7 @@ bool holds(const Box& box, const Vertex& p) {
   return true;
 }
 
-/// Does a surface stay that only the incremental solid has on its inside?
+/// True if a surface is kept that has only the incremental solid on its inner side.
 bool keeps_rest(const Rule& rule) {
   Windings in_incremental_solid;
   in_incremental_solid.add(incremental_operand, 1);
@@ -135,7 +135,7 @@ class Step {
     return corner;
   }
 
-  /// A corner that no three planes of the result tell: where sheets touch without sharing their edges.
+  /// A corner that no three planes of the result determine: where sheets touch without sharing their edges.
   [[nodiscard]] IncrementalVertexPointer corner_by_name(PointId v) const {
     auto corner = std::make_shared<IncrementalVertex>();
     const RationalPoint exact = exact_position(input_, points().point(v));
@@ -195,7 +195,7 @@ class Step {
     return {corners, are_given && !has_plane ? nullptr : planes.of(t.face, t.turned)};
   }
 
-  /// Each side of the faces that go is one of those that come, as often, or meets its opposite.
+  /// Checks that each side of the removed faces occurs in the new ones, equally often, or cancels with its opposite.
   static void ensure_same_boundary(const FaceChange& change) {
     std::vector<std::pair<std::pair<const IncrementalVertex*, const IncrementalVertex*>, int>> sides;
     sides.reserve(3 * (change.removed.size() + change.added.size()));

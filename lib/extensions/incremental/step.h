@@ -8,10 +8,10 @@
 
 namespace strata {
 
-/// One step: what it changes when the faces of a incremental solid are combined with tools, all at once. Exact. Runs in
-/// the current task arena. Throws as `combine` does, and LogicError when the faces that come and go do not have the
-/// same boundary (an operand that is not what was declared). Law: steps with tools whose boxes are apart change a
-/// incremental solid independently, if no face is removed by two of them.
+/// One step: the change of an incremental solid when its faces are combined with tools, all at once. Exact. Runs in the
+/// current task arena. Throws as `combine` does, and LogicError when removed and new faces do not have the same
+/// boundary (an operand that does not satisfy its input class). Law: steps with tools whose boxes are apart change an
+/// incremental solid independently, if no two of them remove the same face.
 [[nodiscard]] FaceChange change_by(const FaceTree& solid_in_steps, Operation operation, const ToolGroup& group,
                                    const Monitor& monitor);
 

@@ -9,10 +9,10 @@
 namespace strata {
 namespace {
 
-/// A step has costs of its own, which more faces share; tools in one step are all tested with each other.
+/// A step has fixed costs, which more faces share; but all tools of one step are tested with each other.
 constexpr std::size_t faces_of_step = 2000;
 
-/// Bits of three coordinates of 10 bits each in turn: points near each other on a curve through all of space (Morton).
+/// Interleaves the bits of three coordinates of 10 bits each: the position on a Morton curve.
 std::uint32_t interleaved(const std::array<std::int32_t, 3>& g) {
   constexpr int dropped = 20;
   std::uint32_t code = 0;

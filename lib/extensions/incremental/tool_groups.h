@@ -10,14 +10,14 @@ namespace strata {
 /// The box of the vertices that a solid's faces use.
 [[nodiscard]] Box bounds_of(const Solid& solid);
 
-/// Tools that are taken in one step.
+/// Tools that are used in one step.
 struct ToolGroup {
   std::vector<Solid> tools;
   Box box;  ///< of all their vertices
 };
 
-/// Tools that are near each other in groups that are worth a step each; empty ones are left out. The order of the tools
-/// does not matter to the operations that take several. O(n log n).
+/// Groups of neighbouring tools, each large enough for a step; empty tools are left out. The order of the tools does
+/// not matter to the operations that take several. O(n log n).
 [[nodiscard]] std::vector<ToolGroup> group_tools(std::span<const Solid> tools);
 
 }  // namespace strata

@@ -9,16 +9,16 @@
 
 namespace strata::openscad {
 
-/// The arguments of a node by their names. One without a name goes to the next parameter that none before it went to;
-/// of two with one name the later counts; `undef` is as if there were none. Arguments that a node does not have are
-/// noted and passed over, but for special variables ($t). The node must outlive this.
+/// The arguments of a node by their names. An argument without a name is for the next parameter that none before it was
+/// for. Of two with one name the later is used; `undef` means that there is none. Arguments that a node does not have
+/// are noted and ignored, except special variables ($t). The node must outlive this.
 class Arguments {
  public:
   Arguments(const SyntaxNode& node, std::initializer_list<std::string_view> parameters, Report& report);
 
   /// Null where there is none.
   [[nodiscard]] const Value* find(std::string_view parameter) const;
-  /// Throw CsgError for a value of another kind.
+  /// Throws CsgError for a value of another kind.
   [[nodiscard]] double number(std::string_view parameter, double otherwise) const;
   [[nodiscard]] bool truth(std::string_view parameter, bool otherwise) const;
 

@@ -47,7 +47,7 @@ std::size_t Lexer::name_length() const {
   return end - at_;
 }
 
-/// Digits, a point and digits, an exponent; whatever else clings to it belongs to it, too, and makes it none.
+/// Digits, a point and digits, an exponent. Further letters and digits belong to the same token and make it invalid.
 std::size_t Lexer::number_length() const {
   std::size_t end = at_;
   while (end < text_.size()) {

@@ -16,16 +16,16 @@ struct Token {
     mark  ///< one character: a bracket, a separator, a modifier or a sign
   };
   Kind kind = Kind::end;
-  std::string_view text;  ///< as it stands; strings with their quotes
+  std::string_view text;  ///< as in the file; strings with their quotes
   double number = 0;
   Place place;
 
   [[nodiscard]] bool is(char mark) const { return kind == Kind::mark && text[0] == mark; }
 };
 
-/// Divides a text into tokens, one ahead. White space, comments and byte order marks are passed over. The text must
-/// outlive the tokens. Throws CsgError for characters that begin none, strings and comments without an end, and
-/// numbers beyond the range of doubles.
+/// Divides a text into tokens, with one token of lookahead. White space, comments and byte order marks are skipped. The
+/// text must outlive the tokens. Throws CsgError for characters that begin no token, unterminated strings and comments,
+/// and numbers beyond the range of doubles.
 class Lexer {
  public:
   Lexer(std::string_view text, const Report& report) : text_(text), report_(report) { advance(); }

@@ -16,7 +16,7 @@
 namespace strata::openscad {
 namespace {
 
-/// An expression, or nothing at all.
+/// An expression, or the empty part.
 using Part = std::optional<Expression>;
 
 Part union_of(std::vector<Part> parts) {
@@ -45,7 +45,7 @@ Part difference_of(const std::vector<Part>& parts) {
   return terms.size() == 1 ? terms.front() : Expression::all(terms);
 }
 
-/// Rows and columns that are missing are those of the identity.
+/// Missing rows and columns are those of the identity.
 std::array<double, 16> matrix_of(const Arguments& arguments) {
   std::array<double, 16> m{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   const Value* const rows = arguments.find("m");
@@ -63,7 +63,7 @@ std::array<double, 16> matrix_of(const Arguments& arguments) {
   return m;
 }
 
-/// Walks through the nodes in order and joins what is in each of them when it ends.
+/// Visits the nodes in order and joins the children of each node when it ends.
 class ModelBuilder {
  public:
   ModelBuilder(const std::vector<SyntaxNode>& nodes, Placement placement, Report& report)
@@ -82,16 +82,17 @@ class ModelBuilder {
   }
 
  private:
-  /// A node that is not over yet, and what is in it so far.
+  /// A node that has not ended yet, and its children so far.
   struct Frame {
     NodeKind kind = NodeKind::union_;
     std::size_t end = 0;
-    std::optional<Transform> map;  ///< of a multmatrix that does not flatten
+    std::optional<Transform> map;  ///< of a multmatrix with an inverse
     std::vector<Part> parts;
   };
   static constexpr std::size_t none = ~std::size_t{0};
 
-  /// All nodes, or the first one that is marked ! and not within one marked *, and what is in it.
+  /// The range of nodes to evaluate: all, or the first node that is marked ! and not inside one marked *, with its
+  /// children.
   std::pair<std::size_t, std::size_t> what_counts() {
     for (std::size_t n = 0; n < nodes_.size();) {
       if (nodes_[n].disabled) {
@@ -161,14 +162,14 @@ class ModelBuilder {
     return n + 1;
   }
 
-  /// "cube_12", or with the column behind it where the line has several.
+  /// "cube_12", or with the column if the line has several nodes.
   std::string name_of(const SyntaxNode& node) {
     std::string name = std::string(node.name).append("_").append(std::to_string(node.place.line));
     if (!names_.insert(name).second) name.append("_").append(std::to_string(node.place.column));
     return name;
   }
 
-  /// Nothing where it has no inverse.
+  /// Nullopt where it has no inverse.
   std::optional<Transform> map_of(const SyntaxNode& node) {
     const Arguments arguments(node, {"m"}, report_);
     const std::array<double, 16> m = matrix_of(arguments);
@@ -180,7 +181,7 @@ class ModelBuilder {
     if (m[12] != 0 || m[13] != 0 || m[14] != 0) arguments.fail("m", "has a last row that is not 0 0 0 1");
     try {
       if (m[15] != 0) return Transform::from_matrix(m);
-    } catch (const std::invalid_argument&) {  // all else that it refuses is out of the way
+    } catch (const std::invalid_argument&) {  // its other reasons cannot occur here
     }
     report_.note(node.place, "a multmatrix without inverse makes nothing");
     return std::nullopt;

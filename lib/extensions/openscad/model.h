@@ -7,8 +7,8 @@
 
 namespace strata::openscad {
 
-/// The solid that nodes stand for, as OpenSCAD has it (semantics.md): the union of the nodes at the top that count.
-/// Throws CsgError for the first node or argument that is not supported. No recursion.
+/// The solid of a tree of nodes, as in OpenSCAD (semantics.md): the union of the evaluated top nodes. Throws CsgError
+/// for the first node or argument that is not supported. No recursion.
 [[nodiscard]] Expression model_of(const std::vector<SyntaxNode>& nodes, Placement placement, Report& report);
 
 }  // namespace strata::openscad

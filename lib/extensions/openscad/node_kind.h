@@ -11,18 +11,18 @@ enum class NodeKind : std::uint8_t {
   polyhedron,
   multmatrix,
   union_,    ///< union, group
-  decorate,  ///< color, render: a union of what is in it
+  decorate,  ///< color, render: a union of its children
   difference,
   intersection,
-  flat,   ///< a shape in the plane, or what makes a solid of one
+  flat,   ///< a planar shape, or a node that makes a solid of one
   file,   ///< reads another file
-  other,  ///< of solids, but in other words than Booleans
+  other,  ///< operations on solids that are no Booleans
   unknown
 };
 
 [[nodiscard]] NodeKind kind_of(std::string_view name);
 
-/// Why a node of that kind is refused; null for those that are not.
+/// The reason why a node of that kind is refused; null if it is supported.
 [[nodiscard]] const char* refusal(NodeKind kind);
 
 }  // namespace strata::openscad

@@ -62,7 +62,7 @@ Resolution resolution_of(const Arguments& arguments) {
   return r;
 }
 
-/// A diameter counts more than a radius.
+/// A diameter has precedence over a radius.
 double radius_of(const Arguments& arguments, std::string_view diameter, std::string_view radius, double otherwise) {
   if (arguments.find(diameter) != nullptr) return arguments.number(diameter, 0) / 2;
   return arguments.number(radius, otherwise);

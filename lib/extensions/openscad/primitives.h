@@ -9,12 +9,12 @@
 
 namespace strata::openscad {
 
-/// Most corners of a sphere or cylinder.
+/// The largest number of corners of a sphere or cylinder.
 inline constexpr std::size_t most_corners = 10'000'000;
 
-/// Makes the solids of cubes, spheres and cylinders as OpenSCAD does. Equal ones share one solid.
-/// Without a value, for one that has no volume or is not finite, and a note. Throws CsgError for arguments of wrong
-/// kinds, and for circles that are too fine or too small.
+/// Constructs cubes, spheres and cylinders as OpenSCAD does. Equal ones share one solid. Nullopt and a note for one
+/// that has no volume or is not finite. Throws CsgError for arguments of wrong kinds, and for circles that are too fine
+/// or too small.
 class Primitives {
  public:
   explicit Primitives(Report& report) : report_(report) {}
@@ -30,7 +30,7 @@ class Primitives {
   Solid shared(std::vector<double> key, const Make& make);
 
   Report& report_;
-  std::map<std::vector<double>, Solid> solids_;  ///< by what they are made of; the first number is the kind
+  std::map<std::vector<double>, Solid> solids_;  ///< by their parameters; the first number is the kind
 };
 
 }  // namespace strata::openscad

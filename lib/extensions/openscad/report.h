@@ -7,20 +7,20 @@
 
 namespace strata::openscad {
 
-/// A place in a text, both from 1; columns in bytes.
+/// A position in a text: line and column, both from 1; columns in bytes.
 struct Place {
   std::size_t line = 1;
   std::size_t column = 1;
 };
 
-/// What is said about a file: errors, which end the reading, and notes.
+/// Errors in a file, which end the reading, and notes.
 class Report {
  public:
   explicit Report(std::string file) : file_(std::move(file)) {}
 
   [[noreturn]] void fail(const Place& place, const std::string& reason) const;  ///< throws CsgError
 
-  /// Equal ones become one, with the line of the first and their number. Of very many different ones the first ones
+  /// Equal notes become one, with the line of the first and their number. Of very many different ones the first ones
   /// are kept.
   void note(const Place& place, const std::string& what);
 

@@ -62,7 +62,7 @@ class Parser {
         node.disabled = true;
       } else if (lexer_.take('!')) {
         node.root = true;
-      } else if (!lexer_.take('#')) {  // highlights only
+      } else if (!lexer_.take('#')) {  // affects the preview only
         return;
       }
     }
@@ -74,7 +74,7 @@ class Parser {
     open_.pop_back();
     end_node(number);
   }
-  /// Ends a node, and those that have it as their only child, without braces.
+  /// Ends a node, and the nodes that have it as their only child without braces.
   void end_node(std::size_t number) {
     nodes_[number].end = nodes_.size();
     for (; !open_.empty() && !open_.back().has_braces; open_.pop_back()) nodes_[open_.back().node].end = nodes_.size();

@@ -8,7 +8,7 @@
 
 namespace strata::openscad {
 
-/// The value of an argument. What a string says matters to nobody here.
+/// The value of an argument. The contents of strings are not used.
 struct Value {
   enum class Kind : std::uint8_t { undefined, boolean, number, string, vector };
   Kind kind = Kind::undefined;
@@ -18,7 +18,7 @@ struct Value {
 };
 
 struct Argument {
-  std::string_view name;  ///< empty: told by its position
+  std::string_view name;  ///< empty: given by position
   Value value;
   Place place;
 };
@@ -31,16 +31,16 @@ struct SyntaxNode {
   bool disabled = false;    ///< *
   bool root = false;        ///< !
   std::vector<Argument> arguments;
-  std::size_t end = 0;  ///< number of the first node behind this one and all in it
+  std::size_t end = 0;  ///< number of the first node after this one and its descendants
 };
 
 /// All nodes of a text, parents before their children, in order: the children of node n are n + 1, the end of that one,
-/// and so on up to the end of n. The text must outlive them.
-/// Throws CsgError for everything that is not of that form, and for nodes or vectors in very many others: `deepest`.
-/// No recursion but for vectors. O(size of the text).
+/// and so on up to the end of n. The text must outlive them. Throws CsgError for everything that is not of that form,
+/// for nodes nested deeper than `deepest`, and for vectors nested very deeply. Recursion for vectors only. O(size of
+/// the text).
 [[nodiscard]] std::vector<SyntaxNode> parse(std::string_view text, const Report& report);
 
-/// How deep nodes may be nested. Transforms within transforms are multiplied, so deeper ones are an attack.
+/// The largest depth of nested nodes. OpenSCAD multiplies nested transforms, so its files are not this deep.
 inline constexpr std::size_t deepest = 10'000;
 
 }  // namespace strata::openscad

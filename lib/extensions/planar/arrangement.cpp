@@ -9,7 +9,7 @@
 namespace strata::planar {
 namespace {
 
-/// Sets of points with one place, named by their lowest numbers.
+/// Sets of coincident points, named by their lowest numbers.
 class Names {
  public:
   explicit Names(std::uint32_t count) : name_(count) { std::iota(name_.begin(), name_.end(), 0u); }
@@ -24,7 +24,8 @@ class Names {
     name_[std::max(p, q)] = std::min(p, q);
   }
   std::vector<std::uint32_t> take() {
-    for (std::uint32_t p = 0; p < name_.size(); ++p) name_[p] = name_[name_[p]];  // names are lower: settled before
+    for (std::uint32_t p = 0; p < name_.size(); ++p)
+      name_[p] = name_[name_[p]];  // names are lower, so they are final already
     return std::move(name_);
   }
 
@@ -34,11 +35,11 @@ class Names {
 
 double size_of(const Box& box) { return (box.right - box.left) + (box.high - box.low); }
 
-/// Consecutive segments that make progress, up to eight together: fewer things to sort, and boxes that are little
-/// larger. What stands for a monotone chain is alone.
+/// Runs: consecutive segments that go forward, up to eight together. They give fewer entries to sort, with boxes that
+/// are little larger. An isolated chain is a run of its own.
 std::vector<std::uint32_t> runs_of(const Segments& segments, const std::vector<Box>& boxes) {
   constexpr std::uint32_t longest = 8;
-  constexpr double progress = 0.6;  // of the box in what the segments measure
+  constexpr double progress = 0.6;  // of the box, relative to the length of the segments
   std::vector<std::uint32_t> first;
   Box box;
   double total = 0;
@@ -68,13 +69,14 @@ std::unique_ptr<Strips> strips_of(const Segments& segments, const std::vector<Bo
     const PlanePoint& from = segments.places.place[segments.ends[first][0]];
     const PlanePoint& to = segments.places.place[segments.ends[first][1]];
     const bool is_straight = end - first == 1 && !segments.chains.holds(first);
-    ends.push_back({from, is_straight ? to : from});  // only what is straight is cut along its line
+    ends.push_back({from, is_straight ? to : from});  // only straight segments are cut along their line
   }
   return std::make_unique<Strips>(std::move(run_boxes), std::move(ends));
 }
 
-/// Finds where segments meet, pair by pair where boxes meet: within runs, and between runs that share a strip. What
-/// comes into strips with too many pairs for what they find is swept over instead, and what they found is dropped.
+/// Finds the intersections of segments, pair by pair where boxes meet: within runs, and between runs that share a
+/// strip. Segments in strips with too many pairs for the points that they find are swept instead, and the points found
+/// there are dropped.
 class MeetingSearch {
  public:
   MeetingSearch(Segments& segments, const std::vector<Box>& boxes, const std::vector<std::uint32_t>& first_of_run,
@@ -128,10 +130,10 @@ class MeetingSearch {
   }
 
  private:
-  /// MonotoneChains meet nothing.
+  /// Isolated chains have no intersections.
   [[nodiscard]] bool is_chain(std::uint32_t run) const { return segments_.chains.holds(first_of_run_[run]); }
-  /// True when a run of given doubles goes strictly up, or down, in a coordinate: then its segments meet only in the
-  /// ends that they share.
+  /// True when a run of given doubles goes strictly up, or down, in a coordinate: then its segments meet only in common
+  /// ends.
   [[nodiscard]] bool is_monotone(std::uint32_t run, std::size_t axis) const {
     const Places& places = segments_.places;
     const auto goes_up = [&](const std::array<std::uint32_t, 2>& e) {
@@ -168,8 +170,8 @@ class MeetingSearch {
       found_.inside[i].segment = swept[found_.inside[i].segment].line;
   }
 
-  /// In pairs of boxes looked at: what a test of a pair takes, and a crossing where there may be one already, which has
-  /// to be compared exactly later.
+  /// In units of pairs of boxes: the cost of a test of a pair, and of a crossing at a position that may be known
+  /// already, which has to be compared exactly later.
   static constexpr std::size_t pairs_per_test = 8, pairs_per_repeat = 256;
 
   Segments& segments_;
@@ -179,15 +181,15 @@ class MeetingSearch {
   std::size_t patience_;
   Intersections found_;
   IntersectionFinder finder_;
-  std::uint32_t strip_ = 0;  ///< where the search is
+  std::uint32_t strip_ = 0;  ///< the current strip
   std::size_t tests_ = 0;    ///< in this strip
   std::size_t places_before_ = 0, repeats_before_ = 0;
-  std::array<std::size_t, 3> sizes_before_{};  ///< of what was found before this strip
+  std::array<std::size_t, 3> sizes_before_{};  ///< numbers of points found before this strip
   std::uint32_t points_before_ = 0;
   std::vector<std::uint32_t> crowds_;  ///< strips
 };
 
-/// The points inside every segment, as lists in order along it. Equal ones are united.
+/// The points inside every segment, as lists in order along it. Equal ones are identified.
 class PointsInside {
  public:
   PointsInside(const std::vector<Meeting>& intersections, const Segments& segments, Names& names)

@@ -5,7 +5,8 @@
 namespace strata::planar {
 namespace {
 
-/// Components of the labelled faces: cycles united over edges with a label on both sides, and with the cycles in them.
+/// Components of the labelled faces: cycles united over edges with a label on both sides, and with the cycles of
+/// components inside them.
 class FaceSets {
  public:
   FaceSets(const Subdivision& s, const std::vector<std::uint8_t>& label) : name_(s.cycles) {
@@ -54,13 +55,13 @@ class Linker {
   }
 
  private:
-  /// The kept half-edge that goes on at the end of h: the first one clockwise from where h came from.
+  /// The kept half-edge after h: the first one clockwise from the reverse of h.
   [[nodiscard]] std::uint32_t successor(std::uint32_t h) const {
     std::uint32_t g = s_.next[h];
     while (!is_kept_[g]) g = s_.next[g ^ 1];
     return g;
   }
-  /// Walks around from h; what comes back to a node on the way is a loop of its own.
+  /// Traverses the boundary from h. A part that returns to a node is a loop of its own.
   void walk(std::uint32_t start) {
     std::uint32_t h = start;
     do {

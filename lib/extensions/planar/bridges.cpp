@@ -21,13 +21,13 @@ class Bridging {
         if (!exact_[v]) exact_[v] = exact_position(region.loops.places, v);
   }
 
-  /// Holes come by their least vertices, so whatever is to the left of one has been joined.
+  /// Holes are processed by their least vertices, so everything to the left of one has been joined.
   void join(std::span<const std::uint32_t> hole) {
     const std::uint32_t v = hole.front();
     const auto shared = std::find(walk_.begin(), walk_.end(), v);
     std::vector<std::uint32_t> detour(hole.begin(), hole.end());
     detour.push_back(v);
-    if (shared != walk_.end()) {  // touches what is there: no bridge
+    if (shared != walk_.end()) {  // touches the joined loop: no bridge
       walk_.insert(shared + 1, detour.begin() + 1, detour.end());
       return;
     }
@@ -45,19 +45,19 @@ class Bridging {
  private:
   [[nodiscard]] const RationalPlacement& place(std::uint32_t v) const { return *exact_[v]; }
   [[nodiscard]] double height(std::uint32_t v) const { return region_.loops.places.place[v][1]; }
-  /// Not above v's height. Nearest doubles keep the order, so most are told by them.
+  /// Is p at or below v's height? Rounding is monotone, so nearest doubles decide most cases.
   [[nodiscard]] bool is_below(std::uint32_t p, std::uint32_t v) const {
     if (height(p) != height(v)) return height(p) < height(v);
     return place(p)[1] <= place(v)[1];
   }
 
-  /// A vertex of the walk that the hole's least vertex v sees: take the edge to the left of v, just above its height,
-  /// the point M where it comes to this height and its upper end P; of all vertices in the triangle v M P the first
-  /// one, turning up from M.
+  /// A vertex of the joined loop that is visible from the hole's least vertex v. Take the edge to the left of v just
+  /// above its height, the point M where it reaches this height, and its upper end P. Of all vertices in the triangle v
+  /// M P the first one in rotation upwards from M is visible.
   [[nodiscard]] std::uint32_t visible_from(std::uint32_t v) const {
     std::optional<Rational> nearest;
     std::uint32_t upper = none;
-    std::optional<RationalPlacement> direction;  // of the nearest edge, upwards, for edges that leave one point
+    std::optional<RationalPlacement> direction;  // of the nearest edge, upwards, for edges that start at one point
     for (std::size_t i = 0; i < walk_.size(); ++i) {
       const std::uint32_t p = walk_[i], q = walk_[i + 1 < walk_.size() ? i + 1 : 0];
       if (is_below(p, v) == is_below(q, v)) continue;
@@ -82,7 +82,7 @@ class Bridging {
       if (height(w) < height(v) || height(w) > height(upper)) continue;
       const RationalPlacement &p = place(v), &q = place(w), &r = place(upper);
       if (orientation(m, p, q) < 0 || orientation(p, r, q) < 0 || orientation(r, m, q) < 0) continue;
-      const Rational order = orientation(p, place(best), q);  // seen from v, up from the left is clockwise
+      const Rational order = orientation(p, place(best), q);  // seen from v, upwards on the left is clockwise
       if (order > 0 || (order == 0 && squared(p, q) < squared(p, place(best)))) best = w;
     }
     return best;
@@ -91,7 +91,8 @@ class Bridging {
     return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
   }
 
-  /// Of the times that the walk comes to w, the one that has v to its left, between the way out and the way in.
+  /// Of the occurrences of w in the joined loop, the one with v to its left, between its outgoing and its incoming
+  /// edge.
   [[nodiscard]] std::size_t occurrence_facing(std::uint32_t w, std::uint32_t v) const {
     std::size_t last = 0;
     for (std::size_t i = 0; i < walk_.size(); ++i) {

@@ -5,7 +5,7 @@
 namespace strata::planar {
 namespace {
 
-/// How many pieces end at every vertex; 3 stands for more.
+/// The number of pieces that end at every vertex; 3 means 3 or more.
 std::vector<std::uint8_t> degrees(const Arrangement& a) {
   std::vector<std::uint8_t> degree(a.places.size());
   for (const auto& piece : a.pieces)
@@ -49,7 +49,7 @@ class Fan {
   Fan(const Arrangement& a, const std::vector<std::uint32_t>& segment_of_piece, Subdivision& s)
       : a_(a), segment_of_piece_(segment_of_piece), s_(s) {}
 
-  /// Sorts a node's half-edges, given as a range of `around`; leaves one for each direction. Returns how many.
+  /// Sorts a node's half-edges, given as a range of `around`, and keeps one for each direction. Returns how many.
   std::uint32_t sort(std::span<std::uint32_t> half_edges) {
     directions_.clear();
     for (const std::uint32_t h : half_edges) directions_.push_back(direction(h));
@@ -76,13 +76,14 @@ class Fan {
     const std::uint32_t line = segment_of_piece_[against ? c.last : c.first];
     return {h, line, against, (heading(a_.places, line) == Sign::positive) == against};
   }
-  /// Negative when p comes before q, counter-clockwise from straight down, which itself comes late.
+  /// Negative when p comes before q, counter-clockwise from straight down, which itself is last.
   Sign compare_directions(const Direction& p, const Direction& q) const {
     if (p.to_left != q.to_left) return p.to_left ? Sign::positive : Sign::negative;
     const Sign orientation = cross(a_.places, p.line, q.line);
     return p.against == q.against ? -orientation : orientation;
   }
-  /// Half-edges in order of their numbers: `kept` is the lower one at both ends of an edge.
+  /// Identifies half-edges of coinciding chains, in order of their numbers: `kept` is the lower one at both ends of an
+  /// edge.
   void unite(std::uint32_t kept, std::uint32_t other) {
     s_.edge_of[other >> 1] = kept >> 1;
     s_.is_opposite[other >> 1] = static_cast<std::uint8_t>((kept ^ other) & 1);
@@ -131,7 +132,7 @@ void sort_around_nodes(const Arrangement& a, const std::vector<std::uint32_t>& s
     if (s.first_around[v] == s.end_around[v]) continue;
     s.end_around[v] =
         s.first_around[v] + fan.sort({s.around.data() + s.first_around[v], s.around.data() + s.end_around[v]});
-    // Who arrives by a half-edge goes on by the one that comes before it, clockwise.
+    // After arriving by a half-edge, the cycle continues with the one that precedes it, clockwise.
     std::uint32_t before = s.around[s.end_around[v] - 1];
     for (const std::uint32_t h : s.around_vertex(v)) {
       s.next[h ^ 1] = before;

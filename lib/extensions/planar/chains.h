@@ -3,7 +3,7 @@
 
 namespace strata::planar {
 
-/// Steps of `subdivide`. Each fills its part of the subdivision from the parts before.
+/// Steps of `subdivide`. Each computes its part of the subdivision from the previous parts.
 
 /// Rings cut into chains. Returns every ring's least vertex (none for rings without pieces).
 std::vector<std::uint32_t> cut_into_chains(const Arrangement& a, std::span<const std::uint32_t> first_segment,
@@ -12,7 +12,7 @@ std::vector<std::uint32_t> cut_into_chains(const Arrangement& a, std::span<const
 /// Half-edges sorted around nodes, coinciding chains made one edge, `next`.
 void sort_around_nodes(const Arrangement& a, const std::vector<std::uint32_t>& segment_of_piece, Subdivision& s);
 
-/// Components by their least vertices, and the faces that these lie in.
+/// Components by their least vertices, and the faces that contain them.
 void find_components(const Arrangement& a, std::vector<std::uint32_t> least, std::size_t patience, Subdivision& s);
 
 }  // namespace strata::planar

@@ -11,10 +11,10 @@
 namespace strata::planar {
 namespace {
 
-/// What is at a vertex of the arrangement of all edges.
+/// The incidences at a vertex of the arrangement of all edges.
 struct AtVertex {
   std::vector<std::uint32_t> vertices;      ///< of loops, as indices
-  std::vector<std::uint32_t> edges_inside;  ///< edges that the vertex lies inside
+  std::vector<std::uint32_t> edges_inside;  ///< edges that contain the vertex in their interior
 };
 
 class MeetingCollector {

@@ -9,7 +9,7 @@
 namespace strata::planar {
 namespace {
 
-/// A piece of both boundaries.
+/// A piece in both boundaries.
 struct CommonPiece {
   std::uint32_t low = 0, high = 0;  ///< lexicographically
   std::uint32_t line = 0;
@@ -38,7 +38,7 @@ class ContactFinder {
   }
 
  private:
-  /// Pieces and vertices that both operands have.
+  /// Finds the pieces and vertices that both operands have.
   void find_common() {
     touched_by_.assign(a_.places.size(), 0);
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> operands;
@@ -56,7 +56,7 @@ class ContactFinder {
         seen |= mask;
       }
   }
-  /// Runs of common pieces on one line, broken where anything else of the contact comes in.
+  /// Adds runs of common pieces on one line, divided where another part of the contact starts.
   void add_edges(const std::map<std::uint32_t, std::vector<std::size_t>>& at, Contact& contact) const {
     const auto continues = [&](std::uint32_t v) {
       const auto& pieces = at.at(v);

@@ -9,7 +9,7 @@ bool CanonicalDecomposition::is_manifold() const {
 }
 
 CanonicalDecomposition canonical_decomposition(const Region& region, std::uint32_t polygon) {
-  const Region alone = polygon_of(region, polygon);  // vertices that only other polygons make are gone
+  const Region alone = polygon_of(region, polygon);  // without the vertices that exist because of other polygons only
   CanonicalDecomposition d;
   const auto number = [&](std::uint32_t v) {
     const RationalPlacement p = exact_position(alone.loops.places, v);

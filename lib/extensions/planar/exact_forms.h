@@ -20,7 +20,7 @@ struct LineForm {
   Number a, b, c;
 };
 
-/// Exact numbers of given points: on a lattice that holds the doubles concerned.
+/// Exact numbers of given points: on a lattice that contains the doubles concerned.
 template <class Number>
 class Reader {
  public:

@@ -9,15 +9,15 @@
 namespace strata::planar {
 namespace {
 
-/// A corner of a loop in the arrangement's numbers: a vertex, and the segment of the edge that leaves it, which goes
-/// along or against. (The segment's line has the same number.) Where it stands for a monotone chain, that is what
-/// leaves.
+/// A corner of a loop in the arrangement's numbers: a vertex, and the segment of the edge that leaves it, along the
+/// segment or against it. (The segment's line has the same number.) If the segment represents an isolated chain, the
+/// chain leaves the vertex.
 struct Corner {
   std::uint32_t vertex = 0, line = 0;
   bool against = false;
 };
 
-/// Requires that none of them is a monotone chain.
+/// Requires that neither is an isolated chain.
 Sign orientation_at(const Places& places, const Corner& in, const Corner& out) {
   const Sign s = cross(places, in.line, out.line);
   return in.against == out.against ? s : -s;
@@ -65,7 +65,7 @@ class CornerFinder {
     });
     if (against) std::reverse(loop_.begin() + static_cast<std::ptrdiff_t>(begin), loop_.end());
   }
-  /// Leaves out vertices where the loop goes straight on and nothing else is; begins at the least vertex.
+  /// Omits vertices where the loop goes straight on and which no other loop has; begins at the least vertex.
   void add_loop() {
     std::vector<Corner>& all = result_.corners;
     const std::size_t begin = all.size();
@@ -82,7 +82,7 @@ class CornerFinder {
     result_.is_outer.push_back(orientation_at(a_.places, all.back(), *first) == Sign::positive);
     result_.first.push_back(static_cast<std::uint32_t>(all.size()));
   }
-  /// MonotoneChains turn at both ends.
+  /// Isolated chains have corners at both ends.
   [[nodiscard]] bool is_corner(const Corner& before, const Corner& corner) const {
     return is_shared_[corner.vertex] || a_.chains.holds(before.line) || a_.chains.holds(corner.line) ||
            orientation_at(a_.places, before, corner) != Sign::zero;
@@ -95,8 +95,8 @@ class CornerFinder {
   CornerLoops result_;
 };
 
-/// Loops by polygon, outer loop first; polygons and holes by their least vertices, and by what follows them where
-/// these are one point: no two loops have an edge in common.
+/// Loops by polygon, outer loop first. Polygons and holes are sorted by their least vertices, and by the next vertices
+/// where these are equal: no two loops have an edge in common.
 std::vector<std::uint32_t> order_loops(const Places& places, const BoundaryLoops& loops, const CornerLoops& corners,
                                        std::vector<std::uint32_t>& first_loop) {
   const auto count = static_cast<std::uint32_t>(loops.component.size());
@@ -123,7 +123,7 @@ std::vector<std::uint32_t> order_loops(const Places& places, const BoundaryLoops
   return order;
 }
 
-/// Takes the points and lines that a region needs over into its own numbering.
+/// Copies the points and lines that a region needs into its own numbering.
 class PlacesCopy {
  public:
   PlacesCopy(const Places& from, Places& to)
@@ -139,7 +139,7 @@ class PlacesCopy {
     need_point(from_.lines[l].from);
     need_point(from_.lines[l].to);
   }
-  /// How many points that takes.
+  /// The number of points of the copy.
   [[nodiscard]] std::size_t points() const {
     return static_cast<std::size_t>(
         std::count_if(point_.begin(), point_.end(), [](std::uint32_t number) { return number != none; }));
@@ -166,7 +166,7 @@ class PlacesCopy {
     to_.rationals.push_back(from_.rational(p));
     return to_.size() - 1;
   }
-  /// Under its nearest doubles, which are half a unit in the last place away at most.
+  /// Adds a meet with its nearest doubles, which are at most half a unit in the last place off.
   std::uint32_t add_meet(std::uint32_t p) {
     const PlanePoint known = from_.error[p - from_.doubles()], nearest = nearest_place(from_, p);
     PlanePoint error;
@@ -184,7 +184,7 @@ class PlacesCopy {
   std::vector<std::uint32_t> point_, line_;
 };
 
-/// Writes loops of corners down as a region's, monotone chains with all their vertices inside them.
+/// Writes loops of corners as loops of a region, isolated chains with all their inner vertices.
 class LoopWriter {
  public:
   LoopWriter(const Arrangement& a, const CornerLoops& corners, Loops& to)
@@ -218,7 +218,8 @@ class LoopWriter {
   [[nodiscard]] bool needs_line(const Corner& from, const Corner& to) const {
     return a_.places.is_meet(from.vertex) || a_.places.is_meet(to.vertex);
   }
-  /// The vertices inside a monotone chain where it turns, as the loop comes to them: the first points of the result.
+  /// Adds the inner vertices of an isolated chain that are corners, in the order of the loop: the first points of the
+  /// result.
   void add_inside(const Corner& corner) {
     const MonotoneChain& s = a_.chains.of(corner.line);
     std::vector<PlanePoint>& place = to_.places.place;
@@ -253,7 +254,7 @@ class LoopWriter {
   const CornerLoops& corners_;
   Loops& to_;
   PlacesCopy copy_;
-  std::vector<std::uint32_t> inside_;  ///< of every monotone chain, in the order of the result: how many vertices
+  std::vector<std::uint32_t> inside_;  ///< of every isolated chain, in the order of the result: its number of vertices
 };
 
 }  // namespace

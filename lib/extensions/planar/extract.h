@@ -4,8 +4,8 @@
 
 namespace strata::planar {
 
-/// The polygons of the faces with a label: components of these faces after edges between two of them are gone, each
-/// with its loops. The arrangement's places are what the region's are taken from. O(edges), and a sort of the polygons.
+/// The polygons of the faces with a label: components of these faces after edges between two of them are removed, each
+/// with its loops. Positions are copied from the arrangement. O(edges), and a sort of the polygons.
 [[nodiscard]] Region extract(const Arrangement& a, const Subdivision& s, const std::vector<std::uint8_t>& label);
 
 }  // namespace strata::planar

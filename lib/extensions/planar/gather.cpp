@@ -7,7 +7,7 @@
 namespace strata::planar {
 namespace {
 
-/// Where an operand's points and lines are in the common numbering.
+/// The positions of an operand's points and lines in the common numbering.
 struct Offsets {
   std::uint32_t doubles = 0, rationals = 0, meets = 0, lines = 0;
 
@@ -65,7 +65,7 @@ class Gatherer {
 
   [[nodiscard]] std::uint32_t name(std::uint32_t p) const { return p < name_.size() ? name_[p] : p; }
 
-  /// Calls visit(from, to, edge) for every edge that has a length.
+  /// Calls visit(from, to, edge) for every edge with a length.
   template <class Visit>
   void for_each_edge(std::size_t operand, std::uint32_t loop, const Visit& visit) const {
     const Loops& loops = *operands_[operand].loops;
@@ -91,7 +91,7 @@ class Gatherer {
     }
   }
 
-  /// Lines of segments come first, then those that operands have for their meets.
+  /// Lines of segments are first, then those on which meets of operands lie.
   void add_lines_and_meets() {
     std::vector<Line>& lines = places().lines;
     lines.resize(segments_);

@@ -15,9 +15,9 @@ struct Gathered {
   std::vector<std::vector<std::uint32_t>> name_of;  ///< if kept: of every operand's points, in the segments' numbering
 };
 
-/// Equal doubles, and equal rationals, get one name. `name_of` is filled if asked for. O(n).
+/// Equal doubles, and equal rationals, get one number. `name_of` is computed if `keep_names`. O(n).
 [[nodiscard]] Gathered gather(std::span<const Operand> operands, bool keep_names = false);
-/// The same, with segments that stand for monotone chains.
+/// The same, with segments that represent isolated chains.
 [[nodiscard]] Gathered gather(Thinned thinned);
 
 }  // namespace strata::planar

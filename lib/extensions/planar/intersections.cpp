@@ -50,7 +50,7 @@ void IntersectionFinder::count(std::uint32_t point) {
   last_ = place;
 }
 
-/// A pair is tested in every strip that holds its crossing, so one strip can do it if it certainly is the only one.
+/// A pair is tested in every strip that contains its crossing, so a strip handles it if it is certainly the only one.
 void IntersectionFinder::add_crossing(std::uint32_t s, std::uint32_t t, std::uint32_t strip) {
   const std::uint32_t point = places_.add(Meet{std::min(s, t), std::max(s, t)});
   if (strip != none) {
@@ -67,7 +67,7 @@ void IntersectionFinder::test_point(std::uint32_t point, std::uint32_t s) {
   if (side_of(point, s) == Sign::zero) test_end_inside(s, point);
 }
 
-/// A point on a segment's line: nothing, inside, or at an end.
+/// A point on a segment's line: outside, inside, or at an end.
 void IntersectionFinder::test_end_inside(std::uint32_t s, std::uint32_t end) {
   const auto [p, q] = ends_[s];
   const Sign from = compare_along(places_, s, p, end), to = compare_along(places_, s, end, q);
@@ -76,13 +76,13 @@ void IntersectionFinder::test_end_inside(std::uint32_t s, std::uint32_t end) {
   if (from == Sign::negative && to == Sign::negative) add(s, end);
 }
 
-/// Two segments with one line.
+/// Two segments on one line.
 void IntersectionFinder::test_overlap(std::uint32_t s, std::uint32_t t) {
   for (const std::uint32_t end : ends_[t]) test_end_inside(s, end);
   for (const std::uint32_t end : ends_[s]) test_end_inside(t, end);
 }
 
-/// s = shared a, t = shared b: they meet nowhere else unless they leave the same way.
+/// s = shared a, t = shared b: they meet nowhere else unless they leave in the same direction.
 void IntersectionFinder::test_sharing(std::uint32_t s, std::uint32_t t, std::uint32_t shared, std::uint32_t a,
                                       std::uint32_t b) {
   if (a == b) {

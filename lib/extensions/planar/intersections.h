@@ -12,27 +12,27 @@ struct Meeting {
   std::uint32_t segment = 0, point = 0;
 };
 
-/// Where segments meet.
+/// The intersections of segments.
 struct Intersections {
   std::vector<Meeting> inside;
-  std::vector<std::array<std::uint32_t, 2>> equal;  ///< points that have one place
-  std::vector<std::uint32_t> folds;                 ///< points that two segments leave the same way
+  std::vector<std::array<std::uint32_t, 2>> equal;  ///< coincident points
+  std::vector<std::uint32_t> folds;                 ///< points that two segments leave in the same direction
 };
 
-/// Finds where pairs of segments meet. Cases, by the four sides of each one's ends to the other's line (theory.md,
-/// section 3): crossing inside both, end on inside, end on end, overlapping along a common line; nothing else is a
-/// meeting.
+/// Finds the intersections of pairs of segments. Cases, by the four sides of each one's ends relative to the other's
+/// line (theory.md, section 3): crossing inside both, end on interior, end on end, overlapping along a common line.
+/// There are no others.
 class IntersectionFinder {
  public:
   IntersectionFinder(Segments& segments, const Strips& strips, Intersections& found)
       : places_(segments.places), ends_(segments.ends), strips_(strips), found_(found) {}
 
-  /// A pair of segments that may meet in a strip (none: a pair that comes once). Crossings elsewhere are left to the
-  /// strips they are in.
+  /// Tests a pair of segments that may meet in a strip (none: a pair that is tested once). Crossings in other strips
+  /// are left to these.
   void test(std::uint32_t s, std::uint32_t t, std::uint32_t strip);
 
-  /// How many points were found that are certainly elsewhere than the one before, and how many crossings that may be
-  /// there. (Where many segments go through one point, so do many pairs.)
+  /// The number of points found that are certainly different from the one before, plus the number of crossings that may
+  /// be. (Where many segments go through one point, many pairs have this point.)
   [[nodiscard]] std::size_t new_places() const { return new_places_; }
   [[nodiscard]] std::size_t repeated_crossings() const { return repeated_crossings_; }
 

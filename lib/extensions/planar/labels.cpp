@@ -11,7 +11,7 @@ Labels::Labels(const Gathered& gathered, const Subdivision& s, std::span<const O
   operand_of_chain_.resize(chains);
   std::uint32_t operand = 0;
   for (std::uint32_t c = 0; c < chains; ++c) {
-    while (s.chains[c].ring >= gathered.first_ring[operand + 1]) ++operand;  // chains come in the order of rings
+    while (s.chains[c].ring >= gathered.first_ring[operand + 1]) ++operand;  // chains are in the order of rings
     operand_of_chain_[c] = operand;
     if (s.is_edge(c)) continue;
     same_edge_[c] = same_edge_[s.edge_of[c]];

@@ -10,14 +10,14 @@ namespace strata::planar {
 
 /// Evaluates a combination in every face of a subdivision.
 ///
-/// Winding numbers are carried from face to face: crossing a chain from its left to its right takes 1 from its operand.
-/// A walk over all faces goes back the way it came, so that one vector of winding numbers serves, whatever the number
-/// of operands. From a face it goes to the components that lie in it, too.
+/// Winding numbers are propagated from face to face: crossing a chain from its left to its right subtracts 1 for its
+/// operand. A depth-first traversal of all faces undoes its changes on the way back, so one vector of winding numbers
+/// suffices, whatever the number of operands. From a face it also visits the components that lie in it.
 class Labels {
  public:
   Labels(const Gathered& gathered, const Subdivision& s, std::span<const Operand> operands);
 
-  /// Of every cycle, whether the combination holds in the face that it bounds. `holds(const Inside&)`.
+  /// For every cycle, whether the combination holds in the face that it bounds. `holds(const Inside&)`.
   template <class Holds>
   [[nodiscard]] std::vector<std::uint8_t> evaluate(const Holds& holds) {
     std::vector<std::uint8_t> label(subdivision_.cycles, 2);
@@ -30,7 +30,7 @@ class Labels {
   struct Step {
     std::uint32_t entry = none;   ///< half-edge of the cycle
     std::uint32_t at = none;      ///< the one to cross next
-    std::uint32_t inside = none;  ///< the component to go to next, in the face that the cycle bounds
+    std::uint32_t inside = none;  ///< the next component to visit in the face that the cycle bounds
     bool is_crossing = true;      ///< the cycle was entered over `entry`; else it was in the same face
   };
 
@@ -60,7 +60,7 @@ class Labels {
     }
   }
 
-  /// From the left of a half-edge to its right.
+  /// Crosses from the left of a half-edge to its right.
   void cross(std::uint32_t half_edge) {
     for (std::uint32_t c = half_edge >> 1; c != none; c = same_edge_[c]) {
       const bool against = ((half_edge & 1) != 0) != (subdivision_.is_opposite[c] != 0);

@@ -9,7 +9,7 @@ namespace strata::planar {
 
 namespace {
 
-/// A point with bounds; its exact coordinates are made when bounds do not tell.
+/// A point with bounds; its exact coordinates are computed when bounds do not decide.
 struct Query {
   std::array<Bounded, 2> bounded;
   const PlanePoint* doubles = nullptr;
@@ -108,7 +108,7 @@ Membership Locator::Data::locate(const Query& q) const {
       const Box& box = strips_->box(e);
       if (box.left > q.bounded[0].upper() || box.low > q.bounded[1].upper() || box.high < q.bounded[1].lower())
         continue;
-      if (k > first && strips_->strip_of(box.low) < k) continue;  // seen before
+      if (k > first && strips_->strip_of(box.low) < k) continue;  // handled before
       const auto [from, to] = edges_[e];
       const Sign start = compare_height(from, q), end = compare_height(to, q);
       if (start == end && start != Sign::zero) continue;

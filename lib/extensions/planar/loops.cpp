@@ -51,7 +51,7 @@ Loops loops_of(std::span<const std::vector<PlanePoint>> loops) {
 
 namespace {
 
-/// The sum over edges, those between doubles apart from the others.
+/// The sum over edges, with edges between doubles summed separately.
 class AreaSum {
  public:
   explicit AreaSum(const Places& places) : places_(places) {}

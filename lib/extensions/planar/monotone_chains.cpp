@@ -43,7 +43,7 @@ Sign MonotoneChains::side_of_chain(const Places& places, std::uint32_t point, st
   if (point == from || point == to) return Sign::zero;
   const MonotoneChain& s = of(segment);
   const bool is_forward = compare_xy(places, from, to) == Sign::negative;
-  // The first vertex, along the monotone chain, from which on the point is not where it was.
+  // Binary search for the first vertex, along the chain, after the point in the order.
   std::uint32_t low = s.first, high = s.last + 1;
   while (low < high) {
     const std::uint32_t middle = low + (high - low) / 2;
@@ -54,7 +54,7 @@ Sign MonotoneChains::side_of_chain(const Places& places, std::uint32_t point, st
     }
   }
   if (low > s.first && low <= s.last) return side_of(places, point, s.point(low - 1), s.point(low));
-  // At the monotone chain's height, but to the left of all of it, or to the right.
+  // At the chain's height, but to the left of all of it, or to the right.
   const bool is_left = (low == s.first) == is_forward;
   const bool is_upward = compare(places, to, s.point(s.first), 1) == Sign::positive;
   return is_left == is_upward ? Sign::positive : Sign::negative;

@@ -6,15 +6,15 @@
 namespace strata::planar {
 namespace {
 
-/// A piece that a ray to the left meets, seen as going up.
+/// A piece that a ray to the left meets, directed upwards.
 struct Crossed {
   std::uint32_t piece = none, segment = 0, low = 0, high = 0;
   bool upward = false;
 };
 
-/// True when q lies to the right of p at the ray's height. Pieces do not cross; from a common lower end they part or
-/// coincide. (No two that have one are monotone chains: what is next to a monotone chain comes from below it, or goes
-/// level.)
+/// True when q lies to the right of p at the ray's height. Pieces do not cross; from a common lower end they separate
+/// or coincide. (No two pieces with a common lower end are isolated chains: the edge next to a chain comes from below
+/// it, or is horizontal.)
 bool is_right_of(const Arrangement& a, const Crossed& p, const Crossed& q) {
   const auto side_of = [&](std::uint32_t v, const Crossed& c) {
     const Sign s = a.chains.side(a.places, v, c.segment);
@@ -31,13 +31,13 @@ bool is_right_of(const Arrangement& a, const Crossed& p, const Crossed& q) {
   return (p.upward == q.upward ? orientation : -orientation) == Sign::negative;
 }
 
-/// Looks from a component's least vertex to the left, along a ray from (x - e^2, y + e). Segments of the vertex's own
-/// component have no point to the left of it and are not met; others do not hold the vertex.
+/// A ray to the left from a component's least vertex (x, y), starting at (x - e^2, y + e). Segments of the vertex's own
+/// component have no point to the left of it and are not met; others do not contain the vertex.
 class LeftwardRay {
  public:
   LeftwardRay(const Arrangement& a, std::uint32_t vertex) : a_(a), vertex_(vertex) {}
 
-  /// The first piece that the ray meets. Adds to `looked_at` how many segments that took.
+  /// The first piece that the ray meets. Adds the number of tested segments to `looked_at`.
   [[nodiscard]] Crossed nearest(std::size_t& looked_at) {
     const Bounded y = bounded(a_.places, vertex_, 1);
     const std::uint32_t first = a_.strips->strip_of(y.lower()), last = a_.strips->strip_of(y.upper());
@@ -47,13 +47,13 @@ class LeftwardRay {
   }
 
  private:
-  /// From the right to the left, as long as something may be nearer.
+  /// From right to left, while a nearer segment is possible.
   void look_through(std::uint32_t strip) {
     const auto runs = a_.strips->segments(strip);
     const auto lefts = a_.strips->lefts(strip);
     const double widest = a_.strips->widest(strip) * (1 + 0x1p-50);
     const double x = bounded(a_.places, vertex_, 0).upper();
-    double bound = -HUGE_VAL;  // what ends to the left of it is not nearest
+    double bound = -HUGE_VAL;  // segments that end to the left of it are not nearest
     for (std::size_t i = static_cast<std::size_t>(std::upper_bound(lefts.begin(), lefts.end(), x) - lefts.begin());
          i-- > 0;) {
       if (lefts[i] + widest < bound) return;
@@ -64,7 +64,7 @@ class LeftwardRay {
         if (meet(s)) bound = lefts[i];
     }
   }
-  /// Whether a segment is the nearest one now.
+  /// True if a segment becomes the nearest one.
   bool meet(std::uint32_t segment) {
     const bool starts_below = is_below(a_.ends[segment][0]);
     if (starts_below == is_below(a_.ends[segment][1])) return false;
@@ -99,7 +99,7 @@ std::uint32_t Nesting::container_of(std::uint32_t vertex) {
   if (nearest.piece == none) return none;
   const std::uint32_t chain = chain_of(nearest.piece);
   const bool is_edge_upward = nearest.upward != (s_.is_opposite[chain] != 0);
-  return 2 * s_.edge_of[chain] + (is_edge_upward ? 1 : 0);  // to the right of what goes up
+  return 2 * s_.edge_of[chain] + (is_edge_upward ? 1 : 0);  // the face to the right of an upward edge
 }
 
 std::uint32_t Nesting::chain_of(std::uint32_t piece) {
@@ -110,8 +110,8 @@ std::uint32_t Nesting::chain_of(std::uint32_t piece) {
   return chain_[piece];
 }
 
-/// Goes over the pieces of all edges, each once. They meet in common ends only. What is directly below a vertex that no
-/// piece comes to is below its component.
+/// Sweeps the pieces of all edges, each once. They meet in common ends only. The piece directly below a vertex at which
+/// no piece arrives is below its component.
 void Nesting::sweep() {
   std::vector<SweptSegment> pieces;
   std::vector<std::uint32_t> half_edge;  // of every piece, along it

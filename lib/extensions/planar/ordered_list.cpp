@@ -24,7 +24,7 @@ std::uint32_t OrderedList::new_node() {
   return node;
 }
 
-/// Puts a node below a parent (none: at the root) where another one is.
+/// Attaches a node to a parent (none: at the root) instead of another node.
 void OrderedList::hang(std::uint32_t node, std::uint32_t parent, std::uint32_t instead_of) {
   if (node != none) nodes_[node].parent = parent;
   if (parent == none) {
@@ -54,7 +54,7 @@ std::uint32_t OrderedList::insert_after(std::uint32_t place) {
   nodes_[node].after = next;
   (place == none ? first_ : nodes_[place].after) = node;
   (next == none ? last_ : nodes_[next].before) = node;
-  // Of two neighbours in order one is below the other and has no child towards it.
+  // Of two neighbours in order, one is a descendant of the other and has no child towards it.
   if (place != none && nodes_[place].right == none) {
     nodes_[place].right = node;
     nodes_[node].parent = place;

@@ -6,13 +6,13 @@
 
 namespace strata::planar {
 
-/// A list whose places have numbers, which can be searched by anything that the order of its places respects: a treap
-/// with priorities that are a hash of the numbers, so that its shape is determined by what was done to it.
+/// A list whose entries have numbers, searchable by any predicate that is monotone along it: a treap (Seidel and Aragon
+/// 1996) with priorities that are a hash of the numbers, so that its shape is determined by the operations on it.
 ///
-/// insert, erase and search take O(log n) expected; neighbours are O(1). Numbers of erased places are given again.
+/// insert, erase and search take O(log n) expected; neighbours are O(1). Numbers of erased entries are reused.
 class OrderedList {
  public:
-  /// A new place after another; none: at the front.
+  /// Inserts a new entry after another; none: at the front.
   std::uint32_t insert_after(std::uint32_t place);
   void erase(std::uint32_t place);
 
@@ -20,8 +20,8 @@ class OrderedList {
   [[nodiscard]] std::uint32_t after(std::uint32_t place) const { return nodes_[place].after; }
   [[nodiscard]] std::uint32_t last() const { return last_; }  ///< none if the list is empty
 
-  /// The first place for which is_early(place) is false, none if there is none. Requires that it is true up to some
-  /// place and false from there.
+  /// The first entry for which is_early(entry) is false, none if there is none. Requires that it is true up to some
+  /// entry and false after it.
   template <class IsEarly>
   [[nodiscard]] std::uint32_t first_not(const IsEarly& is_early) const {
     std::uint32_t found = none;

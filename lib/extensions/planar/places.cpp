@@ -25,7 +25,7 @@ Pair<Real> given_pair(const Places& places, std::uint32_t p) {
   return {given_coordinate(places, p, 0, kind), given_coordinate(places, p, 1, kind)};
 }
 
-/// What both points of a line agree in, all of its points have.
+/// A coordinate that both points of a line have in common; all of its points have it.
 std::optional<double> common_coordinate(const Places& places, const Line& l, std::size_t axis) {
   if (!places.is_double(l.from) || !places.is_double(l.to)) return std::nullopt;
   const double x = places.place[l.from][axis];
@@ -33,7 +33,7 @@ std::optional<double> common_coordinate(const Places& places, const Line& l, std
   return x;
 }
 
-/// Where two lines meet, in numbers with bounds: a + t (b - a).
+/// The intersection of two lines, in numbers with bounds: a + t (b - a).
 template <class Real>
 Pair<Real> meet_of(const Places& places, const Meet& meet) {
   const Line l = places.lines[meet.first], m = places.lines[meet.second];
@@ -56,7 +56,8 @@ RationalPlacement exact_meet(const Places& places, const Meet& meet) {
   return {(l.b * m.c - m.b * l.c) / w, (l.c * m.a - m.c * l.a) / w};
 }
 
-/// A rational as the nearest double and what it may be away from that. Beyond all doubles: the largest, and no bound.
+/// A rational as its nearest double with a bound on the rounding error. Beyond all doubles: the largest double, with an
+/// infinite bound.
 Bounded bounded_rational(const Rational& x) {
   const double value = to_nearest_double(x);
   if (!std::isfinite(value)) return {std::copysign(0x1.fffffffffffffp1023, value), HUGE_VAL};
@@ -64,7 +65,7 @@ Bounded bounded_rational(const Rational& x) {
   return {value, std::abs(value) * Bounded::rounding + Bounded::underflow};
 }
 
-/// True when a meet is known well, as seen from its lines' points. False for what is not finite.
+/// True when the bounds of a meet are small relative to its lines' points. False for infinite values.
 bool is_sharp(const Places& places, const Meet& meet, const Pair<Bounded>& p) {
   for (std::size_t i = 0; i < 2; ++i) {
     const Line l = places.lines[meet.first];

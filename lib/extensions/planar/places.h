@@ -8,7 +8,7 @@
 
 namespace strata::planar {
 
-/// A coordinate of a point with a bound of what rounding left.
+/// A coordinate of a point with a bound on its rounding error.
 [[nodiscard]] inline Bounded bounded(const Places& places, std::uint32_t p, std::size_t axis) {
   return places.is_double(p) ? Bounded(places.place[p][axis])
                              : Bounded(places.place[p][axis], places.error[p - places.doubles()][axis]);

@@ -7,7 +7,7 @@
 namespace strata::planar {
 namespace {
 
-/// Collects what a decision rests on, and evaluates it in the narrowest numbers that hold it.
+/// Collects the inputs of a decision, and evaluates it in the narrowest sufficient integers.
 class Evaluation {
  public:
   explicit Evaluation(const Places& places) : places_(places) {}
@@ -63,7 +63,7 @@ Bounded orientation(const BoundedPair& p, const BoundedPair& q, const BoundedPai
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
-/// By doubles, with the bound of `filtered_orientation`: a difference of products of differences, too.
+/// In doubles, with the bound of `filtered_orientation`: this, too, is a difference of products of differences.
 int filtered_cross(const Places& places, const Line& l, const Line& m) {
   const PlanePoint &a = places.place[l.from], &b = places.place[l.to];
   const PlanePoint &c = places.place[m.from], &d = places.place[m.to];
@@ -73,7 +73,7 @@ int filtered_cross(const Places& places, const Line& l, const Line& m) {
   return static_cast<int>(value > bound) - static_cast<int>(-value > bound);
 }
 
-/// Where differences of coordinates are doubles.
+/// Decides where differences of coordinates are doubles.
 std::optional<Sign> cross_by_differences(const Places& places, const Line& l, const Line& m) {
   if (std::max({l.from, l.to, m.from, m.to}) >= places.doubles()) return std::nullopt;
   PlanePoint u, v;

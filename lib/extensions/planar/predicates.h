@@ -6,10 +6,10 @@
 
 namespace strata::planar {
 
-/// The decisions on points and lines of the plane. Each is the sign of an exact expression for all finite input:
+/// The decisions about points and lines of the plane. Each is the sign of an exact expression for all finite input:
 /// doubles with bounds first, then integers of fixed width, then unbounded ones; theory.md, section 2.
 
-namespace closer {  // what the first filter leaves over
+namespace closer {  // tiers after the first filter
 [[nodiscard]] Sign side(const Places& places, std::uint32_t point, std::uint32_t line);
 }
 namespace exact {
@@ -28,14 +28,13 @@ namespace exact {
   return closer::side(places, point, line);
 }
 
-/// Turn from the direction of one line to that of another: positive when `other` points to the left, zero when
-/// parallel.
+/// Orientation of the directions of two lines: positive when `other` points to the left, zero when parallel.
 [[nodiscard]] Sign cross(const Places& places, std::uint32_t line, std::uint32_t other);
 
 /// Order of two points by one coordinate.
 [[nodiscard]] inline Sign compare(const Places& places, std::uint32_t p, std::uint32_t q, std::size_t axis) {
   const double d = places.place[p][axis] - places.place[q][axis];
-  if (places.is_double(p) && places.is_double(q)) return sign_of(d);  // gradual underflow: zero when equal only
+  if (places.is_double(p) && places.is_double(q)) return sign_of(d);  // gradual underflow: zero only when equal
   const std::optional<Sign> sign = (bounded(places, p, axis) - bounded(places, q, axis)).sign();
   return sign ? *sign : exact::compare(places, p, q, axis);
 }

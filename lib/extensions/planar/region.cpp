@@ -15,8 +15,8 @@ Rational area(const Region& region, std::uint32_t polygon) {
 }
 
 PolygonKind kind_of(const Region& region, std::uint32_t polygon) {
-  // Loops and the vertices they share make a forest (a cycle of touching loops would cut the polygon in two). The
-  // polygon is simply connected when all holes hang on the outer loop.
+  // Loops and the vertices they share form a forest (a cycle of touching loops would cut the polygon in two). The
+  // polygon is simply connected when all holes are connected to the outer loop.
   const std::uint32_t first = region.first_loop[polygon], count = region.first_loop[polygon + 1] - first;
   std::vector<std::uint32_t> group(count);
   for (std::uint32_t i = 0; i < count; ++i) group[i] = i;

@@ -91,7 +91,7 @@ Box Strips::part_in(std::uint32_t segment, double low, double high) const {
   if (box.low >= low && box.high <= high) return box;
   const PlanePoint &p = ends_[segment][0], &q = ends_[segment][1];
   const double width = std::abs(q[0] - p[0]), height = std::abs(q[1] - p[1]);
-  // What is not known of the ends, as the box tells.
+  // The uncertainty of the ends, as given by the box.
   const double unknown_x = (box.right - box.left) - width, unknown_y = (box.high - box.low) - height;
   box.low = std::max(low, box.low);
   box.high = std::min(high, box.high);

@@ -13,7 +13,7 @@ struct Box {
   double left = 0, right = 0, low = 0, high = 0;
 };
 
-/// Around a point, as far as it is known.
+/// The box of the possible positions of a point.
 [[nodiscard]] inline Box box_of(const Places& places, std::uint32_t p) {
   if (const PlanePoint& q = places.place[p]; places.is_double(p)) return {q[0], q[0], q[1], q[1]};
   const Bounded x = bounded(places, p, 0), y = bounded(places, p, 1);
@@ -28,18 +28,18 @@ struct Box {
   return a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
 }
 
-/// Horizontal strips of the plane, each with the segments that come into it. Two segments that meet share a strip in
-/// which their boxes meet: heights are mapped to strips by a monotone function, and a segment's part in a strip is only
-/// ever overestimated. Strips are of equal height, or, where segments crowd, of equal crowds.
+/// Horizontal strips of the plane, each with the segments that enter it. Two segments that meet share a strip in which
+/// their boxes meet: heights are mapped to strips by a monotone function, and a segment's part in a strip is only
+/// overestimated. Strips have equal heights or, where segments are dense, equal numbers of segments.
 class Strips {
  public:
-  /// Boxes of the segments; `ends` are both ends of each, as doubles with the boxes around what is not known better.
-  /// O(n + entries); entries stay below about 8 n.
+  /// Boxes of the segments; `ends` are both ends of each, as doubles; the boxes include their uncertainty. O(n +
+  /// entries); there are less than about 8 n entries.
   Strips(std::vector<Box> boxes, std::vector<std::array<PlanePoint, 2>> ends);
 
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(first_.size() - 1); }
   [[nodiscard]] std::uint32_t strip_of(double y) const;
-  /// The segments that come into a strip.
+  /// The segments that enter a strip.
   [[nodiscard]] std::span<const std::uint32_t> segments(std::uint32_t strip) const {
     return {segment_.data() + first_[strip], segment_.data() + first_[strip + 1]};
   }
@@ -48,13 +48,13 @@ class Strips {
   [[nodiscard]] std::span<const double> lefts(std::uint32_t strip) const {
     return {left_.data() + first_[strip], left_.data() + first_[strip + 1]};
   }
-  /// No part in the strip is wider.
+  /// The largest width of a part in the strip.
   [[nodiscard]] double widest(std::uint32_t strip) const { return widest_[strip]; }
   [[nodiscard]] const Box& box(std::uint32_t segment) const { return boxes_[segment]; }
 
   /// Sorts the segments of every strip. Calls visitor.enter(strip), then visitor.visit(segment, segment) for every pair
-  /// of them whose boxes meet in the strip, and after every segment visitor.is_enough(pairs looked at in the strip):
-  /// true leaves out the strip's other pairs. A pair may come in several strips.
+  /// of them whose boxes meet in the strip, and after every segment visitor.is_enough(pairs tested in the strip): true
+  /// skips the strip's other pairs. A pair may occur in several strips.
   template <class Visitor>
   void sort(Visitor& visitor) {
     std::vector<Entry> entries;

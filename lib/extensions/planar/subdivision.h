@@ -7,29 +7,29 @@
 
 namespace strata::planar {
 
-/// Which vertices of an arrangement end chains.
+/// The vertices of an arrangement at which chains end.
 enum class ChainEnds {
-  nodes,         ///< those where more than one pass of a ring comes, and every ring's least vertex
+  nodes,         ///< those through which not exactly one pass of a ring goes, and every ring's least vertex
   all_vertices,  ///< every vertex: a chain is a piece
 };
 
-/// The plane cut along the pieces of closed rings of segments: nodes, chains between them, half-edges around nodes,
-/// cycles around faces, and which cycle lies in the face of which.
+/// The subdivision of the plane by the pieces of closed rings of segments: nodes, chains between them, half-edges
+/// around nodes, cycles around faces, and the containment of cycles in faces.
 ///
 /// A chain is a run of pieces of one ring between two nodes. Chains that coincide (they are single pieces then) are one
-/// *edge*, named by the lowest of them. Half-edge 2c goes along chain c, 2c + 1 back; each has a face to its left.
-/// Half-edges of edges only are linked: `next` follows on the border of the face to the left, `cycle_of` numbers these
-/// borders. A *component* is a connected set of edges. Its outer cycle lies in a face of another component, or in the
-/// unbounded face; all other cycles bound one face each. Components come in lexicographic order of their least
-/// vertices.
+/// *edge*, named by the lowest of them. Half-edge 2c goes along chain c, 2c + 1 back; each has a face to its left. Only
+/// half-edges of edges are linked: `next` follows the border of the face to the left, `cycle_of` numbers these borders.
+/// A *component* is a connected set of edges. Its outer cycle lies in a face of another component, or in the unbounded
+/// face; all other cycles bound one face each. Components are in lexicographic order of their least vertices.
 struct Subdivision {
   struct Chain {
     std::uint32_t first = 0, last = 0;  ///< its pieces, `last` included; it wraps around its ring if last < first
     std::uint32_t ring = 0;
   };
   struct Component {
-    std::uint32_t start = 0;         ///< a half-edge of the outer cycle
-    std::uint32_t container = none;  ///< a half-edge with the face that the component lies in; none: the unbounded face
+    std::uint32_t start = 0;  ///< a half-edge of the outer cycle
+    std::uint32_t container =
+        none;  ///< a half-edge with the face that contains the component; none: the unbounded face
   };
 
   std::vector<std::uint32_t> first_piece_of_ring;  ///< and the count of pieces
@@ -65,14 +65,14 @@ struct Subdivision {
   }
 };
 
-/// The vertex a half-edge starts from.
+/// The vertex at which a half-edge starts.
 [[nodiscard]] inline std::uint32_t origin(const Arrangement& a, const Subdivision& s, std::uint32_t half_edge) {
   const Subdivision::Chain& c = s.chains[half_edge >> 1];
   return half_edge & 1 ? a.pieces[c.last][1] : a.pieces[c.first][0];
 }
 
-/// Cuts the plane along rings: ring r has the segments first_segment[r] .. first_segment[r + 1] - 1, each starting
-/// where the one before ends, the first where the last does. O((n + k) log n). `patience` is that of `Nesting`.
+/// Subdivides the plane by rings: ring r has the segments first_segment[r] .. first_segment[r + 1] - 1, each starting
+/// where the one before ends, the first where the last ends. O((n + k) log n). `patience` is that of `Nesting`.
 [[nodiscard]] Subdivision subdivide(const Arrangement& a, std::span<const std::uint32_t> first_segment,
                                     ChainEnds ends = ChainEnds::nodes, std::size_t patience = usual_patience);
 

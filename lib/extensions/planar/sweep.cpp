@@ -37,7 +37,7 @@ class Sweep {
     }
   };
 
-  /// The next point, and all that happens there. False when nothing is left.
+  /// Gathers the next point and all that ends, starts or crosses there. False when nothing is left.
   bool gather_event() {
     const bool has_end = next_end_ < ends_.size(), has_crossing = !crossings_.empty();
     if (!has_end && !has_crossing) return false;
@@ -72,8 +72,8 @@ class Sweep {
     return compare_xy(places_, point, event_.point) == Sign::zero;
   }
 
-  /// Whether two neighbours change places: the one that ends first is on the wrong side of the other by then. (If it
-  /// ends on the other one, that is found there.) They have not met after the line's point, where they part.
+  /// Tests whether two neighbours cross later: the one that ends first is then on the wrong side of the other. (If it
+  /// ends on the other one, that is found at its end.) They have not met after the line's point, where they separate.
   void look_ahead(std::uint32_t low, std::uint32_t high) {
     if (low == none || high == none) return;
     const std::uint32_t p = line_.last_point(low), q = line_.last_point(high);

@@ -53,7 +53,7 @@ SweepLine::Passage SweepLine::move_over(const Event& event) {
   return passage;
 }
 
-/// The bundles that hold the point, and their neighbours.
+/// Finds the bundles that contain the point, and their neighbours.
 void SweepLine::find(const Event& event) {
   std::uint32_t known = !event.ending.empty()    ? place_of_[event.ending.front()]
                         : event.crossing != none ? place_of_[event.crossing]
@@ -72,7 +72,7 @@ void SweepLine::find(const Event& event) {
   while ((above_ = bundles_.after(highest_)) != none && holds(above_, event.point)) highest_ = above_;
 }
 
-/// Nothing starts or ends: the bundles' order turns around.
+/// Nothing starts or ends: reverses the order of the bundles.
 void SweepLine::turn_around() {
   std::uint32_t low = lowest_, high = highest_;
   for (std::uint32_t b = lowest_; b != above_; b = bundles_.after(b))
@@ -87,7 +87,8 @@ void SweepLine::turn_around() {
   }
 }
 
-/// What ends is off the line; what passes is left to be put in again. Tells whether segments came the same way.
+/// Removes the segments that end, and takes out those that continue, to be inserted again. True if several segments
+/// arrived from the same direction.
 bool SweepLine::take_out(const Event& event) {
   bool is_fold = false;
   if (lowest_ == none) return is_fold;
@@ -100,8 +101,8 @@ bool SweepLine::take_out(const Event& event) {
   return is_fold;
 }
 
-/// Puts what leaves the point in the bundles that held it, and in new ones if there are more. Tells whether segments
-/// leave the same way.
+/// Inserts the segments that leave the point into the bundles that contained it, and into new ones if there are more.
+/// True if several segments leave in the same direction.
 bool SweepLine::put_in(const Event& event) {
   leaving_.assign(passing_.begin(), passing_.end());
   leaving_.insert(leaving_.end(), event.starting.begin(), event.starting.end());
@@ -145,7 +146,7 @@ void SweepLine::put(std::uint32_t place, std::uint32_t segment) {
   place_of_[segment] = place;
 }
 
-/// Positive when t is above s to the right of a point that they leave.
+/// Positive when t is above s to the right of their common point.
 Sign SweepLine::orientation(std::uint32_t s, std::uint32_t t) const {
   const Sign sign = cross(places_, segments_[s].line, segments_[t].line);
   return is_backwards_[s] == is_backwards_[t] ? sign : -sign;

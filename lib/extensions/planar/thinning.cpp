@@ -13,9 +13,9 @@ struct Stretch {
   std::uint32_t operand = 0, first = 0, last = 0;
 };
 
-/// The closed quadrant of directions that an edge is in. A vertical edge that goes up counts as one to the right, a
-/// level one to the right as one that goes up: so points of a chain within one quadrant come in order by x, then y,
-/// too.
+/// The closed quadrant of directions of an edge. A vertical edge that goes up counts as directed to the right, a
+/// horizontal one to the right as directed upwards. So points of a chain within one quadrant are also in order by x,
+/// then y.
 enum class Quadrant : std::uint8_t { left_down, right_down, left_up, right_up, none };
 
 Quadrant quadrant(const PlanePoint& p, const PlanePoint& q) {
@@ -25,7 +25,7 @@ Quadrant quadrant(const PlanePoint& p, const PlanePoint& q) {
   return static_cast<Quadrant>(static_cast<int>(is_right) + 2 * static_cast<int>(is_up));
 }
 
-/// Cuts loops into monotone chains: edges within one quadrant. Long ones count; a loop's last edge is in none.
+/// Cuts loops into monotone chains: edges within one quadrant. Only long ones are used; a loop's last edge is in none.
 class ChainFinder {
  public:
   ChainFinder(std::span<const Operand> operands, std::uint32_t shortest) : shortest_(shortest) {
@@ -66,7 +66,7 @@ class ChainFinder {
   std::vector<Stretch> chains_;
 };
 
-/// Up to eight edges each: all that are not in chains.
+/// All edges that are not in chains, as stretches of up to eight edges each.
 std::vector<Stretch> others(std::span<const Operand> operands, const std::vector<Stretch>& chains) {
   constexpr std::uint32_t longest = 8;
   std::vector<Stretch> stretches;
@@ -96,17 +96,17 @@ struct Listed {
   friend auto operator<=>(const Listed&, const Listed&) = default;
 };
 
-/// Lists the edges of chains that may meet anything but their neighbours in the chain: those whose boxes meet the box
-/// of an edge of another chain, or of another stretch. The first and last ones do.
+/// Lists the edges of chains that may meet other edges than their neighbours in the chain: those whose boxes meet the
+/// box of an edge of another chain, or of another stretch. The first and last edges are listed too.
 class Encounters {
  public:
   Encounters(std::span<const Operand> operands, const std::vector<Stretch>& chains, std::size_t most_pairs)
       : operands_(operands), chains_(chains), most_pairs_(most_pairs) {}
 
-  /// In order. None at all if that takes too many pairs.
+  /// The listed edges in order; an empty list if that takes too many pairs.
   std::vector<Listed> find() {
     std::vector<Box> boxes;
-    std::vector<std::array<PlanePoint, 2>> ends;  // as of points: nothing here is straight
+    std::vector<std::array<PlanePoint, 2>> ends;  // as for points: nothing is straight here
     for (const Stretch& c : chains_) boxes.push_back(box_of_part(c));
     for (const Stretch& s : others(operands_, chains_)) boxes.push_back(box_around(s));
     for (const Box& b : boxes) ends.push_back({PlanePoint{b.left, b.low}, PlanePoint{b.left, b.low}});
@@ -135,7 +135,7 @@ class Encounters {
   }
 
  private:
-  /// Edges of a chain; or what is no chain, all of it as one edge.
+  /// Edges of a chain, or a whole stretch that is in no chain as one edge.
   struct Part {
     std::uint32_t chain = none, first = 0, last = 1;
     [[nodiscard]] std::uint32_t edges() const { return last - first; }
@@ -155,7 +155,7 @@ class Encounters {
     compare({a.chain, a.first, middle}, box_of_part({operand, a.first, middle}), b, box_b);
     compare({a.chain, middle, a.last}, box_of_part({operand, middle, a.last}), b, box_b);
   }
-  /// The ends of a chain's part tell.
+  /// The box of the two ends of a part of a chain.
   [[nodiscard]] Box box_of_part(const Stretch& s) const {
     const Loops& loops = *operands_[s.operand].loops;
     return hull(box_of(loops.places, loops.vertices[s.first]), box_of(loops.places, loops.vertices[s.last]));
@@ -177,7 +177,8 @@ class Encounters {
   std::vector<Listed> listed_;
 };
 
-/// What is between listed edges of a chain, as far as it turns at both ends, and has a vertex inside.
+/// The stretches between listed edges of a chain, shortened until they have corners at both ends, if they have an inner
+/// vertex.
 std::vector<Stretch> quiet_stretches(std::span<const Operand> operands, const std::vector<Stretch>& chains,
                                      const std::vector<Listed>& listed) {
   std::vector<Stretch> quiet;
@@ -195,8 +196,8 @@ std::vector<Stretch> quiet_stretches(std::span<const Operand> operands, const st
   return quiet;
 }
 
-/// The places of loops without the doubles that nothing asks for. What is left of them comes under a new number each
-/// time; `vertices` get the new numbers.
+/// The places of loops without the doubles that are not needed. The remaining points get new numbers; `vertices` are
+/// updated.
 Places places_for(std::vector<std::uint32_t>& vertices, const Places& from) {
   const auto is_double = [&](std::uint32_t p) { return from.is_double(p); };
   auto doubles = static_cast<std::uint32_t>(std::count_if(vertices.begin(), vertices.end(), is_double));
@@ -218,7 +219,7 @@ Places places_for(std::vector<std::uint32_t>& vertices, const Places& from) {
   return to;
 }
 
-/// Loops with an edge in place of every quiet stretch. Appends to `chain_of` for every edge the number of its stretch,
+/// Loops with an edge in place of every isolated chain. Appends to `chain_of` for every edge the number of its chain,
 /// from `first` on, or none.
 Loops without(const Loops& from, std::span<const Stretch> quiet, std::uint32_t first,
               std::vector<std::uint32_t>& chain_of) {

@@ -31,7 +31,7 @@ bool sees_no_face_flat(const Scene& scene, const Origin& origin) {
   return !flat;
 }
 
-/// The place of least cost, the first of several, in the scene's coordinates.
+/// The position of least cost, the first of several, in the scene's coordinates.
 InputComplex::Coordinates best_place(const OriginSample& sample) {
   std::optional<std::uint64_t> least;
   InputComplex::Coordinates best{};
@@ -46,11 +46,11 @@ InputComplex::Coordinates best_place(const OriginSample& sample) {
   return best;
 }
 
-/// Points (k, k^2, k^3) from a place, on a lattice of doubles. A plane has at most three of the curve, so that 3 n + 1
-/// steps would be enough for n planes, as long as they are exact; nearly always the first ones are.
+/// Points (k, k^2, k^3) from a position, on a lattice of doubles. A plane contains at most three points of the curve,
+/// so 3 n + 1 steps suffice for n planes, as long as they are exact. In nearly all cases the first ones suffice.
 class Steps {
  public:
-  /// The lattice is finer than the scene by 2^12, as far as doubles are.
+  /// The lattice is finer than the scene by 2^12, as far as doubles permit.
   Steps(const OriginSample& sample, const InputComplex::Coordinates& place)
       : unit_(std::max({sample.size_exponent() - 12, sample.exponent() - 53, -1074})) {
     for (std::size_t i = 0; i < 3; ++i) start_[i] = std::nearbyint(std::ldexp(place[i], -unit_));
@@ -72,7 +72,7 @@ Origin choose_origin(const Scene& scene) {
   if (scene.face_count() == 0) return Origin::point({0, 0, 0});
   const OriginSample sample(scene);
   const Steps steps(sample, best_place(sample));
-  constexpr int most_steps = 1 << 16;  // as long as cubes are exact
+  constexpr int most_steps = 1 << 16;  // while cubes are exact
   for (int i = 0; i < most_steps; ++i) {
     const Origin origin = Origin::point(steps.at(i % 2 == 0 ? -i / 2 : (i + 1) / 2));
     if (is_finite(origin.at) && sees_no_face_flat(scene, origin)) return origin;

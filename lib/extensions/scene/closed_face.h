@@ -13,14 +13,14 @@ namespace strata {
   return true;
 }
 
-/// Is q in the closed face? A look at bounds first.
+/// Is q in the closed face? Bounds are tested first.
 [[nodiscard]] inline bool is_on_closed_face(const InputComplex& input, std::uint32_t face, const Point& q) {
   const auto v = input.face(face);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = q.at[axis].lower(), high = q.at[axis].upper();
     int below = 0, above = 0;
     for (const std::uint32_t i : v) {
-      // The nearest doubles are ordered as the places are, or equal.
+      // The nearest doubles are in the order of the exact positions, or equal.
       below += input.vertex(i)[axis] < low;
       above += input.vertex(i)[axis] > high;
     }

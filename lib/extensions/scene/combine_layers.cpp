@@ -69,7 +69,7 @@ ExactMesh combine_boundaries(const LayerDecomposition& a, const LayerDecompositi
   return result;
 }
 
-/// Solids made of operands, the faces they come from, and their coverings about one origin.
+/// Solids that represent operands, the faces from which they come, and their coverings about one origin.
 class CoveredOperands {
  public:
   CoveredOperands(std::span<const Operand> operands, const Options& options, std::vector<Defect>& notes) {
@@ -104,7 +104,7 @@ class CoveredOperands {
     for (const auto& covering : coverings_) all.push_back(covering.get());
     return all;
   }
-  /// From faces of the solids to those of the caller.
+  /// Maps faces of the solids to those of the caller.
   void restore(std::vector<Source>& sources) const {
     for (Source& s : sources) s.face = sources_[s.operand][s.face].face;
   }

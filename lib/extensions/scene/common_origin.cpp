@@ -16,7 +16,7 @@ Windings CommonOrigin::around(const Point& q, std::uint32_t own) const {
 Windings CommonOrigin::above(std::uint32_t face, const Point& q, std::span<const std::uint32_t> covering) const {
   Windings windings;
   for (std::uint32_t o = 0; o < coverings_.size(); ++o) walk(o, q, covering, windings);
-  // The walk ends at the face. From below it goes through the covering faces to reach the upper side.
+  // The walk ends at the face. From below it continues through the covering faces to the upper side.
   const Origin& origin = coverings_.front()->origin();
   const Sign start =
       origin.is_point() ? side_of_origin(input_, face, origin.at) : side_of_infinity(input_, face, origin.at);
@@ -26,7 +26,7 @@ Windings CommonOrigin::above(std::uint32_t face, const Point& q, std::span<const
   return windings;
 }
 
-/// Adds the winding number about one operand: the origin's, and the changes on the way.
+/// Adds the winding number about one operand: the origin's plus the changes along the walk.
 void CommonOrigin::walk(std::uint32_t operand, const Point& q, std::span<const std::uint32_t> through_q,
                         Windings& windings) const {
   const SignedCovering& covering = *coverings_[operand];

@@ -8,11 +8,11 @@
 
 namespace strata {
 
-/// Winding numbers among several operands, each of one solid with a covering about the same origin: along the way from
-/// the origin, a point meets the faces that the coverings list in its direction.
+/// Winding numbers of several operands, each a solid with a covering about the same origin. The walk from the origin to
+/// a point meets only faces that the coverings list in its direction.
 class CommonOrigin final : public WindingOracle {
  public:
-  /// `input complex` have the coverings' solids as operands, in this order. Holds references.
+  /// The operands of `input` are the coverings' solids, in this order. Stores references.
   CommonOrigin(const InputComplex& input, std::span<const SignedCovering* const> coverings)
       : input_(input), coverings_(coverings.begin(), coverings.end()) {}
 

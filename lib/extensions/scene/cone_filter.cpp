@@ -15,7 +15,7 @@ double length(const Vector& a) { return std::sqrt(product(a, a)); }
 /// Lengths whose products and squares neither overflow nor underflow.
 bool is_moderate(double x) { return x > 0x1p-200 && x < 0x1p200; }
 
-/// How small a value may be against its terms; theory.md, "Cones in floats".
+/// How small a value may be relative to its terms; theory.md, "Cones in floats".
 constexpr double thin_edge = 0x1p-22, thin_face = 0x1p-20, grazing = 0x1p-6;
 
 }  // namespace

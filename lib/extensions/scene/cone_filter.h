@@ -14,18 +14,18 @@ struct ConeRay {
   float distance = 0;
 };
 
-/// A face's tetrahedron with a point as origin, in floats: one line of the processor's cache tells most ways from the
-/// origin whether they cross the face. Bounds: theory.md, "Cones in floats".
+/// A face's tetrahedron about a point as origin, in floats. One cache line decides for most walks from the origin
+/// whether they cross the face. Bounds: theory.md, "Cones in floats".
 class ConeFilter {
  public:
   enum class Answer : std::uint8_t {
-    passes,   ///< the way keeps clear of the closed face
-    crosses,  ///< it goes through the inside of the face, and on
+    passes,   ///< the walk does not meet the closed face
+    crosses,  ///< it crosses the interior of the face
     unknown
   };
 
   ConeFilter() = default;
-  /// Undecided of everything if the face is seen as too thin or too much from the side.
+  /// Always undecided if the face is seen too thin or too close to edge-on.
   ConeFilter(const InputComplex::Coordinates& origin, const std::array<InputComplex::Coordinates, 3>& corners,
              double scale);
 
@@ -48,12 +48,14 @@ class ConeFilter {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
 
-  std::array<std::array<float, 3>, 3> edges_{};  ///< unit normals of the planes of sight through the edges, inwards
-  std::array<float, 3> plane_{};                 ///< at distance 1 / (plane . direction) rays meet the face's plane
-  float size_ = 0;                               ///< sum of the plane's absolute coordinates
+  std::array<std::array<float, 3>, 3>
+      edges_{};                   ///< unit normals of the planes through the origin and the edges, inwards
+  std::array<float, 3> plane_{};  ///< at distance 1 / (plane . direction) rays meet the face's plane
+  float size_ = 0;                ///< sum of the plane's absolute coordinates
 };
 
-/// The way from the origin to q. All zero, of which every cone is uncertain, where doubles overflow or q is the origin.
+/// The walk from the origin to q. All zero, for which every cone is undecided, where doubles overflow or q is the
+/// origin.
 [[nodiscard]] inline ConeRay cone_ray(const InputComplex::Coordinates& origin, const InputComplex::Coordinates& q,
                                       double scale) {
   const double x = q[0] - origin[0], y = q[1] - origin[1], z = q[2] - origin[2];

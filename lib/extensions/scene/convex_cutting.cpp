@@ -6,7 +6,7 @@
 namespace strata {
 namespace {
 
-/// A convex polygon on both sides of a plane; a side without inside points is empty.
+/// The parts of a convex polygon on both sides of a plane; a side without interior points is empty.
 struct Halves {
   ExactPolygon above, below;
 };

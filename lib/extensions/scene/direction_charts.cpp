@@ -20,7 +20,7 @@ DirectionCharts::DirectionCharts(const Origin& origin, const InputComplex::Coord
   for (std::size_t i = 0; i < 2; ++i) slope_[i] = Bounded(d[(along_ + 1 + i) % 3]) / Bounded(d[along_]);
 }
 
-/// Only directions matter: where differences overflow, a quarter of both is taken.
+/// Only directions matter: where differences overflow, a quarter of both points is used.
 BoundedPoint DirectionCharts::from_origin(const BoundedPoint& p) const {
   const BoundedPoint r{p[0] - base_[0], p[1] - base_[1], p[2] - base_[2]};
   if (is_finite(r) || !origin_.is_point()) return r;

@@ -11,25 +11,26 @@ namespace strata {
 /// A direction from the origin in a chart: (u, v, w), any positive multiple of it; in the chart's plane (u/w, v/w).
 using ChartVector = std::array<Bounded, 3>;
 
-/// Maps of the directions from an origin to planes. Straight lines stay straight: the tetrahedron of a face and the
+/// Maps of the directions from an origin to planes. Straight lines remain straight: the tetrahedron of a face and the
 /// origin is seen as a triangle wherever w > 0.
 ///
 /// Six charts surround a point, one per side of a cube about it: w is the coordinate across the side, and the chart's
 /// domain is |u|, |v| <= w. Directions at the rims are in several charts. An origin at infinity has one chart, whose
-/// domain is the plane; there (u, v) are coordinates along rays' direction, and w = 1.
+/// domain is the plane; there (u, v) are coordinates along the rays' direction, and w = 1.
 class DirectionCharts {
  public:
-  /// Coordinates at an infinite origin are differences from `base`, so that their errors are those of the scene's size.
+  /// Coordinates at an infinite origin are differences from `base`, so that their errors are relative to the scene's
+  /// size.
   DirectionCharts(const Origin& origin, const InputComplex::Coordinates& base);
 
   [[nodiscard]] std::size_t count() const { return origin_.is_point() ? 6 : 1; }
   [[nodiscard]] bool is_bounded() const { return origin_.is_point(); }
 
-  /// Within bounds, which overflow makes infinite or NaN.
+  /// Within bounds; overflow makes them infinite or NaN.
   [[nodiscard]] ChartVector at(std::size_t chart, const BoundedPoint& p) const;
 
-  /// Grows along rays: no point of the way from the origin to p has more than p's. In the chart of p's direction, any
-  /// that sees it.
+  /// Increases along rays: no point of the segment from the origin to p has more than p's. In the chart of p's
+  /// direction, or any that contains it.
   [[nodiscard]] Bounded depth(std::size_t chart, const BoundedPoint& p) const;
 
   /// A chart with p's direction in its domain. Any, if p is the origin.

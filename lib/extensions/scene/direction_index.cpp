@@ -41,7 +41,7 @@ DirectionIndex::Range DirectionIndex::range_of(const Chart& chart, std::size_t a
   return {chart.grid(axis, u.lower()), chart.grid(axis, u.upper())};
 }
 
-/// The list of the one square that the direction is certainly in.
+/// The list of the one square that certainly contains the direction.
 std::optional<DirectionIndex::List> DirectionIndex::list_towards(const BoundedPoint& q) const {
   const std::size_t c = charts_of_.chart_of(q);
   const Chart& chart = charts_[c];

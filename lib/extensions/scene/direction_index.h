@@ -27,28 +27,28 @@ struct ChartSquare {
           half};
 }
 
-/// Where a face lies in a chart: a closed rectangle of the chart's grid.
+/// The position of a face in a chart: a closed rectangle of the chart's grid.
 struct Footprint {
   std::uint32_t face = 0;
   std::array<std::int32_t, 2> lower{}, upper{};
-  /// Spans many squares: which of these it lies in is found out by its edges, not by the rectangle alone.
+  /// Spans many squares. Then its edges, not only the rectangle, decide in which squares it is listed.
   bool is_large = false;
   float near = 0;  ///< no point of the face has less depth
 };
 
-/// All faces of a scene by the directions in which they are seen from an origin: per chart a grid of squares, refined
-/// in quarters where many faces are. Every direction is in one square of a chart, whose list has all faces that the
-/// direction meets, and a few more. Nothing is decided here: lists are conservative by bounds on rounding.
-/// Memory O(faces) unless faces are stacked; a look-up is O(log) and of constant time in all but crowded directions.
+/// All faces of a scene by the directions in which they are seen from an origin. Each chart has a grid of squares,
+/// subdivided into quarters where many faces are. Every direction is in one square of a chart, whose list has all faces
+/// that the direction meets, and a few more. Nothing is decided here: lists are conservative by bounds on rounding.
+/// Memory O(faces) unless faces are stacked. A query is O(log) and takes constant time except in dense directions.
 class DirectionIndex {
  public:
   DirectionIndex() = default;
   /// O(n log n), in parallel.
   DirectionIndex(const Scene& scene, const Origin& origin);
 
-  /// Calls `visit(face)` once for every face that the way from the origin to q meets, q included, and for a few more,
-  /// as rectangles and depths in one list tell, unless q's direction is known too badly. Requires that q is not the
-  /// origin. Faces that the origin lies on are left out.
+  /// Calls `visit(face)` once for every face that the walk from the origin to q meets, q included, and for a few more,
+  /// judged by rectangles and depths in one list, unless q's direction has too large an error. Requires that q is not
+  /// the origin. Faces that contain the origin are left out.
   template <class Visit>
   void for_each_towards(const BoundedPoint& q, const Visit& visit) const {
     if (const auto list = list_towards(q)) {
@@ -59,7 +59,7 @@ class DirectionIndex {
     }
   }
 
-  /// Faces that the origin lies on, their edges and corners included.
+  /// Faces that contain the origin, also on their edges and corners.
   [[nodiscard]] std::span<const std::uint32_t> faces_at_origin() const { return at_origin_; }
 
   struct Leaf {
@@ -67,8 +67,8 @@ class DirectionIndex {
     ChartSquare square;
     std::span<const std::uint32_t> footprints;  ///< numbers in `footprints(chart)`
   };
-  /// Calls `visit(leaf)` for every square with two faces or more, in parallel, with no order. Footprints are there
-  /// until they are forgotten.
+  /// Calls `visit(leaf)` for every square with two faces or more, in parallel, in no order. Footprints exist until they
+  /// are forgotten.
   template <class Visit>
   void for_each_leaf(const Visit& visit) const;
   [[nodiscard]] std::span<const Footprint> footprints(std::size_t chart) const { return charts_[chart].footprints; }
@@ -88,9 +88,9 @@ class DirectionIndex {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
   };
-  /// The faces listed where a point is seen, and its place there.
+  /// The faces listed for the direction of a point, and the point's position there.
   struct List;
-  /// A face in a list, with what tells most ways that they do not meet it.
+  /// A face in a list, with data that excludes it for most walks.
   struct Entry {
     std::uint32_t face = 0;
     float near = 0;

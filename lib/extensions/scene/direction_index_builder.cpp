@@ -15,13 +15,13 @@
 namespace strata {
 namespace {
 
-/// Rectangles are wider than the faces by this many steps of the grid, which is far more than the grid's own rounding
-/// and that of a direction asked for.
+/// Rectangles are wider than the faces by this many steps of the grid, which is far more than the rounding errors of
+/// the grid and of a direction in a query.
 constexpr std::int32_t margin = 2;
 
 bool certainly_positive(const Bounded& x) { return x.lower() > 0; }
 
-/// All three corners certainly beyond one side of the square |u|, |v| <= w, or behind.
+/// All three corners are certainly beyond one side of the square |u|, |v| <= w, or behind.
 bool is_outside(const std::array<ChartVector, 3>& p) {
   const auto all = [&](const auto& value) {
     return std::all_of(p.begin(), p.end(), [&](const ChartVector& c) { return certainly_positive(value(c)); });
@@ -58,7 +58,7 @@ void DirectionIndexBuilder::find_faces_at_origin() {
     }
 }
 
-/// Per chart, by increasing face.
+/// The spans per chart, by increasing face.
 std::vector<std::vector<DirectionIndexBuilder::Span>> DirectionIndexBuilder::find_spans() const {
   const std::size_t charts = index_.charts_of_.count();
   const InputComplex& input = input_complex_of(scene_);
@@ -124,15 +124,15 @@ std::optional<DirectionIndexBuilder::Span> DirectionIndexBuilder::span_in(std::s
   return s;
 }
 
-/// About one square for every face.
+/// About one square per face.
 std::int32_t DirectionIndexBuilder::bits_for(std::size_t faces) {
   std::int32_t bits = 0;
   while (bits < 11 && (std::size_t{1} << (2 * bits + 2)) <= faces) ++bits;
   return bits;
 }
 
-/// Over the rectangle that holds all faces, which is the whole domain where the extent of one is not known. Directions
-/// beyond it, which meet no face, are rounded to it.
+/// Lays the grid over the rectangle that contains all faces, which is the whole domain where the extent of one is not
+/// known. Directions beyond it, which meet no face, are rounded to it.
 void DirectionIndexBuilder::lay_grid(Chart& chart, const std::vector<Span>& spans) const {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     double low = HUGE_VAL, high = -HUGE_VAL;
@@ -167,7 +167,7 @@ void DirectionIndexBuilder::put_footprints(Chart& chart, const std::vector<Span>
 
 namespace {
 
-/// Calls `visit(square number)` for the squares of the grid that a footprint reaches by its rectangle.
+/// Calls `visit(square number)` for the squares of the grid that the rectangle of a footprint meets.
 template <class Visit>
 void for_each_square(const Footprint& f, std::int32_t bits, std::int32_t shift, const Visit& visit) {
   for (std::int32_t j = f.lower[1] >> shift; j <= f.upper[1] >> shift; ++j)
@@ -177,8 +177,8 @@ void for_each_square(const Footprint& f, std::int32_t bits, std::int32_t shift, 
 
 }  // namespace
 
-/// A counting sort of the footprints into the squares of the grid, then squares are refined in runs, in parallel, and
-/// the runs put together in order.
+/// A counting sort distributes the footprints to the squares of the grid. Then squares are subdivided in runs, in
+/// parallel, and the runs are concatenated in order.
 void DirectionIndexBuilder::sort_into_squares(std::size_t c) const {
   Chart& chart = index_.charts_[c];
   const std::int32_t bits = chart.bits, shift = DirectionIndex::grid_bits - bits;
@@ -211,7 +211,7 @@ void DirectionIndexBuilder::sort_into_squares(std::size_t c) const {
       roots.push_back({square_of(n), n - begin, {sorted.begin() + first[n], sorted.begin() + first[n + 1]}});
     refine(c, std::move(roots), parts[p]);
   });
-  // Roots first, then each part's inner quarters.
+  // Roots first, then each part's inner nodes.
   chart.nodes.resize(squares);
   for (std::size_t p = 0; p < parts_count; ++p) {
     const std::size_t begin = squares * p / parts_count, roots = squares * (p + 1) / parts_count - begin;
@@ -236,8 +236,8 @@ void DirectionIndexBuilder::sort_into_squares(std::size_t c) const {
   }
 }
 
-/// Quarters squares, the large ones first, as long as this shortens their lists and all lists together stay in
-/// proportion to what there was: faces that are stacked along a line or in a point could be quartered for ever.
+/// Subdivides squares, the large ones first, while this shortens their lists and all lists together remain in
+/// proportion to the initial ones. Faces that are stacked along a line or in a point could be subdivided without end.
 void DirectionIndexBuilder::refine(std::size_t c, std::deque<Square> squares, Part& part) const {
   constexpr std::size_t few = 14, growth = 12;
   std::size_t total = 0;
@@ -280,7 +280,8 @@ bool DirectionIndexBuilder::reaches(std::size_t c, const Footprint& f, const Cha
   return !f.is_large || sees(c, f.face, square);
 }
 
-/// False only if the face certainly lies beyond one of its own edges or one side of the square, all seen as lines.
+/// False only if the square certainly lies beyond an edge of the face, or the face beyond a side of the square, as seen
+/// in the chart.
 bool DirectionIndexBuilder::sees(std::size_t c, std::uint32_t face, const ChartSquare& square) const {
   const Chart& chart = index_.charts_[c];
   std::array<double, 2> low, high;

@@ -9,7 +9,7 @@
 
 namespace strata {
 
-/// Fills a DirectionIndex.
+/// Builds a DirectionIndex.
 class DirectionIndexBuilder {
  public:
   DirectionIndexBuilder(const Scene& scene, const Origin& origin, DirectionIndex& index)
@@ -21,7 +21,7 @@ class DirectionIndexBuilder {
   using Chart = DirectionIndex::Chart;
   using Node = DirectionIndex::Node;
 
-  /// A face's place in a chart before the chart has a grid.
+  /// A face's position in a chart before the chart has a grid.
   struct Span {
     std::uint32_t face = 0;
     std::array<double, 2> lower{}, upper{};
@@ -34,7 +34,7 @@ class DirectionIndexBuilder {
     std::vector<std::uint32_t> entries;
   };
 
-  /// A square with what it lists, before it is known whether it is quartered.
+  /// A square and its list, before it is known whether it is subdivided.
   struct Square {
     ChartSquare place;
     std::size_t node = 0;

@@ -10,8 +10,9 @@
 namespace strata {
 namespace {
 
-/// A pair is tested in the square that holds the corner where their rectangles begin to overlap: one square has it, and
-/// both are listed there, unless a large face was left out where its edges show that it is not.
+/// A pair is tested in the square that contains the corner where the overlap of their rectangles begins. One square
+/// contains it, and both faces are listed there, unless a large face was left out because its edges show that it is not
+/// there.
 bool is_tested_here(const Footprint& a, const Footprint& b, const ChartSquare& square) {
   if (a.is_large || b.is_large) return true;
   return square.holds(std::max(a.lower[0], b.lower[0]), std::max(a.lower[1], b.lower[1]));

@@ -14,15 +14,15 @@ struct Domination {
   friend auto operator<=>(const Domination&, const Domination&) = default;
 };
 
-/// How the faces of a scene lie to one another as seen from the origin.
+/// The relations between the faces of a scene as seen from the origin.
 struct Dominance {
   std::vector<Domination> dominations;  ///< sorted
   std::vector<Domination> crossings;    ///< pairs of faces that cross; s < t, sorted
   std::uint64_t pairs_tested = 0;
 };
 
-/// Tests the faces that share a square of directions. `turns` are those of all faces; flat ones take no part.
-/// O(n log n + pairs that share a square), in parallel; the same for any number of threads.
+/// Tests the faces that share a square of directions. `turns` are those of all faces; flat faces take no part. O(n log
+/// n + pairs that share a square), in parallel; the same for any number of threads.
 [[nodiscard]] Dominance find_dominance(const Sight& sight, const DirectionIndex& index,
                                        const std::vector<Sign>& orientations, const Monitor& monitor);
 

@@ -71,7 +71,7 @@ std::size_t LayerDecomposition::bytes() const {
 
 namespace {
 
-/// Winding numbers at q by a walk from infinity past all faces; none if q lies on the surface.
+/// Winding numbers at q by a walk from infinity past all faces; nullopt if q lies on the surface.
 std::optional<Windings> walk_past_all(const Scene& scene, const Vertex& q) {
   const InputComplex& input = input_complex_of(scene);
   const Point point = Point::free(q);
@@ -83,7 +83,7 @@ std::optional<Windings> walk_past_all(const Scene& scene, const Vertex& q) {
   return windings;
 }
 
-/// Doubles spread over the scene by a fixed sequence (Weyl's).
+/// Doubles distributed over the scene by a fixed sequence (Weyl's).
 Vertex sample_point(const Scene& scene, std::size_t n) {
   constexpr std::array<double, 3> step{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
   const auto& input = input_complex_of(scene);

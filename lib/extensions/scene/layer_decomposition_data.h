@@ -19,12 +19,12 @@ struct LayerDecomposition::Data {
   std::uint64_t pairs_tested = 0;
 };
 
-/// The signed covering about the origin that the layers were found with.
+/// The signed covering about the origin of the layers.
 [[nodiscard]] inline const SignedCovering& covering_of(const LayerDecomposition& layers) {
   return layers.data().covering;
 }
 
-/// What is in the layers: the faces and what they were cut into.
+/// The contents of the layers: the faces and the parts into which they were cut.
 [[nodiscard]] inline const Pieces& pieces_of(const LayerDecomposition& layers) { return layers.data().pieces; }
 
 }  // namespace strata

@@ -7,7 +7,7 @@
 
 namespace strata {
 
-/// Lists per piece in one array.
+/// One list per piece, in one array.
 struct Lists {
   std::vector<std::uint32_t> first, items;
 

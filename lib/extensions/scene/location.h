@@ -8,7 +8,7 @@ namespace strata {
 
 [[nodiscard]] WindingNumbers numbers_of(const Windings& windings);
 
-/// A point at which these are the winding numbers, if it is off the surfaces, and which lies on `faces` of the scene.
+/// The location of a point with these winding numbers, if it is off the surfaces, which lies on `faces` of the scene.
 [[nodiscard]] Location location_of(Windings windings, std::vector<Contact> faces);
 
 }  // namespace strata

@@ -25,18 +25,18 @@ Vector middle(const std::array<Vector, 3>& f) {
   return m;
 }
 
-/// The i-th of numbers below n that are spread evenly and follow no rhythm of the mesh: multiples of the golden
-/// section.
+/// The i-th of numbers below n that are evenly distributed and independent of patterns in the mesh: multiples of the
+/// golden section.
 std::size_t spread(std::size_t i, std::size_t n) {
   const double orientations = static_cast<double>(i) * 0.6180339887498949;
   return static_cast<std::size_t>((orientations - std::floor(orientations)) * static_cast<double>(n));
 }
 
-/// A face as seen from a place: normals of the planes through the place and its sides, inwards.
+/// A face as seen from a position: normals of the planes through the position and the face's sides, inwards.
 struct Cone {
   std::array<Vector, 3> sides;
 
-  /// A face that is seen from its edge has no inside, and no normals.
+  /// A face that is seen edge-on has no interior, and no normals.
   Cone(const std::array<Vector, 3>& face, const Vector& from) {
     const Vector a = face[0] - from, b = face[1] - from, c = face[2] - from;
     sides = {cross(a, b), cross(b, c), cross(c, a)};
@@ -110,7 +110,7 @@ std::vector<Vector> OriginSample::places() const {
   return places;
 }
 
-/// Half way from a face to the next one behind it.
+/// The midpoint between a face and the next one behind it.
 std::optional<Vector> OriginSample::place_behind(std::size_t face) const {
   const auto& [a, b, c] = faces_[face];
   const Vector from = middle(faces_[face]), normal = cross(b - a, c - a),

@@ -10,8 +10,8 @@
 
 namespace strata {
 
-/// Some of the faces of a scene, in a frame where its bounding box is centred and reaches from -1 to 1 on its longest
-/// axis, whatever the scale. For estimates: everything is rounded.
+/// Some of the faces of a scene, in a frame in which its bounding box is centred and extends from -1 to 1 along its
+/// longest axis, whatever the scale. For estimates: everything is rounded.
 class OriginSample {
  public:
   using Vector = std::array<double, 3>;
@@ -19,10 +19,10 @@ class OriginSample {
   /// Requires a scene with faces.
   explicit OriginSample(const Scene& scene);
 
-  /// Places that may be good origins: the middle of the box and of the vertices, a few inside of solids, a few outside.
+  /// Candidates for origins: the middle of the box and of the vertices, a few inside of solids, a few outside.
   [[nodiscard]] std::vector<Vector> places() const;
-  /// How bad a place is: the sum, over rays through some faces, of the fourth power of how many faces they meet, since
-  /// the longest rows of faces make the layers.
+  /// The cost of a position: the sum, over rays through some faces, of the fourth power of the number of faces that
+  /// they meet, because the longest sequences of faces determine the number of layers.
   [[nodiscard]] std::uint64_t cost(const Vector& place) const;
   /// In the scene's coordinates; may overflow.
   [[nodiscard]] Vector in_scene(const Vector& place) const;

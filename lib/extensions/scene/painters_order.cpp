@@ -20,7 +20,7 @@ void cut_crossings(Pieces& pieces, Relation& relation, const Monitor& monitor) {
   }
 }
 
-/// Layers of all pieces that are in no ring and before none. `pairs` in any order.
+/// Layers of all pieces that are in no cycle and before none. `pairs` in any order.
 LayerOrder peel(const Pieces& pieces, const std::vector<Sign>& orientations, const std::vector<Domination>& pairs,
                 std::vector<std::uint32_t>& remaining) {
   const std::uint32_t count = pieces.count();

@@ -25,7 +25,7 @@ RationalPlane plane_at(const RationalPoint& p, const RationalVector& u, const Ra
   return plane;
 }
 
-/// Where the segment from a to b meets a plane, with the plane's values at the ends, of opposite signs.
+/// The point in which the segment from a to b meets a plane, given the plane's values at the ends, of opposite signs.
 RationalPoint meet(const RationalPoint& a, const Rational& value_a, const RationalPoint& b, const Rational& value_b) {
   const Rational t = value_a / (value_a - value_b);
   RationalPoint x;

@@ -16,8 +16,8 @@ struct RationalPlane {
   Rational offset;
 };
 
-/// The triangles that are put in order: the faces of a scene, numbered as there, and after them what faces were cut
-/// into. A piece that was cut is replaced by its parts. Cuts are exact: new corners are rational points.
+/// The triangles that are ordered: the faces of a scene, with their numbers there, and after them the parts into which
+/// faces were cut. The parts of a piece replace it. Cuts are exact: new corners are rational points.
 class Pieces {
  public:
   explicit Pieces(const Scene& scene) : scene_(scene), input_(input_complex_of(scene)) {}
@@ -36,7 +36,7 @@ class Pieces {
   [[nodiscard]] bool is_replaced(std::uint32_t p) const { return !replaced_.empty() && replaced_[p]; }
   [[nodiscard]] std::uint32_t cuts() const { return cuts_; }
 
-  /// The scene's vertices and faces, and the corners made by cuts as vertices of one more operand.
+  /// The scene's vertices and faces, and the corners constructed by cuts as vertices of one more operand.
   [[nodiscard]] const InputComplex& input() const { return input_; }
 
   [[nodiscard]] RationalPoint position(std::uint32_t vertex) const;
@@ -44,15 +44,15 @@ class Pieces {
   /// The plane through the origin and two vertices.
   [[nodiscard]] RationalPlane plane_of_sight(const Origin& origin, std::uint32_t a, std::uint32_t b) const;
 
-  /// Replaces a piece by two or three parts along a plane; false, and nothing done, if it lies on one side. The parts
-  /// get the next numbers.
+  /// Replaces a piece by two or three parts along a plane. Returns false and changes nothing if the piece lies on one
+  /// side. The parts get the next numbers.
   bool cut(std::uint32_t p, const RationalPlane& plane);
-  /// What there was at a time.
+  /// A state to which `undo` returns.
   struct Mark {
     std::size_t parts, points, exact;
   };
   [[nodiscard]] Mark mark() const { return {parts_.size(), points_.size(), exact_.size()}; }
-  /// Takes the last cut back, which was one of p.
+  /// Undoes the last cut, which was one of p.
   void undo(std::uint32_t p, const Mark& before);
 
  private:

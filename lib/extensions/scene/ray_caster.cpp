@@ -16,7 +16,7 @@
 namespace strata {
 namespace {
 
-/// The hits of least parameter among those seen, and some that may be so: as far as doubles tell.
+/// The hits of least parameter so far, and some that may be so, as far as doubles decide.
 class NearestHits {
  public:
   void take(FaceHit&& hit) {
@@ -25,7 +25,7 @@ class NearestHits {
     if (upper < limit_) limit_ = upper;
     hits_.push_back(std::move(hit));
   }
-  /// All further hits beyond this parameter are of no interest.
+  /// All further hits beyond this parameter can be ignored.
   [[nodiscard]] double limit() const { return limit_; }
 
   [[nodiscard]] auto& finish() {
@@ -46,7 +46,7 @@ void in_parallel(std::size_t count, const Ask& ask) {
   });
 }
 
-/// An event and a hit to take its place from.
+/// An event, and a hit that gives its position.
 struct Found {
   FaceHit hit;
   std::uint32_t face = 0, solid = 0;
@@ -77,8 +77,8 @@ std::vector<Found> find_all(const RayCaster::Data& data, const RayLine& line) {
   return all;
 }
 
-/// A hit by itself inside a face is an event as it stands, and so are hits that are no stretches, by the sum of their
-/// changes. What lies behind a stretch takes all events to tell.
+/// A single hit in the interior of a face is an event by itself. So are hits that are no stretches, by the sum of their
+/// changes. The passage after a stretch requires all events.
 std::optional<Found> find_first(const RayCaster::Data& data, const RayLine& line) {
   NearestHits nearest;
   data.tree.for_each_along(line.slabs(data.tree.bounds()), line.end(), [&](std::span<const std::uint32_t> faces) {

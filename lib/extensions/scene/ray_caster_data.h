@@ -13,7 +13,7 @@ struct RayCaster::Data {
   BoxTree tree;
 };
 
-/// The tree of boxes that rays are led through.
+/// The tree of boxes that rays traverse.
 [[nodiscard]] inline const BoxTree& tree_of(const RayCaster& caster) { return caster.data().tree; }
 
 }  // namespace strata

@@ -19,7 +19,7 @@ class SolidEvents {
   void find(std::span<const std::size_t> sorted, std::vector<RayEvent>& events) const {
     int stretches = 0, after = 0;
     for (const std::size_t h : sorted) {
-      stretches -= hits_[h].stretch;  // those that began before the ray end without having begun
+      stretches -= hits_[h].stretch;  // stretches that began before the ray end without having begun
       after -= hits_[h].change;       // infinitely far away the winding number is zero
     }
     for (std::size_t i = 0; i < sorted.size();) {

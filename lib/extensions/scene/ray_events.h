@@ -18,8 +18,8 @@ struct RayEvent {
 /// Sign of the difference of two hits' parameters. Exact.
 [[nodiscard]] Sign compare_parameters(const RayLine& line, FaceHit& a, FaceHit& b);
 
-/// The events of a ray, which met these faces and no others, by increasing parameter, equal ones by solid.
-/// O(n log n) comparisons for n hits.
+/// The events of a ray, given all its hits, by increasing parameter, equal ones by solid. O(n log n) comparisons for n
+/// hits.
 [[nodiscard]] std::vector<RayEvent> events_of(const Scene& scene, const RayLine& line, std::vector<FaceHit>& hits);
 
 }  // namespace strata

@@ -21,7 +21,7 @@ RationalPoint cross_product(const RationalPoint& u, const RationalPoint& v) {
 }
 Rational dot_product(const RationalPoint& u, const RationalPoint& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
-/// Room for a rational: its nearest double.
+/// The interval of a rational around its nearest double.
 Bounded bounded(const Rational& x) {
   const double value = to_nearest_double(x);
   return {value, std::abs(value) * Bounded::rounding + Bounded::underflow};
@@ -50,7 +50,7 @@ void RayLine::find_shear() {
   for (std::size_t i = 1; i < 3; ++i)
     if (std::abs(direction_[i]) > std::abs(direction_[longest])) longest = i;
   axis_ = {(longest + 1) % 3, (longest + 2) % 3, longest};
-  // A segment of one point has no slopes: NaN leaves everything open.
+  // A segment of one point has no slopes: NaN leaves everything undecided.
   for (std::size_t i = 0; i < 2; ++i) slope_[i] = direction_[axis_[i]] / direction_[longest];
   vertex_error_ = input_.has_rationals() ? Bounded::rounding : 0;
 }
@@ -155,8 +155,8 @@ RayLine::Hits RayLine::at(std::uint32_t face, const Rational& t, std::int8_t cha
   return {hit, std::nullopt};
 }
 
-/// Where no turn is zero the line passes the inside or by; where one or two are, through an edge or a corner, or by;
-/// where all are, it is in the plane: rays.md.
+/// Where no turn is zero, the line meets the interior or passes by. Where one or two are zero, it meets an edge or a
+/// corner, or passes by. Where all are zero, it is in the plane: rays.md.
 RayLine::Hits RayLine::meet_exactly(std::uint32_t face) const {
   const auto v = input_.face(face);
   if (is_segment_ && from_ == to_)
@@ -170,7 +170,7 @@ RayLine::Hits RayLine::meet_exactly(std::uint32_t face) const {
     if (left > 0 && right > 0) return {};
   }
   if (left + right == 0) return meet_within(face);
-  // Leaving, the line sees the face counter-clockwise.
+  // Where it leaves, the line sees the face counter-clockwise.
   const std::int8_t change = left > 0 ? -1 : 1;
   const Sign all = left > 0 ? Sign::positive : Sign::negative;
   bool is_crossed = true;
@@ -179,7 +179,7 @@ RayLine::Hits RayLine::meet_exactly(std::uint32_t face) const {
   return at(face, crossing_parameter(face), is_crossed ? change : std::int8_t{0}, left + right == 3);
 }
 
-/// A line in the plane of a triangle, cut by the triangle's edges as by half-planes.
+/// A line in the plane of a triangle, clipped by the half-planes of the triangle's edges.
 RayLine::Hits RayLine::meet_within(std::uint32_t face) const {
   const auto v = input_.face(face);
   const RationalPoint o = rational(from_), d = rational_direction();

@@ -15,16 +15,16 @@ namespace strata {
 /// A parameter at which a line meets a face, or where a stretch within a face begins or ends.
 struct FaceHit {
   std::uint32_t face = 0;
-  Bounded t;                      ///< has room for the parameter; nothing certain where it is infinite or NaN
-  std::optional<Rational> exact;  ///< the parameter, once somebody asked
-  /// By how much the winding number of the face's solid grows, if the line is moved off by (e, e^2, e^3).
+  Bounded t;  ///< an interval that contains the parameter; nothing is certain where it is infinite or NaN
+  std::optional<Rational> exact;  ///< the parameter, once it has been computed
+  /// The change of the winding number about the face's solid, along the line translated by (e, e^2, e^3).
   std::int8_t change = 0;
   std::int8_t stretch = 0;  ///< 1: a stretch within the face begins, -1: ends, 0: neither
-  bool is_inside = false;   ///< the line passes through the inside of the face
+  bool is_inside = false;   ///< the line crosses the interior of the face
 };
 
-/// A ray or a segment with its straight line, which is asked where it meets closed faces. Exact: theory of the filter,
-/// of the moved line and of stretches in rays.md. Holds a reference to the input complex.
+/// A ray or a segment, and its intersections with closed faces. Exact: rays.md has the theory of the filter, of the
+/// perturbed line and of stretches. Stores a reference to the input complex.
 class RayLine {
  public:
   RayLine(const InputComplex& input, const Ray& ray);
@@ -35,8 +35,8 @@ class RayLine {
   /// The greatest parameter: infinite for a ray, 1 for a segment.
   [[nodiscard]] double end() const { return end_; }
 
-  /// Calls `take(FaceHit&&)` for all hits of a face at parameters of [0, end]: none, one, or two for a stretch. Of a
-  /// stretch that begins before 0 and ends after it the point at 0 is a hit that neither begins nor ends.
+  /// Calls `take(FaceHit&&)` for all hits of a face at parameters of [0, end]: none, one, or two for a stretch. For a
+  /// stretch that begins before 0 and ends after it, the point at 0 is a hit that neither begins nor ends.
   template <class Take>
   void meet(std::uint32_t face, const Take& take) const {
     const Look look = look_at(input_.face(face));
@@ -50,15 +50,16 @@ class RayLine {
       if (h) take(std::move(*h));
   }
 
-  /// Makes sure that the exact parameter of a hit is known.
+  /// Computes the exact parameter of a hit, if it is not known.
   const Rational& exact(FaceHit& hit) const;
   [[nodiscard]] RationalPoint place_at(const Rational& t) const;
-  /// The nearest doubles to the parameter and the place of a hit.
+  /// The nearest doubles to the parameter and the position of a hit.
   [[nodiscard]] std::pair<double, Vertex> rounded(FaceHit& hit) const;
 
  private:
-  /// What doubles tell of the line and the inside of a triangle: it passes by, or through, which is seen from the
-  /// line's beginning counter-clockwise (leaves) or clockwise (enters), or doubles do not tell.
+  /// The decision of doubles about the line and the interior of a triangle: it passes by; or it crosses, and the
+  /// triangle is seen from the start of the line counter-clockwise (leaves) or clockwise (enters); or doubles do not
+  /// decide.
   enum class Turn : std::uint8_t { apart, leaves, enters, open };
   struct Look {
     Turn orientation = Turn::open;
@@ -68,7 +69,7 @@ class RayLine {
 
   void find_shear();
   [[nodiscard]] Look look_at(const InputComplex::Indices& corners) const;
-  /// A hit whose parameter is certainly in or certainly out of [0, end]. False if this is not certain.
+  /// Decides whether a hit's parameter is in [0, end]. False if this is not certain.
   [[nodiscard]] bool settle(const Look& look, std::uint32_t face, FaceHit& hit) const;
 
   using Hits = std::array<std::optional<FaceHit>, 2>;
@@ -88,7 +89,7 @@ class RayLine {
   bool is_segment_ = false;
   double end_ = HUGE_VAL;
 
-  /// Seen along the direction: the axis in which it is longest, the two others in cyclic order, their slopes.
+  /// The axis in which the direction is longest, the two others in cyclic order, and their slopes.
   std::array<std::size_t, 3> axis_{};
   std::array<double, 2> slope_{};
   double vertex_error_ = 0;  ///< of the scene's vertices, relative

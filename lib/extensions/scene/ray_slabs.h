@@ -9,17 +9,17 @@
 
 namespace strata {
 
-/// Two boxes side by side, for one look at both: [lower or upper][axis][box].
+/// Two boxes, tested together: [lower or upper][axis][box].
 using BoxPair = std::array<std::array<std::array<double, 2>, 3>, 2>;
 
-/// Where a line enters two boxes, and whether it meets them.
+/// The parameters at which a line enters two boxes, and whether it meets them.
 struct BoxEntries {
   std::array<double, 2> near;
   std::array<bool, 2> met;
 };
 
-/// The slab test in doubles that never misses: a box that a line meets at a parameter of [0, limit] is met here, and
-/// `near` is not beyond that parameter but by a relative 2^-50. Boxes that are close by may be met too.
+/// The slab test in doubles, which never misses: a box that a line meets at a parameter of [0, limit] is reported, and
+/// `near` exceeds that parameter by at most a relative 2^-50. Nearby boxes may be reported too.
 ///
 /// Per axis the line is between the slab's planes for t in [(l - o) / d, (u - o) / d], of which the test computes
 /// fl(fl(l - o) * fl(1 / d)): a relative error of at most (1 + u)^4 - 1 (d itself may be rounded once), u = 2^-53, and
@@ -30,7 +30,7 @@ struct BoxEntries {
 /// - An axis where 1 / d or a difference may leave the normal numbers gets the inverse NaN, and says nothing at all.
 class RaySlabs {
  public:
-  /// `direction` may be rounded to nearest. Boxes asked for must be within `all`.
+  /// `direction` may be rounded to nearest. Boxes must be within `all`.
   RaySlabs(const Vertex& from, const Vertex& direction, const Box& all) : from_(from) {
     for (std::size_t i = 0; i < 3; ++i) {
       const double d = std::abs(direction[i]);

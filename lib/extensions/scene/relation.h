@@ -12,10 +12,10 @@
 
 namespace strata {
 
-/// Who dominates whom among pieces, and who crosses whom, kept up while pieces are cut. Replaced pieces are in no list.
+/// Dominance and crossings among pieces, updated while pieces are cut. Replaced pieces are in no list.
 class Relation {
  public:
-  /// `turns` gets those of parts.
+  /// `turns` gets the orientations of parts.
   Relation(Pieces& pieces, const Origin& origin, Dominance dominance, std::vector<Sign>& orientations);
 
   [[nodiscard]] std::vector<std::uint32_t> dominators(std::uint32_t p) const {
@@ -28,17 +28,17 @@ class Relation {
     return overlap_of(sight_, seen(s), seen(t));
   }
 
-  /// Cuts p and relates the parts to what p was related to. False if the plane does not cut p.
+  /// Cuts p and relates the parts to all pieces to which p was related. False if the plane does not cut p.
   bool cut(std::uint32_t p, const RationalPlane& plane);
 
-  /// Would a cut part p's rays to t from those that come from s? Undone in any case.
+  /// Would a cut of p separate its rays to t from those that come from s? The cut is undone.
   [[nodiscard]] bool would_part(std::uint32_t p, const RationalPlane& plane, std::uint32_t s, std::uint32_t t);
 
   /// Pairs that cross, some of which may have been cut since.
   [[nodiscard]] bool has_open_crossings() const { return !open_crossings_.empty(); }
   [[nodiscard]] Domination next_crossing();
 
-  /// All dominations that are left, those of whole faces sorted.
+  /// All remaining dominations, those of whole faces sorted.
   [[nodiscard]] const std::vector<Domination>& pairs();
 
  private:

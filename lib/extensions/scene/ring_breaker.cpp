@@ -33,7 +33,7 @@ void RingBreaker::list_neighbours() {
       if (const auto at = index_.find(q); at != index_.end()) beyond_[i].push_back(at->second);
 }
 
-/// One ring without shortcuts per strongly connected component.
+/// One cycle without shortcuts per strongly connected component.
 std::vector<RingBreaker::Ring> RingBreaker::find_rings() const {
   std::vector<Ring> rings;
   const std::vector<std::uint32_t> component = strong_components(beyond_);
@@ -52,7 +52,7 @@ std::vector<RingBreaker::Ring> RingBreaker::find_rings() const {
   return rings;
 }
 
-/// Through node `start`, which is in one. Breadth first.
+/// A shortest cycle through node `start`, which is in one. Breadth first.
 RingBreaker::Ring RingBreaker::shortest_ring(std::uint32_t start) const {
   constexpr std::uint32_t none = 0xffffffffu;
   std::vector<std::uint32_t> from(nodes_.size(), none);
@@ -75,7 +75,7 @@ RingBreaker::Ring RingBreaker::shortest_ring(std::uint32_t start) const {
   }
 }
 
-/// Takes a shortcut between two that are not neighbours in the ring.
+/// Shortens the cycle by a dominance between two pieces that are not neighbours in it.
 bool RingBreaker::shorten(Ring& ring) const {
   const auto n = ring.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -92,8 +92,8 @@ bool RingBreaker::shorten(Ring& ring) const {
   return false;
 }
 
-/// Cuts one piece of a ring so that no part is both beyond its predecessor and before its successor; theory.md,
-/// "Cycles", shows that an edge of one of these two does it.
+/// Cuts one piece of a cycle so that no part is both beyond its predecessor and before its successor. theory.md,
+/// "Cycles", proves that an edge of one of these two does it.
 void RingBreaker::cut(const Ring& ring) {
   const std::size_t n = ring.size();
   for (const bool must_part : {true, false})

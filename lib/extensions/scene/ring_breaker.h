@@ -7,14 +7,14 @@
 
 namespace strata {
 
-/// Cuts pieces that dominate one another in rings; theory.md, "Cycles".
+/// Cuts pieces that dominate one another in cycles; theory.md, "Cycles".
 class RingBreaker {
  public:
-  /// `remaining`: the pieces in rings, and what lies between rings; no others.
+  /// `remaining`: the pieces in cycles, and those between cycles; no others.
   RingBreaker(Pieces& pieces, Relation& relation, const Origin& origin, const std::vector<std::uint32_t>& remaining)
       : pieces_(pieces), relation_(relation), origin_(origin), nodes_(remaining) {}
 
-  /// Cuts pieces until no ring is left.
+  /// Cuts pieces until no cycle is left.
   void run(const Monitor& monitor);
 
  private:

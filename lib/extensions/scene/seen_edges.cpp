@@ -48,7 +48,7 @@ bool are_coplanar(const InputComplex& input, std::uint32_t f, std::uint32_t g) {
   return true;
 }
 
-/// What a drawing shows an edge as, by the faces around it; nothing for edges within a plane or a smooth surface.
+/// The kind of an edge in a drawing, by the faces around it; nullopt for edges within a plane or a smooth surface.
 std::optional<EdgeKind> kind_of(const Visibility& visibility, std::span<const Side> sides, double crease_cosine) {
   const SignedCovering& covering = covering_of(visibility.decomposition());
   const InputComplex& input = input_complex_of(covering.scene());
@@ -63,7 +63,7 @@ std::optional<EdgeKind> kind_of(const Visibility& visibility, std::span<const Si
   return std::nullopt;
 }
 
-/// What is seen of an edge as the border of one face or the other.
+/// The visible stretches of an edge as the border of one face or the other, united.
 std::vector<Stretch> united(std::vector<Stretch> stretches) {
   std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
   std::vector<Stretch> all;

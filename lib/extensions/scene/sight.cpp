@@ -33,7 +33,7 @@ Sign SightLine::orientation(std::uint32_t c) const {
   const auto point = [&](std::uint32_t v) { return make_point(input, SymbolicPoint::input(v)); };
   const Point p = point(a_), q = point(b_), r = point(c);
   const Origin& o = sight_.origin();
-  // A far origin is infinitely far against the direction.
+  // An origin at infinity is infinitely far against the direction.
   return o.is_point() ? orient3d(input, p, q, r, Point::free(o.at)) : -normal_along(input, p, q, r, o.at);
 }
 

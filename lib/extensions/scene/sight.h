@@ -12,7 +12,7 @@ namespace strata {
 /// A triangle by its vertices' numbers in the input complex.
 using Corners = InputComplex::Indices;
 
-/// What is seen from an origin, as exact signs. Vertices are those of the input complex.
+/// Visibility predicates from an origin, as exact signs. Vertices are those of the input complex.
 class Sight {
  public:
   Sight(const InputComplex& input, const Origin& origin) : input_(input), origin_(origin) {}
@@ -24,8 +24,8 @@ class Sight {
   [[nodiscard]] Sign orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   [[nodiscard]] Sign orientation(const Corners& f) const { return orientation(f[0], f[1], f[2]); }
 
-  /// Depth of a vertex against the plane of a triangle that is seen as `turn`: positive when it is beyond it, negative
-  /// when it is before it, zero in the plane.
+  /// Depth of a vertex relative to the plane of a triangle with the given orientation: positive beyond it, negative
+  /// before it, zero in the plane.
   [[nodiscard]] Sign depth(const Corners& triangle, Sign orientation_of_triangle, std::uint32_t vertex) const;
 
  private:
@@ -35,19 +35,19 @@ class Sight {
   const Origin& origin_;
 };
 
-/// One edge of a triangle as seen from the origin: asks `turn` of many vertices.
+/// One edge of a triangle as seen from the origin, for the orientations of many vertices.
 class SightLine {
  public:
   SightLine(const Sight& sight, std::uint32_t a, std::uint32_t b);
 
-  /// Sight::turn(a, b, c)
+  /// Sight::orientation(a, b, c)
   [[nodiscard]] Sign orientation(std::uint32_t c) const;
 
  private:
   const Sight& sight_;
   std::uint32_t a_, b_;
   bool filtered_;
-  FilteredPlane plane_;  ///< above it are the points with a negative turn
+  FilteredPlane plane_;  ///< the points above it have a negative orientation
 };
 
 }  // namespace strata

@@ -62,14 +62,14 @@ int SignedCovering::crossing(std::uint32_t face, const Point& q) const {
                             : crossing_from_infinity(input_complex_of(scene_), face, origin_.at, q);
 }
 
-/// Calls `visit` for every face that the walk to q may cross or end on.
+/// Calls `visit` for every face that the walk to q may cross or on which it may end.
 template <class Visit>
 void SignedCovering::for_each_face_of_walk(const Vertex& q, const Visit& visit) const {
   for (const std::uint32_t f : index_.faces_at_origin()) visit(f);
   if (!origin_.is_point() || q != origin_.at) index_.for_each_towards({q[0], q[1], q[2]}, visit);
 }
 
-/// From a point outside of everything, where all are zero.
+/// By a walk from a point outside of everything, where all are zero.
 void SignedCovering::find_windings_of_origin() {
   if (!origin_.is_point() || scene_.face_count() == 0) return;
   Vertex far = origin_.at;
@@ -80,7 +80,7 @@ void SignedCovering::find_windings_of_origin() {
       for (std::uint32_t s = 0; s < scene_.solid_count(); ++s)
         for (const Vertex& v : scene_.solid(s).mesh.vertices)
           most = end > 0 ? std::max(most, v[axis]) : std::min(most, v[axis]);
-      // Two steps: what is a rational reaches half a step beyond its nearest double.
+      // Two steps: a rational may be half a step beyond its nearest double.
       const double beyond = std::nextafter(std::nextafter(most, end), end);
       if (!std::isfinite(beyond)) continue;
       far[axis] = beyond;
@@ -93,7 +93,7 @@ void SignedCovering::find_windings_of_origin() {
       far, [&](std::uint32_t f) { at_origin_.add(input_complex_of(scene_).operand_of_face(f), -crossing(f, q)); });
 }
 
-/// A look in floats first.
+/// Tests in floats first.
 WalkStep SignedCovering::step(std::uint32_t face, const Vertex& vertex, const Point& q, const ConeRay& ray) const {
   if (!cones_.empty()) switch (cones_[face].ask(ray)) {
       case ConeFilter::Answer::passes:

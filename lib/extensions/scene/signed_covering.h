@@ -13,16 +13,17 @@
 
 namespace strata {
 
-/// The covering of a scene by the tetrahedra of its faces and an origin, signed by whether their outward normals point
-/// away from the origin. For a point on no face, the winding number of a solid is the sum of the signs of its
-/// tetrahedra that hold the point (Feito and Torres 1997); here as the change along the way from the origin, so that
-/// origins may lie anywhere and rays may be degenerate (core/cells/walk.h). theory.md, "Signed covering".
+/// The covering of a scene by the tetrahedra of its faces and an origin, with the sign of a tetrahedron positive if the
+/// outward normal points away from the origin. For a point on no face, the winding number of a solid is the sum of the
+/// signs of its tetrahedra that contain the point (Feito and Torres 1997). Here it is computed as the change along the
+/// walk from the origin, so that origins may lie anywhere and rays may be degenerate (core/cells/walk.h). theory.md,
+/// "Signed covering".
 ///
-/// An immutable value, safe to ask from many threads.
+/// An immutable value; queries are thread-safe.
 class SignedCovering {
  public:
-  /// O(n log n). The scene is shared, not copied. Throws std::invalid_argument for an origin that is none.
-  /// `keep_footprints`: the index can be asked for its squares until it forgets the footprints.
+  /// O(n log n). The scene is shared, not copied. Throws std::invalid_argument for an invalid origin.
+  /// `keep_footprints`: the index keeps its squares until it forgets the footprints.
   SignedCovering(Scene scene, const Origin& origin, bool keep_footprints = false);
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -30,14 +31,14 @@ class SignedCovering {
   [[nodiscard]] const DirectionIndex& index() const { return index_; }
   [[nodiscard]] DirectionIndex& index() { return index_; }
 
-  /// The turn of a face as seen from the origin: positive when its outer side is seen, zero when it is flat.
+  /// The orientation of a face as seen from the origin: positive when its outer side is seen, zero when it is flat.
   [[nodiscard]] Sign orientation(std::uint32_t face) const { return orientations_[face]; }
   [[nodiscard]] const std::vector<Sign>& orientations() const { return orientations_; }
-  /// The winding numbers beside the origin, where walks begin.
+  /// The winding numbers at the perturbed origin, where walks begin.
   [[nodiscard]] const Windings& windings_of_origin() const { return at_origin_; }
 
-  /// Is q in, on or outside of the solids of the scene taken together: on: on a face of any; in: winding number about
-  /// one of them not zero. Exact. O(log n + faces in q's direction).
+  /// Is q in, on or outside of the solids of the scene taken together: on: on a face of any; in: the winding number
+  /// about one of them is not zero. Exact. O(log n + faces in q's direction).
   [[nodiscard]] Where membership(const Vertex& q) const;
   void membership(std::span<const Vertex> q, std::span<Where> answers) const;  ///< in parallel
 
@@ -45,13 +46,13 @@ class SignedCovering {
   [[nodiscard]] Location locate(const Vertex& q) const;
   [[nodiscard]] std::vector<Location> locate(std::span<const Vertex> q) const;  ///< in parallel
 
-  /// Memory held, the scene's own arrays left out.
+  /// Memory used, without the scene's own arrays.
   [[nodiscard]] std::size_t bytes() const {
     return index_.bytes() + cones_.size() * sizeof(ConeFilter) + (orientations_.size() + starts_.size()) * sizeof(Sign);
   }
 
-  /// Change of a solid's winding number at a face on the way from the origin to q: +1, 0 or -1. A face whose plane
-  /// holds q counts as not crossed.
+  /// Change of a solid's winding number at a face along the walk from the origin to q: +1, 0 or -1. A face whose plane
+  /// contains q counts as not crossed.
   [[nodiscard]] int crossing(std::uint32_t face, const Point& q) const;
 
  private:

@@ -5,16 +5,16 @@
 namespace strata {
 namespace {
 
-/// Turns of the edges of one triangle with the corners of the other: [edge][corner].
+/// Orientations of the edges of one triangle with the corners of the other: [edge][corner].
 using Turns = std::array<std::array<Sign, 3>, 3>;
 
 enum class Gap { none, closed, open };
 
-/// What the caller wants to know of tetrahedra without common inner rays.
+/// The detail that the caller requires for tetrahedra without common interior rays.
 enum class Detail { all, whether_ordered };
 
-/// Does an edge of `s` keep `t` out? `open`: with no common ray at all, rims included. Turns are complete if there is
-/// no gap.
+/// Does an edge of `s` separate `t` from `s`? `open`: there is no common ray at all, rims included. The orientations
+/// are complete if there is no gap.
 Gap find_turns(const SeenTriangle& s, const SightLines& lines, const SeenTriangle& t, Detail detail,
                Turns& orientations) {
   Gap gap = Gap::none;
@@ -34,7 +34,7 @@ Gap find_turns(const SeenTriangle& s, const SightLines& lines, const SeenTriangl
 
 enum class Within { no, rim, inside };
 
-/// Where a corner of t is seen in s.
+/// The position of a corner of t in s, as seen from the origin.
 Within within(const SeenTriangle& s, const Turns& orientations, std::size_t corner) {
   bool rim = false;
   for (std::size_t e = 0; e < 3; ++e) {
@@ -44,10 +44,10 @@ Within within(const SeenTriangle& s, const Turns& orientations, std::size_t corn
   return rim ? Within::rim : Within::inside;
 }
 
-/// What rays that meet both triangles show.
+/// The depths on rays that meet both triangles.
 struct Depths {
   bool before = false, behind = false;  ///< s against t
-  bool inside = false;                  ///< such a ray proves that rays meet both inside
+  bool inside = false;                  ///< such a ray proves that rays meet both in the interior
 
   void add(Sign depth_of_s) {
     before = before || depth_of_s == Sign::negative;
@@ -55,7 +55,7 @@ struct Depths {
   }
 };
 
-/// Corners of s seen in t.
+/// Corners of s that are seen in t.
 void add_corners(const Sight& sight, const SeenTriangle& s, const SeenTriangle& t, const Turns& turns_of_t,
                  bool exchanged, Depths& depths) {
   for (std::size_t c = 0; c < 3; ++c) {
@@ -74,13 +74,13 @@ void add_crossings(const Sight& sight, const SeenTriangle& s, const SeenTriangle
     for (std::size_t j = 0; j < 3; ++j) {
       const std::size_t i2 = (i + 1) % 3, j2 = (j + 1) % 3;
       if (of_s[i][j] * of_s[i][j2] != Sign::negative || of_t[j][i] * of_t[j][i2] != Sign::negative) continue;
-      if (of_t[j][i] != -of_s[i][j]) continue;  // one crosses the other's opposite
+      if (of_t[j][i] != -of_s[i][j]) continue;  // one crosses the opposite of the other
       depths.inside = true;
       depths.add(of_s[i][j] * orient3d(sight.input(), s.corners[i], s.corners[i2], t.corners[j], t.corners[j2]));
     }
 }
 
-/// Does the plane through the origin, a and b part the tetrahedra?
+/// Does the plane through the origin, a and b separate the tetrahedra?
 bool is_parted(const Sight& sight, std::uint32_t a, std::uint32_t b, const SeenTriangle& s, const SeenTriangle& t) {
   const SightLine line(sight, a, b);
   bool s_left = false, s_right = false, t_left = false, t_right = false;
@@ -94,8 +94,8 @@ bool is_parted(const Sight& sight, std::uint32_t a, std::uint32_t b, const SeenT
   return (!s_left && !t_right && s_right && t_left) || (!s_right && !t_left && s_left && t_right);
 }
 
-/// Cones have no common inside exactly when a plane through the origin and two of their corners parts them. Those
-/// through two corners of one triangle were tried.
+/// Cones have no common interior exactly when a plane through the origin and two of their corners separates them.
+/// Planes through two corners of one triangle were tested before.
 bool is_parted_by_corners(const Sight& sight, const SeenTriangle& s, const SeenTriangle& t) {
   for (const std::uint32_t a : s.corners)
     for (const std::uint32_t b : t.corners)

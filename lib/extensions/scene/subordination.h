@@ -6,7 +6,7 @@
 
 namespace strata {
 
-/// How two tetrahedra, each of the origin and a triangle, lie to one another: what rays from the origin meet.
+/// How two tetrahedra, each of the origin and a triangle, overlap: which of them rays from the origin meet first.
 ///
 /// | value     | on rays                                                                                |
 /// |-----------|----------------------------------------------------------------------------------------|
@@ -18,7 +18,7 @@ namespace strata {
 /// | coplanar  | some meet both inside, all of them in one point                                        |
 enum class TetrahedraOverlap : std::uint8_t { apart, touching, before, behind, crossing, coplanar };
 
-/// A triangle with its turn as seen from the origin, which is not zero: flat tetrahedra hold no rays.
+/// A triangle with its orientation as seen from the origin, which is not zero: flat tetrahedra contain no rays.
 struct SeenTriangle {
   Corners corners;
   Sign orientation;
@@ -31,12 +31,12 @@ struct SeenTriangle {
 /// The edges of a triangle, the first from corner 0 to corner 1.
 using SightLines = std::array<SightLine, 3>;
 
-/// Asks how one tetrahedron overlaps many.
+/// The overlaps of one tetrahedron with many.
 class Subordination {
  public:
   Subordination(const Sight& sight, const SeenTriangle& s);
 
-  /// As `overlap_of`, but tells apart and touching apart only where that costs nothing.
+  /// As `overlap_of`, but distinguishes apart and touching only where that costs nothing.
   [[nodiscard]] TetrahedraOverlap to(const SeenTriangle& t) const;
 
  private:

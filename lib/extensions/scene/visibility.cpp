@@ -15,7 +15,7 @@
 namespace strata {
 namespace {
 
-/// What is left of [0, 1] without some stretches.
+/// The part of [0, 1] that some stretches leave.
 std::vector<Stretch> without(std::vector<Stretch> hidden) {
   std::sort(hidden.begin(), hidden.end(), [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
   std::vector<Stretch> seen;
@@ -50,7 +50,7 @@ struct Visibility::Data {
 
 Visibility::Data::Data(LayerDecomposition decomposition)
     : decomposition_(std::move(decomposition)), sight_(pieces_of(decomposition_).input(), decomposition_.origin()) {
-  // The dominators of a piece turned around: for every face the pieces that one of its own dominates.
+  // The inverse of the dominators of a piece: for every face the pieces that one of its own pieces dominates.
   const LayerDecomposition& d = decomposition_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   pairs.reserve(d.domination_count());
@@ -66,8 +66,8 @@ Visibility::Data::Data(LayerDecomposition decomposition)
   for (std::size_t f = 0; f + 1 < first_.size(); ++f) first_[f + 1] += first_[f];
 }
 
-/// The stretch of the edge ab of a face that a piece before some of the face hides: what lies within its rim and beyond
-/// its plane. Where the edge runs along the rim as seen, or in the plane, the face's own side of it decides.
+/// The stretch of the edge ab of a face that a piece before some of the face hides: the part within its rim and beyond
+/// its plane. Where the edge is seen along the rim, or lies in the plane, the face's own side of it decides.
 bool Visibility::Data::hides(std::uint32_t piece, std::uint32_t face, std::uint32_t a, std::uint32_t b,
                              Stretch& hidden) const {
   const Pieces& pieces = pieces_of(decomposition_);
@@ -75,7 +75,7 @@ bool Visibility::Data::hides(std::uint32_t piece, std::uint32_t face, std::uint3
   const std::uint32_t c = f[0] != a && f[0] != b ? f[0] : f[1] != a && f[1] != b ? f[1] : f[2];
   const Sign orientation = sight_.orientation(q);
   hidden = {0, 1};
-  // What a plane that is positive where the piece hides leaves of the stretch; false: nothing.
+  // Clips the stretch by a plane that is positive where the piece hides; false: nothing is left.
   const auto clip = [&](Sign at_a, Sign at_b, const auto& at_c, const auto& plane) {
     if (at_a == Sign::zero && at_b == Sign::zero) return at_c() == Sign::positive;
     if (at_a != Sign::positive && at_b != Sign::positive) return false;
@@ -131,7 +131,8 @@ bool Visibility::Data::covers(std::uint32_t piece, std::uint32_t face) const {
   return true;
 }
 
-/// The planes of sight through a piece's edges and its own plane if it cuts the face, positive where the piece hides.
+/// The planes through the origin and a piece's edges, and its own plane if it cuts the face, positive where the piece
+/// hides.
 std::vector<RationalPlane> Visibility::Data::shadow(std::uint32_t piece, std::uint32_t face) const {
   const Pieces& pieces = pieces_of(decomposition_);
   const Corners q = pieces.corners(piece);

@@ -7,13 +7,13 @@
 
 namespace strata {
 
-/// What a face means to the walk from an origin to q.
+/// The effect of a face on the walk from an origin to q.
 struct WalkStep {
   int change = 0;   ///< of the winding number of the face's solid
   bool on = false;  ///< q lies on the face
 };
 
-/// `side_of_start(plane)`: on which side of the face's plane the walk starts, 0 if that is not known cheaply;
+/// `side_of_start(plane)`: the side of the face's plane on which the walk starts, 0 if that is not known cheaply.
 /// `crossing()`: the change, where q is off the plane. q is given as doubles and as a point.
 template <class SideOfStart, class Crossing>
 [[nodiscard]] WalkStep walk_step(const InputComplex& input, std::uint32_t face, const Vertex& q, const Point& point,

@@ -8,7 +8,7 @@ class WktReader {
   WktReader(std::string_view text, std::vector<std::string>& notes) : scanner_(text), notes_(notes) {}
 
   Loops read() {
-    // One geometry after the other, as in a table.
+    // Several geometries in sequence, as in a table.
     for (scanner_.skip_space(); !scanner_.at_end(); scanner_.skip_space()) {
       geometry(0);
       scanner_.accept(';');

@@ -79,7 +79,7 @@ io::ExactCoordinate Scanner::number(bool quotients) {
   try {
     io::TextCursor cursor(digits, {});
     io::ExactCoordinate value = io::read_coordinate(cursor);
-    if (!quotients) value.exact.reset();  // long integers are rounded where rationals are unknown
+    if (!quotients) value.exact.reset();  // long integers are rounded where rationals are not supported
     at_ = end;
     return value;
   } catch (const io::Malformed& e) {

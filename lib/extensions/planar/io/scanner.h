@@ -8,7 +8,7 @@
 
 namespace strata::planar {
 
-/// Walks through a text by characters and words. Every failure is io::Malformed with its offset.
+/// A cursor over the characters and words of a text. Every failure is io::Malformed with its offset.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {}
@@ -18,14 +18,14 @@ class Scanner {
   [[nodiscard]] char peek() const { return at_end() ? '\0' : text_[at_]; }
   char take() { return text_[at_++]; }
   [[nodiscard]] std::size_t offset() const { return at_; }
-  /// Skips space, and the character if it is here.
+  /// Skips white space, and the character if it follows.
   bool accept(char c);
   void expect(char c);
   /// Letters, in upper case; empty if there are none.
   [[nodiscard]] std::string word();
   /// True where a number may start.
   [[nodiscard]] bool is_at_number();
-  /// A number, as a coordinate of a point. `quotients`: 1/3 is one.
+  /// A number, as a coordinate of a point. `quotients`: 1/3 is a number.
   [[nodiscard]] io::ExactCoordinate number(bool quotients);
   [[noreturn]] void fail(const std::string& reason) const { io::fail_at_line(at_, reason); }
   [[noreturn]] void fail_expected(const std::string& what) const;
@@ -37,13 +37,13 @@ class Scanner {
 
 using CoordinatePair = std::array<io::ExactCoordinate, 2>;
 
-/// Collects rings of a file.
+/// Collects the rings of a file.
 class RingCollector {
  public:
   void add(CoordinatePair p) { ring_.push_back(std::move(p)); }
-  /// Ends a ring as it is, but for a repeated last vertex.
+  /// Ends a ring unchanged, except for a repeated last vertex.
   void end_path();
-  /// Ends a ring of a polygon, which is turned if need be.
+  /// Ends a ring of a polygon, which is reversed if necessary.
   void end_ring(bool is_shell);
   [[nodiscard]] Loops finish() { return builder_.finish(); }
 
