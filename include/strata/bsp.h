@@ -184,6 +184,13 @@ void for_each_front_to_back(const Partition<D>& region, const RationalVector<D>&
 template <int D>
 void for_each_cell(const Partition<D>& region, FunctionRef<void(const std::vector<AffineForm<D>>& cell)> visit);
 
+/// The same cells as polytopes: the facets of each, which look away from it. In the same order. Throws
+/// std::domain_error where a cell is not bounded, maybe after some cells. O(leaves * depth^2), and a rational point per
+/// corner.
+template <int D>
+void for_each_bounded_cell(const Partition<D>& region,
+                           FunctionRef<void(const std::vector<BoundaryFacet<D>>& facets)> visit);
+
 // --- Space: meshes ---
 
 /// The region that a closed mesh bounds. Requires winding numbers 0 and 1, or 0 and -1: a mesh turned inside out bounds
@@ -211,6 +218,24 @@ struct BoundaryMesh {
 /// `canonical_form` of the boundary mesh: equal exactly for equal regions.
 /// Throws as `boundary_mesh`.
 [[nodiscard]] CanonicalForm canonical_form_of(const Partition<3>& region);
+
+// --- Space: where points lie ---
+
+/// Tells where points lie in a scene, with the same answers as `Locator`, by descending a tree for each solid.
+/// An immutable value, cheap to copy, safe to ask from many threads.
+class PartitionLocator {
+ public:
+  /// The solids of the scene must not cross themselves. Expected O(n log^2 n) for n faces. Throws Cancelled.
+  explicit PartitionLocator(Scene scene, const Monitor& monitor = {});
+
+  /// Which solids q is in, and on which faces it lies. Exact. O(solids * depth); on a boundary all planes of that solid
+  /// are asked, and the faces in those through q.
+  [[nodiscard]] Location locate(const Vertex& q) const;
+
+ private:
+  struct Data;
+  Shared<Data> data_;
+};
 
 // --- The line: intervals ---
 

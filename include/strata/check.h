@@ -11,6 +11,17 @@
 
 namespace strata {
 
+/// Diagnosis without intersecting faces: all defects except self-intersection and inside-out shells. Lists the first
+/// few of each kind with coordinates and face numbers, and counts the rest.
+/// O(n log n).
+[[nodiscard]] std::vector<Defect> diagnose(MeshView mesh);
+/// The same for exact positions. Nothing is repaired: with rationals, triangles of zero area are errors.
+[[nodiscard]] std::vector<Defect> diagnose(ExactMeshView mesh);
+
+/// What happens to a mesh that becomes an operand of this class: the notes on what is resolved, or the defects of the
+/// InputError by which it is refused. Self-intersections are not searched. O(n log n).
+[[nodiscard]] std::vector<Defect> defects_as_operand(const ExactMesh& mesh, InputClass input);
+
 /// Complete diagnosis: coordinates are finite, indices in range, no triangle is degenerate or doubled, every edge is
 /// closed and consistently oriented, no two triangles meet other than in common edges and vertices (equal coordinates
 /// are one vertex), winding numbers are 0 and 1. Law: no defect of severity `error` is listed exactly when the mesh

@@ -67,6 +67,16 @@ struct ContactRegion {
   [[nodiscard]] double length() const;
 };
 
+/// The facets of a region as triangles.
+struct FacetTriangles {
+  std::vector<Triangle> triangles;      ///< of points of the region; counter-clockwise as the loops of facets are
+  std::vector<std::uint32_t> facet_of;  ///< per triangle
+};
+
+/// Divides the facets of a region into triangles without moving or adding a point. Exact; no triangle is degenerate.
+/// O(n log n) decisions for n corners.
+[[nodiscard]] FacetTriangles triangles_of(const ContactRegion& region);
+
 /// A vertex, edge or face of a part, by vertex numbers of its mesh in increasing order; the unused ones are 0.
 struct MeshFeature {
   enum class Kind : std::uint8_t { vertex, edge, face };

@@ -37,6 +37,13 @@ class Scene {
   /// The number of a face within its solid.
   [[nodiscard]] std::uint32_t local(std::uint32_t face) const;
 
+  /// The vertices of all solids in one numbering, those of the first solid first.
+  [[nodiscard]] std::uint32_t vertex_count() const;
+  [[nodiscard]] const Vertex& vertex(std::uint32_t v) const;    ///< nearest doubles
+  [[nodiscard]] RationalPoint position(std::uint32_t v) const;  ///< exact
+  /// The vertices of a face, counter-clockwise seen from outside. O(log solids).
+  [[nodiscard]] Triangle face(std::uint32_t face) const;
+
   struct Data;                                               ///< internal
   [[nodiscard]] const Data& data() const { return *data_; }  ///< internal
 
@@ -264,6 +271,8 @@ class LayerDecomposition {
   /// The sign of a piece's tetrahedron: +1 when the outward normal points away from the origin, -1 when towards it, 0
   /// when flat.
   [[nodiscard]] int sign(std::uint32_t piece) const;
+  /// The winding numbers of the solids beside the origin: none where it is outside of all.
+  [[nodiscard]] WindingNumbers windings_of_origin() const;
 
   /// The pieces of a layer, 1 to layer_count(), by increasing number.
   [[nodiscard]] std::span<const std::uint32_t> layer_pieces(std::uint32_t layer) const;

@@ -1,4 +1,4 @@
-#include "extensions/bsp/locator.h"
+#include "strata/bsp.h"
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@ import json
 import struct
 import unittest
 
-from tool import DATA, INVALID, USAGE, ToolTest, cube, open_cube
+from tool import DATA, FILE, INVALID, USAGE, ToolTest, cube, open_cube
 
 
 def read_glb(data):
@@ -52,7 +52,49 @@ class Bsp(ToolTest):
 
     def test_what_is_no_solid_is_refused_and_cells_are_glb(self):
         self.run_tool("bsp", self.file("open.off", open_cube()), expect=INVALID)
-        self.run_tool("bsp", self.file("a.off", cube()), "-o", "cells.obj", expect=USAGE)
+        self.run_tool("bsp", self.file("a.off", cube()), "-o", "cells.what", expect=USAGE)
+
+
+    def test_boundaries_go_to_any_format_of_meshes(self):
+        gear = DATA / "gear.off"
+        self.run_tool("bsp", gear, "-o", "again.xoff")
+        self.run_tool("compare", gear, "again.xoff")
+
+    def test_trees_of_hipparchus(self):
+        # The corner x, y, z >= 0 of the half-space x + y + z <= 1, each plane with a point and its normal.
+        def node(point, normal, minus, plus):
+            return f"internal {point} {normal} 1e-8\nminus {minus}plus {plus}"
+        inside, outside = "leaf true\n", "leaf false\n"
+        tree = node("0 0 0", "-1 0 0", node("0 0 0", "0 -1 0", node("0 0 0", "0 0 -1", node(
+            "1 0 0", "1 1 1", inside, outside), outside), outside), outside)
+        path = self.file("tree.bsp", "PolyhedronsSet\ntolerance 1e-8\nplus " + tree)
+        result = self.report("bsp", path, "-o", "corner.off")["result"]
+        self.assertEqual((result["nodes"], result["inside"], result["facets"]), (4, 1, 4))
+        self.assertEqual(self.report("info", "corner.off")["operands"][0]["volume_exact"], "1/6")
+        error = self.run_tool("bsp", self.file("half.bsp", "PolyhedronsSet\ntolerance 1e-8\nplus " + node("0 0 0", "0 0 1", inside, outside)),
+                              expect=FILE).stderr
+        self.assertIn(b"no end", error)
+        self.run_tool("bsp", self.file("wrong.bsp", "PolyhedronsSet\ntolerance 1e-8\nplus internal 0\n"), expect=FILE)
+
+
+class Intervals(ToolTest):
+    def test_operations(self):
+        self.file("a.csv", "lower,upper\n0,2\n1,3\n5,inf\n")
+        self.file("b.csv", "lower,upper\n-inf,1/3\n2.5,6\n")
+        wanted = {"union": "-inf,inf\n", "intersection": "0,1/3\n2.5,3\n5,6\n",
+                  "difference": "1/3,2.5\n6,inf\n", "xor": "-inf,0\n1/3,2.5\n3,5\n6,inf\n"}
+        for operation, rows in wanted.items():
+            out = self.run_tool("intervals", operation, "a.csv", "b.csv", "-o", "-").stdout.decode()
+            self.assertEqual(out, "lower,upper\n" + rows, operation)
+        report = self.report("intervals", "intersection", "a.csv", "b.csv", "-o", "out.csv")
+        self.assertEqual(report["result"], {"intervals": 3, "length_exact": "11/6"})
+        self.assertIsNone(self.report("intervals", "union", "a.csv", "-o", "out.csv")["result"]["length_exact"])
+
+    def test_what_is_no_table_is_refused_with_its_line(self):
+        for text, line in (("", ":"), ("0,1\n", ":1:"), ("lower,upper\n0,1\n1\n", ":3:"), ("lower,upper\n0,x\n", ":2:"),
+                           ("lower,upper\ninf,inf\n", ":2:")):
+            error = self.run_tool("intervals", "union", self.file("a.csv", text), "-o", "-", expect=FILE).stderr.decode()
+            self.assertIn("a.csv" + line, error)
 
 
 class BspEngine(ToolTest):

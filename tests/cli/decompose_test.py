@@ -37,6 +37,21 @@ class Decompose(ToolTest):
         self.run_tool("decompose", self.file("a.off", cube()), "-o", "pieces", "--format", "stl")
         self.assertEqual(len(self.path("pieces/piece-0.stl").read_bytes()), 84 + 12 * 50)
 
+    def test_volumes_have_shells_and_neighbours(self):
+        self.file("outer.off", cube(0, 0, 0, 4))
+        self.file("inner.off", cube(1, 1, 1, 2))
+        self.run_tool("difference", "outer.off", "inner.off", "-o", "hollow.off")
+        report = self.report("decompose", "hollow.off", "--volumes")
+        volumes = report["volumes"]["volumes"]
+        self.assertEqual([v["mark"] for v in volumes[:2]], ["outer", "cavity"])
+        self.assertEqual(len(volumes), 2 + report["result"]["pieces"])
+        self.assertTrue(all(v["selected"] == (v["mark"] == "piece") and len(v["shells"]) == 1 for v in volumes))
+        for n, interface in enumerate(report["volumes"]["interfaces"]):
+            for volume in interface["volumes"]:
+                self.assertIn(n, sum(volumes[volume]["shells"], []))
+        self.assertNotIn(0, volumes[1]["neighbours"])
+        self.run_tool("decompose", "hollow.off", "--volumes", expect=USAGE)
+
     def test_what_makes_no_sense_is_refused(self):
         a = self.file("a.off", cube())
         self.run_tool("decompose", self.file("open.off", open_cube()), expect=INVALID)

@@ -59,6 +59,15 @@ class Locate(ToolTest):
         self.assertEqual(self.locate(a, b, gear, points=points, options=("--all", "--engine", "bsp")), usual)
         self.assertGreater(sum(row[3] == "on" for row in usual), 200)
 
+    def test_the_nearest_boundary(self):
+        self.file("points.csv", table([(0.5, 0.5, 0.75), (0.5, 0.5, 3), (4, 1, 0.5), (1, 1, 1), (-3, -4, 0.5)]))
+        a, b = self.file("a.off", cube()), self.file("b.off", cube(2, 0, 0, 2))
+        rows = self.run_tool("locate", a, b, "--points", "points.csv", "-o", "-", "--nearest").stdout.decode().splitlines()
+        self.assertEqual(rows[0], HEADER.strip() + ",distance,nearest_x,nearest_y,nearest_z")
+        self.assertEqual([row.split(",", 6)[6] for row in rows[1:]],
+                         ["-0.25,0.5,0.5,1", "1.8027756377319946,2,0.5,2", "0,4,1,0.5", "0,1,1,1", "5,0,0,0.5"])
+        self.run_tool("locate", a, "--points", "points.csv", "-o", "out.ply", "--nearest", expect=USAGE)
+
     def test_the_lowest_solid_counts_unless_all_are_asked_for(self):
         a, b = self.file("a.off", cube()), self.file("b.off", cube(0.5))
         c = self.file("c.off", cube(0, 0, 0, 3))

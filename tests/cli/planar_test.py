@@ -97,5 +97,58 @@ class Planar(ToolTest):
         self.run_tool("planar", "union", self.file("a.wkt", SQUARE), "-o", "a.doc", expect=USAGE)
 
 
+class Queries(ToolTest):
+    # A square with a square hole, and a square that touches it in an edge and one in a corner.
+    FRAME = "POLYGON ((0 0, 4 0, 4 4, 0 4), (1 1, 1 3, 3 3, 3 1))"
+
+    def test_both_engines_have_the_same_polygons(self):
+        a, b = self.file("a.wkt", self.FRAME), self.file("b.wkt", "POLYGON ((2 -1, 7 2, 2 5, 3 2), (5 2, 4 1.5, 4 2.5))")
+        for operation in ("union", "intersection", "difference", "xor"):
+            for engine in ("arrangement", "bsp"):
+                self.run_tool("planar", operation, a, b, "-o", f"{engine}.wkt", "--exact", "--engine", engine)
+            texts = [self.path(f"{engine}.wkt").read_text() for engine in ("arrangement", "bsp")]
+            self.assertIn("/", texts[0])
+            self.assertEqual(*texts, operation)
+
+    def test_bridges(self):
+        a = self.file("a.wkt", self.FRAME)
+        report = self.report("planar", "bridge", a, "-o", "one.wkt")
+        self.assertEqual(report["result"], {"polygons": 1, "bridges": 1})
+        ring = self.path("one.wkt").read_text()
+        self.assertEqual(ring.count("("), 2)
+        self.assertEqual(ring.count(",") + 1, 4 + 4 + 2 + 1)  # a bridge there and back, and the end of the ring
+        self.assertEqual(self.report("planar", "info", "one.wkt", "--fill", "even-odd")["result"]["area_exact"], "12")
+
+    def test_points(self):
+        a = self.file("a.wkt", self.FRAME)
+        self.file("points.csv", "y,x\n0.5,0.5\n2,2\n1,1\n4,0\n9,9\n")
+        done = self.run_tool("planar", "locate", a, "--points", "points.csv", "-o", "-", "--report", "r.json")
+        self.assertEqual(done.stdout.decode(), "x,y,where\n0.5,0.5,in\n2,2,out\n1,1,on\n0,4,on\n9,9,out\n")
+        self.assertEqual(json.loads(self.path("r.json").read_text())["points"], {"count": 5, "in": 1, "on": 2, "out": 2})
+        self.file("points.csv", "x\n1\n")
+        self.run_tool("planar", "locate", a, "--points", "points.csv", "-o", "-", expect=FILE)
+
+    def test_contacts(self):
+        files = [self.file("frame.wkt", self.FRAME), self.file("edge.wkt", "POLYGON ((1 2, 2 2, 2 3, 1 3))"),
+                 self.file("corner.wkt", "POLYGON ((4 4, 5 4, 5 5, 4 5))"), self.file("over.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1))")]
+        report = self.report("planar", "contacts", *files)
+        pairs = {(p["a"], p["b"]): p for p in report["pairs"]}
+        self.assertEqual({k: p["relation"] for k, p in pairs.items()},
+                         {(0, 1): "contact", (0, 2): "contact", (0, 3): "interfering", (1, 2): "apart", (1, 3): "apart",
+                          (2, 3): "apart"})
+        self.assertEqual(pairs[0, 1]["edges"], [[[1, 2], [1, 3]], [[1, 3], [2, 3]]])
+        self.assertEqual((pairs[0, 2]["edges"], pairs[0, 2]["points"]), ([], [[4, 4]]))
+        self.assertEqual(report["result"], {"apart": 3, "contact": 2, "interfering": 1})
+
+    def test_canonical_decompositions(self):
+        # Two squares that touch in a corner are two polygons; a triangle in a hole touches it in one.
+        a = self.file("a.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4), (0 0, 1 3, 3 1))")
+        report = self.report("planar", "decompose", a)
+        self.assertEqual(report["result"], {"polygons": 1, "vertices": 6, "edges": 7, "exterior_faces": 2})
+        polygon = report["polygons"][0]
+        self.assertFalse(polygon["manifold"])
+        self.assertEqual(polygon["degree"][polygon["vertices"].index([0, 0])], 4)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -41,6 +41,14 @@ class Topology(ToolTest):
         healed = self.result(a, b, "--open", "a", "--open", "b", "--operator", "closure", "--operator", "interior")
         self.assertEqual((healed["cells"], healed["components"]), ([8, 12, 6, 2], 1))
 
+    def test_where_the_boundary_is_no_manifold(self):
+        self.file("a.off", cube())
+        self.assertEqual(self.report("topology", "a.off")["result"]["non_manifold_cells"], [0, 0, 0, 0])
+        self.file("b.off", cube(1, 1, 0))
+        result = self.report("topology", "a.off", "b.off")["result"]
+        self.assertFalse(result["manifold"])
+        self.assertEqual(result["non_manifold_cells"][1], 1)
+
     def test_complexes_go_through_files(self):
         gear = DATA / "gear.off"
         self.run_tool("topology", gear, "--operator", "complement", "-o", "out.sgc")

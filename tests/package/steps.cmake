@@ -31,3 +31,12 @@ function(build_consumer way)
   run(${CMAKE_COMMAND} --build ${SCRATCH}/build -j 2)
   expect_answer(${SCRATCH}/build/program)
 endfunction()
+
+# Configures a project, which must fail and say so.
+function(expect_refusal sentence)
+  execute_process(COMMAND ${CMAKE_COMMAND} ${ARGN} RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE err)
+  string(REGEX REPLACE "[ \n]+" " " err "${err}")
+  if(status EQUAL 0 OR NOT err MATCHES "${sentence}")
+    message(FATAL_ERROR "expected '${sentence}', found exit status ${status}: ${err}")
+  endif()
+endfunction()

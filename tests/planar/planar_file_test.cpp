@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <cstdlib>
 
 #include "planar/shapes.h"
 #include "strata/planar.h"
@@ -131,24 +132,38 @@ TEST_CASE("negative zero is written as the number zero", "[planar][degenerate]")
 // Catches: paths found in comments, data and values of attributes; transformations behind a tab or a line end.
 TEST_CASE("paths of SVG are elements, and transformations attributes", "[planar]") {
   const std::string square = "<path\td = 'M0 0h1v1h-1z' />";
-  const std::string hidden = "<!-- " + square + " ' -->\n<![CDATA[" + square +
-                             "]]><?xml version=\"1.0\"?><!DOCTYPE svg>" +
+  const std::string hidden = "<!-- " + square + " ' -->\n<![CDATA[" + square + "]]><?other version=\"1.0\"?>" +
                              "<g id=\"<path d='M0 0h5v5z'/> d=M\"><pathology d=\"M0 0h5v5z\"/>it's</g>";
-  CHECK(read_region("<svg>" + hidden + "</svg>", PlanarFormat::svg).empty());
-  CHECK(area(read_region("<svg>" + hidden + square + "</svg>", PlanarFormat::svg)) == 1);
-  CHECK(area(read_region("<s:svg><s:path id='d' hidden d=\"M0 0h1v1h-1z\"></s:path></s:svg>", PlanarFormat::svg)) == 1);
+  CHECK(read_region("<!DOCTYPE svg><svg>" + hidden + "</svg>", PlanarFormat::svg).empty());
+  CHECK(area(read_region("<!DOCTYPE svg><svg>" + hidden + square + "</svg>", PlanarFormat::svg)) == 1);
+  CHECK(area(read_region("<s:svg><s:path id='d' d=\"M0 0h1v1h-1z\"></s:path></s:svg>", PlanarFormat::svg)) == 1);
   for (const char* space : {" ", "\n", "\t"})
     CHECK_THAT(refusal("<svg><g" + (space + ("transform = 'scale(2)'>" + square)) + "</g></svg>", PlanarFormat::svg),
                Catch::Contains("transformations are not applied"));
   CHECK_THAT(refusal("<svg>\n<path d=M0/></svg>", PlanarFormat::svg),
-             Catch::Contains("text:2: expected a quoted value"));
-  CHECK_THAT(refusal("<svg>\n<!-- ", PlanarFormat::svg), Catch::Contains("text:2: expected '-->'"));
+             Catch::Contains("text:2: no XML: Error parsing element attribute"));
+  CHECK_THAT(refusal("<svg>\n<!-- ", PlanarFormat::svg), Catch::Contains("text:2: no XML: Error parsing comment"));
   for (const std::string& unquoted : {std::string("<?it's?>"), "<?a x > " + square + " \" ?>",
                                       std::string("<!DOCTYPE svg [<!-- don't > --><!ENTITY a \"'>\"> <?b '?>]>")}) {
     CAPTURE(unquoted);
     CHECK(area(read_region(unquoted + "<svg>" + square + "</svg>" + unquoted, PlanarFormat::svg)) == 1);
   }
-  CHECK_THAT(refusal("\n<!DOCTYPE svg [<!ENTITY a 'b'>", PlanarFormat::svg), Catch::Contains("text:2: expected '>'"));
+  CHECK_THAT(refusal("\n<!DOCTYPE svg [<!ENTITY a 'b'>", PlanarFormat::svg),
+             Catch::Contains("text:2: no XML: Error parsing document type declaration"));
+  CHECK_THAT(refusal("<svg>\n<g></svg>", PlanarFormat::svg),
+             Catch::Contains("text:2: no XML: Start-end tags mismatch"));
+  // Lines of a path are lines of the file; entities of XML are characters, others are not replaced.
+  CHECK_THAT(refusal("<svg>\n<path d='M0 0\nh1\nx'/></svg>", PlanarFormat::svg),
+             Catch::Contains("text:4: expected a path command"));
+  CHECK(area(read_region("<svg><path d='M0&#32;0h1v1h-1&#x7a;'/></svg>", PlanarFormat::svg)) == 1);
+  CHECK_THAT(refusal("<!DOCTYPE svg [<!ENTITY a 'M0 0h1v1z'>]><svg><path d='&a;'/></svg>", PlanarFormat::svg),
+             Catch::Contains("found '&'"));
+  // Elements may be nested as deep as they like.
+  std::string deep = "<svg>";
+  for (int i = 0; i < 100'000; ++i) deep += "<g>";
+  deep += square;
+  for (int i = 0; i < 100'000; ++i) deep += "</g>";
+  CHECK(area(read_region(deep + "</svg>", PlanarFormat::svg)) == 1);
   const auto notes = read_planar("<svg><rect/><!-- <circle/> --><rect/></svg>", PlanarFormat::svg, "text").notes;
   CHECK(notes == std::vector<std::string>{"only paths are read: rect was left out"});
 }
@@ -197,4 +212,24 @@ TEST_CASE("formats are told by extensions and names", "[planar]") {
   CHECK(planar_format_named("svg") == PlanarFormat::svg);
   CHECK_FALSE(planar_format_of("b.off").has_value());
   CHECK_FALSE(planar_format_named("dxf").has_value());
+}
+
+// Catches: numbers read by another way than the nearest double; errors without their line; recursion.
+TEST_CASE("GeoJSON is JSON: numbers are nearest doubles, errors have their line", "[planar]") {
+  const auto corner = [](const std::string& x) {
+    const PlanarFile file = read_planar(R"({"coordinates": [[[0, 0], [)" + x + R"(, 0], [0, 1]]], "type": "Polygon"})",
+                                        PlanarFormat::geojson, "text");
+    return file.loops.places.place[file.loops.vertices[1]][0];
+  };
+  for (const char* digits : {"0.1", "1e22", "9007199254740993", "18446744073709551617",
+                             "123456789012345678901234567890", "2.2250738585072011e-308", "4.9e-324",
+                             "1.7976931348623157e308", "0.500000000000000166533453693773481063544750213623046875"})
+    CHECK(corner(digits) == std::strtod(digits, nullptr));
+  CHECK_THAT(refusal("{\"type\": \"Polygon\",\n\"coordinates\": [[[0, 0],\n[1, ]]]}", PlanarFormat::geojson),
+             Catch::Contains("text:3: no JSON"));
+  CHECK_THAT(refusal("{\"type\": \"Polygon\",\n\"coordinates\": [[[0, 0],\n[1, \"2\"]]]}", PlanarFormat::geojson),
+             Catch::Contains("text:3: expected a number"));
+  CHECK_THAT(refusal("{\"type\": \"Polygon\",\n\"coordinates\": [[[0, 0], [1e999, 0]]]}", PlanarFormat::geojson),
+             Catch::Contains("text:2: no JSON"));
+  CHECK_THAT(refusal(std::string(1'000'000, '['), PlanarFormat::geojson), Catch::Contains("nested more than 512 deep"));
 }

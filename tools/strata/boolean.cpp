@@ -3,15 +3,15 @@
 #include <string>
 #include <utility>
 
+#include "common/progress.h"
+#include "common/stopwatch.h"
+#include "common/watch.h"
 #include "files.h"
-#include "progress.h"
 #include "report.h"
 #include "reproduction.h"
 #include "result_file.h"
-#include "stopwatch.h"
 #include "strata/combine.h"
 #include "verbs.h"
-#include "watch.h"
 
 namespace {
 

@@ -8,29 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "extensions/bsp/partition_data.h"
-#include "output_file.h"
+#include "common/output_file.h"
 #include "palette.h"
 
 namespace {
 
-using strata::bsp::Facet;
-using strata::bsp::Partition;
 using Point = std::array<double, 3>;
 
 Point operator-(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
-
-/// Polygons of a cell, seen counter-clockwise from outside.
-CellPolygons polygons_of(const std::vector<Facet<3>>& facets) {
-  CellPolygons polygons;
-  for (const Facet<3>& f : facets) {
-    std::vector<Point> polygon;
-    for (const auto& c : f.piece.corners) polygon.push_back({c.at[0].value, c.at[1].value, c.at[2].value});
-    if (!f.faces_plus) std::reverse(polygon.begin(), polygon.end());
-    polygons.push_back(std::move(polygon));
-  }
-  return polygons;
-}
 
 /// The smallest box around points.
 struct Extent {
@@ -163,11 +148,4 @@ void write_cells(const std::string& path, const std::vector<CellPolygons>& cells
 
 void write_cells(const std::string& path, const std::vector<CellPolygons>& cells, double distance) {
   write_cells(path, cells, {}, distance);
-}
-
-void write_cells(const std::string& path, const Partition<3>& region) {
-  std::vector<CellPolygons> cells;
-  strata::bsp::for_each_inside_leaf<3>(
-      region, [&](const std::vector<Facet<3>>& facets) { cells.push_back(polygons_of(facets)); });
-  write_cells(path, cells, exploded);
 }

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "palette.h"
-#include "strata/bsp.h"
 
 /// Convex cells as polygons, seen counter-clockwise from outside.
 using CellPolygons = std::vector<std::vector<std::array<double, 3>>>;
@@ -19,6 +18,3 @@ void write_cells(const std::string& path, const std::vector<CellPolygons>& cells
 /// The same in colours of one's own, one per polygon.
 void write_cells(const std::string& path, const std::vector<CellPolygons>& cells,
                  const std::vector<std::vector<Colour>>& colours, double distance);
-
-/// The inside leaves of a bounded region, pulled apart.
-void write_cells(const std::string& path, const strata::bsp::Partition<3>& region);

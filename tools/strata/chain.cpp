@@ -10,10 +10,10 @@
 #include "chain_marks.h"
 #include "chain_operands.h"
 #include "chain_run.h"
+#include "common/stopwatch.h"
+#include "common/watch.h"
 #include "report.h"
 #include "result_file.h"
-#include "stopwatch.h"
-#include "watch.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <string>
 
-#include "exit_code.h"
+#include "common/exit_code.h"
 #include "settings.h"
 
 /// What `strata chain` asks for beside the common settings.

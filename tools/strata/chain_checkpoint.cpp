@@ -6,10 +6,10 @@
 #include <string_view>
 #include <utility>
 
-#include "core/io/file.h"
-#include "core/io/sink.h"
-#include "json_location.h"
-#include "sha256.h"
+#include "common/json_location.h"
+#include "common/output_file.h"
+#include "common/sha256.h"
+#include "common/text_file.h"
 #include "strata/io.h"
 #include "threads.h"
 
@@ -58,7 +58,7 @@ void write_checkpoint(const std::string& path, const ChainCheckpoint& checkpoint
       on_threads(settings, [&] { return strata::to_string(checkpoint.solid.exact_mesh(), Format::xoff); });
   Json header = {{"version", version}, {"done", checkpoint.done}, {"digest", sha256(body)}};
   header.update(to_json(marks, checkpoint.done + 1));
-  strata::io::FileSink file(path);
+  OutputFile file(path);
   file.write(fmt::format("{}{}\n", title, header.dump()));
   file.write(body);
   file.finish();
@@ -66,8 +66,8 @@ void write_checkpoint(const std::string& path, const ChainCheckpoint& checkpoint
 
 ChainCheckpoint read_checkpoint(const std::string& path, const std::vector<ChainMark>& marks,
                                 const Settings& settings) {
-  const strata::io::FileBytes bytes{strata::io::File(path)};
-  const std::string_view text = bytes.view();
+  const std::string bytes = read_file(path);
+  const std::string_view text = bytes;
   const std::size_t end = text.find('\n');
   if (!text.starts_with(title) || end == text.npos) fail(path, "is no checkpoint of a chain");
   const Header header = read_header(text.substr(title.size(), end - title.size()), path);
@@ -79,4 +79,4 @@ ChainCheckpoint read_checkpoint(const std::string& path, const std::vector<Chain
   });
 }
 
-void require_writable(const std::string& path) { const strata::io::FileSink probe(path); }
+void require_writable(const std::string& path) { const OutputFile probe(path); }

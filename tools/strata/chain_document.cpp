@@ -8,9 +8,9 @@
 #include <iterator>
 #include <utility>
 
-#include "core/io/file.h"
-#include "json_choice.h"
-#include "json_location.h"
+#include "common/json_choice.h"
+#include "common/json_location.h"
+#include "common/text_file.h"
 #include "json_matrix.h"
 
 namespace {
@@ -25,7 +25,7 @@ struct Defaults {
 };
 
 std::string read_text(const std::string& path) {
-  if (path != "-") return std::string(strata::io::FileBytes(strata::io::File(path)).view());
+  if (path != "-") return read_file(path);
   std::string text{std::istreambuf_iterator<char>(std::cin), {}};
   if (std::cin.bad()) throw strata::IoError("standard input", {}, "read error");
   return text;

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "sha256.h"
+#include "common/sha256.h"
 #include "strata/errors.h"
 
 namespace {

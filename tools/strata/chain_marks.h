@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "chain_document.h"
-#include "json_location.h"
+#include "common/json_location.h"
 
 /// What of an operand and what is done with it the result depends on: neither labels nor names of files.
 struct ChainMark {

@@ -5,7 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "scene_input.h"
+#include "files.h"
+#include "strata/check.h"
 #include "strata/transform.h"
 #include "threads.h"
 
@@ -25,7 +26,8 @@ void ChainOperands::read(const ChainOperand& operand) {
 }
 
 void ChainOperands::announce(const LoadedMesh& mesh, const ChainOperand& operand, const strata::Solid& solid) {
-  if (!settings_.report.empty()) reports_.push_back(operand_report(mesh, operand_defects(mesh, operand.input)));
+  if (!settings_.report.empty())
+    reports_.push_back(operand_report(mesh, strata::defects_as_operand(mesh.mesh, operand.input)));
   if (settings_.quiet) return;
   for (const strata::Defect& note : solid.notes())
     fmt::print(stderr, "strata: {}: {}\n", mesh.path, strata::describe(note));

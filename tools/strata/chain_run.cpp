@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "progress.h"
+#include "common/progress.h"
+#include "common/stopwatch.h"
 #include "reproduction.h"
-#include "stopwatch.h"
 #include "strata/errors.h"
 
 namespace {

@@ -7,9 +7,9 @@
 #include "chain_checkpoint.h"
 #include "chain_document.h"
 #include "chain_operands.h"
+#include "common/watch.h"
 #include "report.h"
 #include "strata/incremental.h"
-#include "watch.h"
 
 /// A chain being done: the incremental solid as it is now, and what there is to report.
 class ChainRun {

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
+#include "common/progress.h"
+#include "common/stopwatch.h"
+#include "common/watch.h"
 #include "files.h"
-#include "progress.h"
 #include "report.h"
-#include "stopwatch.h"
 #include "verbs.h"
-#include "watch.h"
 
 namespace {
 

@@ -1,11 +1,6 @@
 #pragma once
-#include <functional>
-
-#include "exit_code.h"
+#include "common/run.h"
 #include "settings.h"
-
-/// What runs once the command line is understood.
-using Action = std::function<ExitCode()>;
 
 /// Verbs are added to `app`; their options go to `settings`. Outlives the parsing.
 struct CommandLine {
@@ -17,23 +12,20 @@ struct CommandLine {
   void on(CLI::App& verb, Action run);
 };
 
-/// The end of every help text.
-inline constexpr const char* exit_codes =
-    "Exit codes: 0 ok; 1 the answer is no (different, not a solid); 2 usage; 3 a file cannot be read or written;\n"
-    "4 invalid input; 5 the result is not certified; 6 cancelled, out of time or out of memory;\n"
-    "70 an error of the program itself.";
-
-/// union, intersection, difference, symmetric-difference, eval, chain, check, info, compare.
+/// union, intersection, difference, symmetric-difference, eval, check, info, compare.
 void add_boolean_verbs(CommandLine& line);
 
-/// draw, layers, bsp, topology, contacts, locate, ray.
-void add_query_verbs(CommandLine& line);
+/// The verbs of the extensions that this build has; those of others are refused with a sentence.
+void add_extension_verbs(CommandLine& line);
 
-/// decompose, hull, minkowski, erosion, offset.
-void add_shape_verbs(CommandLine& line);
+// Of the extensions scene, bsp, incremental, planar, convex, complex and contact.
+void add_scene_verbs(CommandLine& line);      ///< draw, layers, locate, ray
+void add_partition_verbs(CommandLine& line);  ///< bsp, intervals
+void add_chain_verb(CommandLine& line);
+void add_planar_verbs(CommandLine& line);   ///< planar, with verbs of its own
+void add_shape_verbs(CommandLine& line);    ///< decompose, hull, minkowski, erosion, offset
+void add_complex_verbs(CommandLine& line);  ///< topology
+void add_contact_verbs(CommandLine& line);  ///< contacts
 
-/// planar, with verbs of its own.
-void add_planar_verbs(CommandLine& line);
-
-/// verify, fuzz.
+/// verify, fuzz: names of verbs that `strata-verify` has.
 void add_suite_verbs(CommandLine& line);

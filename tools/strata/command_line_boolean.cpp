@@ -1,14 +1,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <memory>
 #include <string>
 
-#include "chain.h"
 #include "command_line.h"
+#include "extensions.h"
 #include "settings.h"
-#include "strata/bsp.h"
-#include "strata/query.h"
 #include "verbs.h"
 
 namespace {
@@ -20,7 +17,7 @@ void add_boolean(CommandLine& line, strata::Operation operation, const std::stri
   if (operation == strata::Operation::symmetric_difference) verb->alias("xor");
   add_common_options(*verb, settings, 2, 0);
   add_input_class(*verb, settings);
-  add_engine(*verb, settings, {&strata::bsp_engine, &strata::layer_engine});
+  add_engine(*verb, settings, boolean_engines());
   add_output_options(*verb, settings);
   verb->footer(fmt::format("Example:\n  strata {} A.stl B.stl -o OUT.stl\n\n{}", name, exit_codes));
   line.on(*verb, [&settings, operation, name] { return run_boolean(operation, name, settings); });
@@ -38,7 +35,7 @@ void add_eval(CommandLine& line) {
       "Round what a model transforms to doubles, once; else it is exact");
   add_run_options(*verb, settings);
   add_input_class(*verb, settings);
-  add_engine(*verb, settings, {&strata::layer_engine});
+  add_engine(*verb, settings, formula_engines());
   add_output_options(*verb, settings);
   verb->footer(fmt::format(
       R"text(Operators, the strongest first: ~a (all but a; ! is the same), a - b and a + b (union), a & b, a ^ b (in one of them),
@@ -52,31 +49,6 @@ Examples:
 {})text",
       exit_codes));
   line.on(*verb, [&settings] { return run_eval(settings); });
-}
-
-void add_chain(CommandLine& line) {
-  Settings& settings = line.settings;
-  const auto chain = std::make_shared<ChainSettings>();
-  CLI::App* verb =
-      line.app.add_subcommand("chain", "Many steps, one after the other, exactly; may be stopped and resumed");
-  add_chain_options(*verb, *chain, settings);
-  add_run_options(*verb, settings);
-  add_input_class(*verb, settings);
-  add_output_options(*verb, settings);
-  verb->footer(fmt::format(
-      R"text(STEPS.json, with paths relative to it; "start" may be null, "label", "input" and "transform" left out:
-  {{"start": {{"file": "block.stl"}},
-   "steps": [{{"operation": "difference", "file": "drill.stl", "label": "hole", "input": "solid",
-              "transform": [[1, 0, 0, "1/3"], [0, 1, 0, 2], [0, 0, 1, 0.5], [0, 0, 0, 1]]}}]}}
-
-Examples:
-  strata chain part.json -o part.xoff --report part-report.json --exact-volumes
-  strata chain part.json -o part.stl --checkpoint part.save --checkpoint-every 100 --timeout 3600
-  strata chain part.json -o part.stl --checkpoint part.save --resume part.save
-
-{})text",
-      exit_codes));
-  line.on(*verb, [&settings, chain] { return run_chain(*chain, settings); });
 }
 
 void add_check(CommandLine& line) {
@@ -114,7 +86,6 @@ void add_boolean_verbs(CommandLine& line) {
   add_boolean(line, Operation::difference, "What is in the first mesh and in no other");
   add_boolean(line, Operation::symmetric_difference, "What is in an odd number of the meshes");
   add_eval(line);
-  add_chain(line);
   add_check(line);
   add_info(line);
   add_compare(line);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "command_line.h"
-#include "planar.h"
+#include "planar_verbs.h"
 #include "settings.h"
 
 namespace {
@@ -19,6 +19,37 @@ void add_planar_options(CLI::App& verb, PlanarSettings& planar, Settings& settin
       ->type_name("RULE")
       ->check(CLI::IsMember({"nonzero", "even-odd", "positive", "negative"}));
   add_run_options(verb, settings);
+}
+
+void add_planar_queries(CLI::App& verb, const std::shared_ptr<PlanarSettings>& planar, CommandLine& line) {
+  Settings& settings = line.settings;
+  const auto add = [&](const char* name, const char* what, int most, auto* run, const char* example) {
+    CLI::App* sub = verb.add_subcommand(name, what);
+    add_planar_options(*sub, *planar, settings, 1, most);
+    sub->footer(fmt::format("Example:\n  strata planar {}\n\n{}", example, exit_codes));
+    line.on(*sub, [&settings, planar, run] { return run(*planar, settings); });
+    return sub;
+  };
+  CLI::App* bridge = add("bridge", "Every polygon as one loop: holes are joined to it by edges there and back", 1,
+                         run_planar_bridge, "bridge A.wkt -o OUT.svg");
+  bridge->add_option("-o,--output", settings.output, "Where the loops go; - is standard output")
+      ->required()
+      ->type_name("OUT");
+  bridge->add_option("--format", settings.output_format, "wkt, geojson or svg, instead of the extension of OUT")
+      ->type_name("FORMAT");
+  bridge->add_flag("--exact", settings.exact, "Write vertices that are no doubles as quotients (WKT)");
+  CLI::App* locate = add("locate", "Which points are in, on or out of what loops fill", 1, run_planar_locate,
+                         "locate A.geojson --points probes.csv -o answers.csv");
+  locate->add_option("--points", settings.points, "The points: CSV with the columns x,y; - is standard input")
+      ->required()
+      ->type_name("FILE");
+  locate->add_option("-o,--output", settings.output, "Where rows x,y,where go (CSV); - is standard output")
+      ->required()
+      ->type_name("OUT");
+  add("contacts", "Which files interfere, touch or are apart; --report has where they touch", 0, run_planar_contacts,
+      "contacts A.wkt B.wkt C.svg --report contacts.json");
+  add("decompose", "Faces, edges and vertices of the plane as polygons divide it; --report has them", 1,
+      run_planar_decompose, "decompose A.wkt --report faces.json");
 }
 
 }  // namespace
@@ -41,6 +72,12 @@ void add_planar_verbs(CommandLine& line) {
         ->type_name("FORMAT");
     sub->add_flag("--exact", settings.exact,
                   "Write vertices that are no doubles as quotients (WKT); else the nearest doubles");
+    sub->add_option_function<std::string>(
+           "--engine", [planar](const std::string& word) { planar->by_partitions = word == "bsp"; },
+           "What computes the result, which is the same: arrangement, for all sizes; bsp, binary space partitions")
+        ->type_name("ENGINE")
+        ->check(CLI::IsMember({"arrangement", "bsp"}))
+        ->default_str("arrangement");
     sub->footer(fmt::format("Example:\n  strata planar {} A.geojson B.wkt -o OUT.svg\n\n{}", name, exit_codes));
     line.on(*sub, [&settings, planar, operation, name] { return run_planar(operation, name, *planar, settings); });
   };
@@ -56,4 +93,5 @@ void add_planar_verbs(CommandLine& line) {
   add_planar_options(*info, *planar, settings, 1, 1);
   info->footer(exit_codes);
   line.on(*info, [&settings, planar] { return run_planar_info(*planar, settings); });
+  add_planar_queries(*verb, planar, line);
 }

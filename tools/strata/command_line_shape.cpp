@@ -20,6 +20,8 @@ void add_decompose(CommandLine& line) {
   verb->add_option("--format", settings.output_format,
                    "Of the files of a folder: off, obj, stl, ply, ...; xoff, which keeps rationals, unless told")
       ->type_name("FORMAT");
+  verb->add_flag("--volumes", settings.volumes,
+                 "Report the outside, cavities and pieces as volumes: shells, neighbours, what is between them");
   verb->add_flag("--exploded", settings.exploded, "Pull the pieces of a picture apart");
   verb->footer(fmt::format(
       R"(Pieces have their interiors apart and make the solid together. Every vertex of a piece is a meet of planes through

@@ -2,12 +2,12 @@
 
 #include <utility>
 
+#include "common/stopwatch.h"
+#include "common/watch.h"
 #include "files.h"
 #include "report.h"
-#include "scene_input.h"
-#include "stopwatch.h"
+#include "strata/check.h"
 #include "verbs.h"
-#include "watch.h"
 
 ExitCode run_compare(const Settings& settings) {
   const Watch watch(settings.timeout);
@@ -22,7 +22,7 @@ ExitCode run_compare(const Settings& settings) {
   report["equal"] = equal;
   if (!settings.report.empty()) {
     for (const LoadedMesh& operand : operands) {
-      report["operands"].push_back(operand_report(operand, operand_defects(operand, settings.input)));
+      report["operands"].push_back(operand_report(operand, strata::defects_as_operand(operand.mesh, settings.input)));
     }
     write_report(settings.report, std::move(report));
   }

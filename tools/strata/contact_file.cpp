@@ -3,17 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "cell_file.h"
-#include "core/exact/failure.h"
-#include "core/io/binary.h"
-#include "core/io/blocks.h"
-#include "core/io/exact_polygon.h"
-#include "core/kernel/box.h"
-#include "output_file.h"
+#include "common/binary_records.h"
+#include "common/output_file.h"
 #include "palette.h"
+#include "strata/errors.h"
 
 namespace {
 
@@ -34,29 +30,13 @@ std::vector<Colour> colours_of_parts(const Assembly& parts, const std::vector<Pa
 }
 
 /// Points of a region as doubles, and its facets as triangles of them.
-struct RegionMesh {
+struct RegionMesh : strata::contact::FacetTriangles {
   std::vector<Vertex> vertices;
-  std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> facet_of;  ///< per triangle
 
-  explicit RegionMesh(const ContactRegion& region) {
-    std::vector<strata::ExactVertex> exact;
-    for (std::uint32_t n = 0; n < region.points.size(); ++n) {
-      const strata::RationalPoint& p = region.points[n];
+  explicit RegionMesh(const ContactRegion& region) : FacetTriangles(triangles_of(region)) {
+    for (const strata::RationalPoint& p : region.points)
       vertices.push_back(
           {strata::to_nearest_double(p[0]), strata::to_nearest_double(p[1]), strata::to_nearest_double(p[2])});
-      exact.push_back({n, p});
-    }
-    for (std::uint32_t f = 0; f < region.facets.size(); ++f) {
-      strata::io::LoopFace face;
-      for (const auto& loop : region.facets[f].loops) {
-        face.corners.insert(face.corners.end(), loop.begin(), loop.end());
-        face.ends.push_back(face.corners.size());
-      }
-      const std::string wrong = strata::io::divide_face(face, {vertices, exact}, triangles);
-      if (!wrong.empty()) throw strata::LogicError("a contact " + wrong);
-      facet_of.resize(triangles.size(), f);
-    }
   }
 };
 
@@ -95,7 +75,6 @@ struct PlyParts {
 }  // namespace
 
 void write_contacts(const std::string& path, const Assembly& parts, const std::vector<PairFacts>& pairs) {
-  constexpr auto order = std::endian::little;
   PlyParts all;
   const std::vector<Colour> colours = colours_of_parts(parts, pairs);
   for (std::uint32_t p = 0; p < parts.size(); ++p)
@@ -110,23 +89,23 @@ void write_contacts(const std::string& path, const Assembly& parts, const std::v
       "property int vertex1\nproperty int vertex2\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
       "property int pair\nend_header\n",
       all.vertices.size(), all.faces.size(), all.edges.size()));
-  strata::io::write_blocks(file, all.vertices.size(), sizeof(Vertex), [&](std::size_t i, char* at) {
-    for (const double x : all.vertices[i]) at = strata::io::store(at, x, order);
+  write_records(file, all.vertices.size(), sizeof(Vertex), [&](std::size_t i, char* at) {
+    for (const double x : all.vertices[i]) at = store(at, x);
     return at;
   });
-  strata::io::write_blocks(file, all.faces.size(), 1 + 3 * 4 + 3 + 2 * 4, [&](std::size_t i, char* at) {
+  write_records(file, all.faces.size(), 1 + 3 * 4 + 3 + 2 * 4, [&](std::size_t i, char* at) {
     const PlyFace& face = all.faces[i];
     *at++ = '\3';
-    for (const std::uint32_t v : face.corners) at = strata::io::store(at, v, order);
-    for (const std::uint8_t c : face.colour) at = strata::io::store(at, c, order);
-    at = strata::io::store(at, face.part, order);
-    return strata::io::store(at, face.pair, order);
+    for (const std::uint32_t v : face.corners) at = store(at, v);
+    for (const std::uint8_t c : face.colour) at = store(at, c);
+    at = store(at, face.part);
+    return store(at, face.pair);
   });
-  strata::io::write_blocks(file, all.edges.size(), 2 * 4 + 3 + 4, [&](std::size_t i, char* at) {
+  write_records(file, all.edges.size(), 2 * 4 + 3 + 4, [&](std::size_t i, char* at) {
     const PlyEdge& edge = all.edges[i];
-    for (const std::uint32_t v : edge.ends) at = strata::io::store(at, v, order);
-    for (const std::uint8_t c : edge.colour) at = strata::io::store(at, c, order);
-    return strata::io::store(at, edge.pair, order);
+    for (const std::uint32_t v : edge.ends) at = store(at, v);
+    for (const std::uint8_t c : edge.colour) at = store(at, c);
+    return store(at, edge.pair);
   });
   file.finish();
 }
@@ -140,14 +119,18 @@ class PictureCells {
  public:
   PictureCells(const Assembly& parts, const std::vector<Colour>& of_parts)
       : cells(parts.size()), colours(parts.size()) {
-    strata::Box all;
+    Vertex lower{HUGE_VAL, HUGE_VAL, HUGE_VAL}, upper{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (std::uint32_t p = 0; p < parts.size(); ++p) {
       const strata::Mesh& mesh = parts.part(p).mesh();
-      for (const Vertex& v : mesh.vertices) all.include(v);
+      for (const Vertex& v : mesh.vertices)
+        for (std::size_t i = 0; i < 3; ++i) {
+          lower[i] = std::min(lower[i], v[i]);
+          upper[i] = std::max(upper[i], v[i]);
+        }
       for (const Triangle& t : mesh.triangles)
         add(p, {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, of_parts[p]);
     }
-    for (std::size_t i = 0; i < 3; ++i) size_ = std::max(size_, all.upper[i] - all.lower[i]);
+    for (std::size_t i = 0; i < 3; ++i) size_ = std::max(size_, upper[i] - lower[i]);
   }
 
   void add_contact(const PairFacts& facts, Colour colour) {

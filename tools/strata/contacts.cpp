@@ -11,14 +11,14 @@
 #include <system_error>
 #include <utility>
 
+#include "common/progress.h"
+#include "common/stopwatch.h"
+#include "common/watch.h"
 #include "contact_file.h"
-#include "progress.h"
+#include "files.h"
 #include "report.h"
-#include "scene_input.h"
-#include "stopwatch.h"
 #include "threads.h"
 #include "verbs.h"
-#include "watch.h"
 
 namespace {
 

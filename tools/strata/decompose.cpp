@@ -1,19 +1,20 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "cell_file.h"
-#include "progress.h"
+#include "common/progress.h"
+#include "common/stopwatch.h"
+#include "common/watch.h"
+#include "files.h"
 #include "report.h"
-#include "scene_input.h"
-#include "stopwatch.h"
 #include "strata/convex.h"
 #include "strata/measure.h"
 #include "verbs.h"
-#include "watch.h"
 
 namespace {
 
@@ -58,12 +59,11 @@ void write_picture(const Decomposition& d, const Settings& settings) {
 }
 
 /// A coordinate: a number, or a fraction as text where doubles are not exact.
-Json place(const Decomposition& d, std::uint32_t point) {
-  const strata::RationalPoint p = d.position(point);
+Json place(const strata::RationalPoint& p) {
   Json xyz = Json::array();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double x = d.points[point][i];
-    xyz.push_back(strata::to_rational(x) == p[i] ? Json(x) : Json(p[i].str()));
+  for (const strata::Rational& exact : p) {
+    const double x = strata::to_nearest_double(exact);
+    xyz.push_back(strata::to_rational(x) == exact ? Json(x) : Json(exact.str()));
   }
   return xyz;
 }
@@ -72,10 +72,30 @@ Json walls(const Decomposition& d) {
   Json list = Json::array();
   for (const strata::convex::Wall& wall : d.walls) {
     Json polygon = Json::array();
-    for (const std::uint32_t point : wall.polygon) polygon.push_back(place(d, point));
+    for (const std::uint32_t point : wall.polygon) polygon.push_back(place(d.position(point)));
     list.push_back({{"pieces", wall.pieces}, {"polygon", std::move(polygon)}});
   }
   return list;
+}
+
+/// Space as the pieces, the cavities and the outside divide it: each with its shells and its neighbours, and the convex
+/// polygons between them.
+Json volumes(const strata::Solid& solid, const Decomposition& d) {
+  const strata::convex::VolumeComplex complex = strata::convex::volumes_of(solid, d);
+  const strata::ExactMesh points{{complex.points, {}}, complex.exact};
+  constexpr std::array marks{"outer", "cavity", "piece"};
+  Json list = Json::array(), interfaces = Json::array();
+  for (const strata::convex::Volume& v : complex.volumes)
+    list.push_back({{"mark", marks[static_cast<std::size_t>(v.mark)]},
+                    {"selected", v.mark == strata::convex::Mark::piece},
+                    {"shells", v.shells},
+                    {"neighbours", v.neighbours}});
+  for (const strata::convex::Interface& i : complex.interfaces) {
+    Json polygon = Json::array();
+    for (const std::uint32_t point : i.polygon) polygon.push_back(place(points.position(point)));
+    interfaces.push_back({{"volumes", i.volumes}, {"polygon", std::move(polygon)}});
+  }
+  return {{"first_piece", complex.first_piece}, {"volumes", std::move(list)}, {"interfaces", std::move(interfaces)}};
 }
 
 /// A file for every piece, and last decomposition.json, which names them and tells their walls.
@@ -106,14 +126,16 @@ ExitCode run_decompose(const Settings& settings) {
   Watch watch(settings.timeout);
   Stopwatch stopwatch;
   check_output(settings);
+  if (settings.volumes && settings.report.empty()) throw UsageError("--volumes go into the report: give --report");
   Json report = {{"operation", "decompose"}, {"operands", nullptr}, {"result", nullptr}, {"seconds", Json::object()}};
   const std::vector<LoadedMesh> operands = read_operands(settings);
   report["seconds"]["read"] = stopwatch.lap();
 
   watch.on_stop(OnStop::ask);
   Decomposition d;
+  strata::Solid solid;
   try {
-    const strata::Solid solid = make_solid(operands, 0, settings.input);
+    solid = make_solid(operands, 0, settings.input);
     report["seconds"]["prepare"] = stopwatch.lap();
     ProgressBar bar(settings.progress, settings.quiet);
     const strata::Progress progress = [&bar](double fraction) { bar.show(fraction); };
@@ -134,6 +156,7 @@ ExitCode run_decompose(const Settings& settings) {
     for (const auto& [key, value] : report["result"].items())
       fmt::print(settings.output == "-" ? stderr : stdout, "{:12} {}\n", key, value.dump());
   if (settings.report.empty()) return ExitCode::ok;
+  if (settings.volumes) report["volumes"] = volumes(solid, d);
   report["operands"] = operand_reports(operands, settings.input);
   write_report(settings.report, std::move(report));
   return ExitCode::ok;

@@ -8,22 +8,18 @@
 #include <limits>
 #include <utility>
 
-#include "core/csg/arena.h"
-#include "core/kernel/input_complex.h"
-#include "extensions/scene/layer_decomposition_data.h"
-#include "extensions/scene/pieces.h"
-#include "extensions/scene/signed_covering.h"
+#include "common/progress.h"
+#include "common/stopwatch.h"
+#include "common/view.h"
+#include "common/watch.h"
 #include "files.h"
-#include "progress.h"
 #include "report.h"
 #include "scene_input.h"
-#include "stopwatch.h"
 #include "strata/query.h"
 #include "strata/solid.h"
 #include "svg.h"
 #include "svg_to_png.h"
-#include "view.h"
-#include "watch.h"
+#include "threads.h"
 
 namespace {
 
@@ -48,8 +44,7 @@ std::vector<strata::Solid> make_solids(std::span<const LoadedMesh> operands, str
 strata::LayerDecomposition decompose(const std::vector<strata::Solid>& solids, const strata::Origin& origin,
                                      const strata::Monitor& monitor) {
   strata::LayerDecomposition layers(strata::scene_of(solids), origin, monitor);
-  const auto& inside = covering_of(layers).windings_of_origin();
-  if (layers.cuts_at_crossings() == 0 || inside.begin() != inside.end()) return layers;
+  if (layers.cuts_at_crossings() == 0 || layers.windings_of_origin() != strata::WindingNumbers()) return layers;
   const strata::Solid all = strata::union_(solids);
   return strata::LayerDecomposition(strata::scene_of({&all, 1}), origin, monitor);
 }
@@ -79,11 +74,11 @@ Vertex rounded(const strata::RationalPoint& p) {
 /// Lines of one kind: the stretches' ends are exact until they are projected.
 std::vector<PaperPath> draw_lines(const strata::Visibility& visibility, std::span<const strata::SeenEdge> edges,
                                   strata::EdgeKind kind, const View& view) {
-  const strata::Pieces& pieces = pieces_of(visibility.decomposition());
+  const strata::Scene& scene = visibility.decomposition().scene();
   std::vector<PaperPath> lines;
   for (const strata::SeenEdge& e : edges) {
     if (e.kind != kind) continue;
-    const strata::RationalPoint a = pieces.position(e.a), b = pieces.position(e.b);
+    const strata::RationalPoint a = scene.position(e.a), b = scene.position(e.b);
     const auto at = [&](const strata::Rational& t) {
       if (t == 0) return rounded(a);
       if (t == 1) return rounded(b);
@@ -109,8 +104,7 @@ Vertex unit_normal(const std::array<Vertex, 3>& t) {
 
 /// The painter's way: everything that faces the eye, back to front.
 void fill_back_to_front(const strata::LayerDecomposition& layers, const View& view, SvgPage& page) {
-  const auto& inside = covering_of(layers).windings_of_origin();
-  const bool from_outside = inside.begin() == inside.end();
+  const bool from_outside = layers.windings_of_origin() == strata::WindingNumbers();
   for (const std::uint32_t p : layers.back_to_front()) {
     if (from_outside && layers.sign(p) > 0) continue;  // turned away: something is before it
     const auto exact = layers.triangle(p);
@@ -167,14 +161,12 @@ ExitCode run_draw(const DrawSettings& draw, const Settings& settings) {
   report["seconds"]["read"] = stopwatch.lap();
 
   watch.on_stop(OnStop::ask);
-  strata::Options options;
-  options.threads = settings.threads;
   ProgressBar bar(settings.progress, settings.quiet);
   const strata::Progress progress = [&bar](double fraction) { bar.show(fraction); };
   const strata::Monitor monitor(&watch.token(), &progress);
   std::string svg;
   try {
-    svg = strata::arena_for(options).execute([&] {
+    svg = on_threads(settings, [&] {
       const std::vector<strata::Solid> solids = make_solids(operands, settings.input);
       const Vertex centre = draw.towards.empty() ? centre_of(solids) : vertex(draw.towards);
       const View view(origin, centre, draw.up.empty() ? Vertex{0, 0, 1} : vertex(draw.up));

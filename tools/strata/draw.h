@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "exit_code.h"
+#include "common/exit_code.h"
 #include "settings.h"
 
 /// What `strata draw` asks for beside the common settings.

@@ -9,18 +9,17 @@
 #include <string>
 #include <utility>
 
+#include "common/progress.h"
+#include "common/stopwatch.h"
+#include "common/watch.h"
+#include "extensions.h"
 #include "files.h"
-#include "progress.h"
 #include "report.h"
 #include "reproduction.h"
 #include "result_file.h"
-#include "scene_input.h"
-#include "stopwatch.h"
 #include "strata/errors.h"
 #include "strata/expression.h"
-#include "strata/openscad.h"
 #include "verbs.h"
-#include "watch.h"
 
 namespace {
 
@@ -72,22 +71,8 @@ bool is_model(const Settings& settings) {
   return extension == ".csg" && settings.bindings.empty();
 }
 
-/// What OpenSCAD wrote.
-Input read_model(const Settings& settings) {
-  try {
-    strata::CsgModel model = strata::read_csg_file(settings.expression, settings.placement);
-    if (!settings.quiet)
-      for (const std::string& note : model.notes)
-        fmt::print(stderr, "strata: {}: note: {}\n", settings.expression, note);
-    return {{}, {}, std::move(model.expression)};
-  } catch (const strata::CsgError& error) {
-    throw strata::IoError(error.file(), {error.line(), {}},
-                          fmt::format("column {}: {}", error.column(), error.reason()));
-  }
-}
-
 Input read_expression(Settings& settings) {
-  if (is_model(settings)) return read_model(settings);
+  if (is_model(settings)) return {{}, {}, read_model(settings)};
   const auto paths = paths_by_name(settings.bindings);
   const std::vector<std::string> names = names_in(settings.expression, paths);
   settings.operands.clear();

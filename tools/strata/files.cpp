@@ -1,7 +1,6 @@
 #include "files.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -62,33 +61,6 @@ strata::MeshFile read_operand(const std::string& path, const Settings& settings)
   return strata::read_mesh(path, format);
 }
 
-[[noreturn]] void fail_writing(const std::string& path) { throw strata::IoError(path, {}, std::strerror(errno)); }
-
-void write_and_close(std::FILE* file, const std::string& path, std::string_view text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
-  const int error = errno;
-  const bool closed = std::fclose(file) == 0;
-  if (written && closed) return;
-  if (!written) errno = error;
-  fail_writing(path);
-}
-
-// A path that is no regular file (a device, a pipe) is written in place, all others beside and then renamed.
-void write_file(const std::string& path, std::string_view text) {
-  const fs::file_status status = fs::status(path);
-  const bool in_place = fs::exists(status) && !fs::is_regular_file(status);
-  const std::string target = in_place ? path : fmt::format("{}.{}.part", path, getpid());
-  std::FILE* file = std::fopen(target.c_str(), "wb");
-  if (file == nullptr) fail_writing(path);
-  try {
-    write_and_close(file, path, text);
-    if (!in_place && std::rename(target.c_str(), path.c_str()) != 0) fail_writing(path);
-  } catch (const strata::IoError&) {
-    if (!in_place) std::remove(target.c_str());
-    throw;
-  }
-}
-
 }  // namespace
 
 std::vector<LoadedMesh> read_operands(const Settings& settings) {
@@ -126,9 +98,10 @@ void write_output(const Settings& settings, Format format, const strata::ExactMe
   }
 }
 
-void write_text(const std::string& where, std::string_view text) {
-  if (where != "-") return write_file(where, text);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    fail_writing("standard output");
+strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, strata::InputClass input) {
+  try {
+    return strata::Solid(operands[k].mesh, input);
+  } catch (const strata::InputError& error) {
+    throw strata::InputError(error.defects(), k);
   }
 }

@@ -1,12 +1,14 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "common/text_file.h"
 #include "settings.h"
 #include "strata/io.h"
 #include "strata/mesh.h"
+#include "strata/solid.h"
 
 /// An operand as read. Its exact part is what the file says beyond doubles (XOFF).
 struct LoadedMesh {
@@ -18,11 +20,11 @@ struct LoadedMesh {
 /// Reads all operands; what the readers note goes to stderr unless quiet. Throws strata::IoError, UsageError.
 [[nodiscard]] std::vector<LoadedMesh> read_operands(const Settings& settings);
 
+/// A solid made from operand k; errors name that operand. Throws strata::InputError.
+[[nodiscard]] strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, strata::InputClass input);
+
 /// The format that -o and --format ask for; binary STL on standard output unless told. Throws UsageError.
 [[nodiscard]] strata::Format output_format(const Settings& settings);
 
 /// Writes a mesh whole or not at all. Throws strata::IoError.
 void write_output(const Settings& settings, strata::Format format, const strata::ExactMesh& mesh);
-
-/// Writes text to a file, whole or not at all, or to stdout for "-". Throws strata::IoError.
-void write_text(const std::string& where, std::string_view text);

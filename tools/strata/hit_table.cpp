@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "csv.h"
+#include "common/csv.h"
 
 using strata::Ray;
 using strata::RayHit;

@@ -5,15 +5,15 @@
 #include <string>
 #include <utility>
 
-#include "byte_source.h"
+#include "common/byte_source.h"
+#include "common/point_source.h"
+#include "common/stopwatch.h"
+#include "common/watch.h"
 #include "files.h"
-#include "point_source.h"
 #include "report.h"
 #include "result_file.h"
-#include "stopwatch.h"
 #include "strata/convex.h"
 #include "verbs.h"
-#include "watch.h"
 
 namespace {
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <optional>
 
-#include "core/mesh/prepare.h"
+#include "common/stopwatch.h"
+#include "common/watch.h"
 #include "files.h"
 #include "report.h"
-#include "stopwatch.h"
+#include "strata/check.h"
 #include "strata/measure.h"
 #include "verbs.h"
-#include "watch.h"
 
 namespace {
 

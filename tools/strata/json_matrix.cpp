@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "rational_text.h"
+#include "common/rational_text.h"
 
 using strata::Integer;
 using strata::Rational;

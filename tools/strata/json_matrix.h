@@ -1,5 +1,5 @@
 #pragma once
-#include "json_location.h"
+#include "common/json_location.h"
 #include "strata/transform.h"
 
 /// A transform from its matrix in JSON: four rows of four, the last of them a multiple of 0 0 0 1; points are columns.

@@ -3,21 +3,16 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
 
-#include "core/io/binary.h"
-#include "core/io/blocks.h"
-#include "core/kernel/input_complex.h"
-#include "extensions/scene/pieces.h"
-#include "extensions/scene/scene_data.h"
-#include "extensions/scene/signed_covering.h"
-#include "output_file.h"
+#include "common/binary_records.h"
+#include "common/output_file.h"
 #include "palette.h"
 #include "strata/mesh.h"
+#include "strata/query.h"
 #include "strata/rational.h"
 
 namespace {
@@ -31,13 +26,13 @@ Colour colour_of(std::uint32_t layer) { return layer == 0 ? grey : palette_colou
 class PieceMesh {
  public:
   explicit PieceMesh(const LayerDecomposition& layers) : layers_(layers) {
-    const strata::InputComplex& input = input_complex_of(layers.scene());
-    for (std::uint32_t s = 0; s < input.operand_count(); ++s)
-      vertices.insert(vertices.end(), input.points(s).begin(), input.points(s).end());
+    const strata::Scene& scene = layers.scene();
+    vertices.reserve(scene.vertex_count());
+    for (std::uint32_t v = 0; v < scene.vertex_count(); ++v) vertices.push_back(scene.vertex(v));
     for (std::uint32_t p = 0; p < layers.piece_count(); ++p) {
       if (layers.is_replaced(p)) continue;
       pieces.push_back(p);
-      triangles.push_back(p < input.face_count() ? input.face(p) : triangle_of_part(p));
+      triangles.push_back(p < scene.face_count() ? scene.face(p) : triangle_of_part(p));
     }
   }
 
@@ -49,7 +44,7 @@ class PieceMesh {
   /// Corners of the face stay what they are; others are made once per solid and place.
   Triangle triangle_of_part(std::uint32_t piece) {
     const std::uint32_t face = layers_.face_of(piece);
-    const Triangle own = input_complex_of(layers_.scene()).face(face);
+    const Triangle own = layers_.scene().face(face);
     const auto places = layers_.triangle(piece);
     Triangle t{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -83,21 +78,20 @@ std::string header_of(const PieceMesh& mesh) {
 }  // namespace
 
 void write_layers(const std::string& path, const LayerDecomposition& layers) {
-  constexpr auto order = std::endian::little;
   const PieceMesh mesh(layers);
   OutputFile file(path);
   file.write(header_of(mesh));
-  strata::io::write_blocks(file, mesh.vertices.size(), sizeof(Vertex), [&](std::size_t i, char* at) {
-    for (const double x : mesh.vertices[i]) at = strata::io::store(at, x, order);
+  write_records(file, mesh.vertices.size(), sizeof(Vertex), [&](std::size_t i, char* at) {
+    for (const double x : mesh.vertices[i]) at = store(at, x);
     return at;
   });
-  strata::io::write_blocks(file, mesh.triangles.size(), 1 + 3 * 4 + 3 + 2 * 4, [&](std::size_t i, char* at) {
+  write_records(file, mesh.triangles.size(), 1 + 3 * 4 + 3 + 2 * 4, [&](std::size_t i, char* at) {
     const std::uint32_t piece = mesh.pieces[i];
     *at++ = '\3';
-    for (const std::uint32_t v : mesh.triangles[i]) at = strata::io::store(at, v, order);
-    for (const std::uint8_t c : colour_of(layers.layer(piece))) at = strata::io::store(at, c, order);
-    at = strata::io::store(at, layers.layer(piece), order);
-    return strata::io::store(at, layers.scene().solid_of(layers.face_of(piece)), order);
+    for (const std::uint32_t v : mesh.triangles[i]) at = store(at, v);
+    for (const std::uint8_t c : colour_of(layers.layer(piece))) at = store(at, c);
+    at = store(at, layers.layer(piece));
+    return store(at, layers.scene().solid_of(layers.face_of(piece)));
   });
   file.finish();
 }

@@ -4,20 +4,16 @@
 #include <string>
 #include <utility>
 
-#include "core/kernel/input_complex.h"
-#include "extensions/scene/layer_decomposition_data.h"
-#include "extensions/scene/pieces.h"
-#include "extensions/scene/signed_covering.h"
+#include "common/progress.h"
+#include "common/stopwatch.h"
+#include "common/watch.h"
 #include "layer_file.h"
 #include "origin_option.h"
-#include "progress.h"
 #include "report.h"
 #include "scene_input.h"
-#include "stopwatch.h"
 #include "strata/query.h"
 #include "threads.h"
 #include "verbs.h"
-#include "watch.h"
 
 namespace {
 
@@ -47,8 +43,7 @@ Json layers_report(const LayerDecomposition& layers) {
   Json counts = Json::array();
   for (std::uint32_t l = 1; l <= layers.layer_count(); ++l) counts.push_back(layers.layer_pieces(l).size());
   std::uint32_t flat = 0;
-  for (std::uint32_t f = 0; f < layers.scene().face_count(); ++f)
-    flat += covering_of(layers).orientation(f) == strata::Sign::zero;
+  for (std::uint32_t f = 0; f < layers.scene().face_count(); ++f) flat += layers.sign(f) == 0;
   return {{"origin", to_json(layers.origin())},
           {"solids", layers.scene().solid_count()},
           {"faces", layers.scene().face_count()},

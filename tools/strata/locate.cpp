@@ -3,22 +3,24 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "byte_source.h"
-#include "extensions/bsp/locator.h"
+#include "common/byte_source.h"
+#include "common/point_source.h"
+#include "common/progress.h"
+#include "common/stopwatch.h"
+#include "common/watch.h"
 #include "location_table.h"
-#include "point_source.h"
-#include "progress.h"
 #include "report.h"
 #include "row_file.h"
-#include "stopwatch.h"
+#if STRATA_HAS_BSP
 #include "strata/bsp.h"
+#endif
 #include "strata/io.h"
 #include "strata/query.h"
 #include "stream_blocks.h"
 #include "threads.h"
 #include "verbs.h"
-#include "watch.h"
 
 namespace {
 
@@ -35,6 +37,7 @@ struct PointBlock {
 
 Form form_of(const Settings& settings) {
   const bool ply = strata::format_of(settings.output) == strata::Format::ply;
+  if (ply && settings.nearest) throw UsageError("--nearest has no place in PLY; write CSV");
   if (ply && settings.all) throw UsageError("--all lists have no place in PLY; write CSV");
   return ply ? Form::ply : settings.all ? Form::csv_all : Form::csv;
 }
@@ -73,11 +76,43 @@ Json counts_report(const WhereCounts& counts) {
   return {{"count", out + on + in}, {"in", in}, {"on", on}, {"out", out}};
 }
 
-LocationTable::Locate locator_of(const strata::Scene& scene, const strata::Engine* engine, const Watch& watch) {
+LocationTable::Locate locator_of(const strata::Scene& scene, [[maybe_unused]] const strata::Engine* engine,
+                                 const Watch& watch) {
   const strata::Monitor monitor(&watch.token());
+#if STRATA_HAS_BSP
   if (engine == &strata::bsp_engine)
     return [locator = strata::bsp::PartitionLocator(scene, monitor)](const Vertex& q) { return locator.locate(q); };
+#endif
   return [locator = strata::Locator(scene, monitor)](const Vertex& q) { return locator.locate(q); };
+}
+
+/// Of all solids the nearest boundary, by trees of their own.
+LocationTable::FindNearest nearest_of([[maybe_unused]] const strata::Scene& scene, const Settings& settings,
+                                      [[maybe_unused]] const Watch& watch) {
+  if (!settings.nearest) return {};
+#if STRATA_HAS_BSP
+  using Region = strata::bsp::Partition<3>;
+  std::vector<Region> regions;
+  for (std::uint32_t s = 0; s < scene.solid_count(); ++s)
+    regions.push_back(strata::bsp::partition_of(scene.solid(s), strata::Monitor(&watch.token())));
+  return [regions = std::move(regions)](const Vertex& q) {
+    std::optional<strata::bsp::NearestPoint<3>> best;
+    for (const Region& region : regions) {
+      auto found = nearest_boundary_point(
+          region, {strata::to_rational(q[0]), strata::to_rational(q[1]), strata::to_rational(q[2])});
+      if (found && (!best || found->squared_distance < best->squared_distance)) best = std::move(found);
+    }
+    std::optional<LocationTable::Nearest> answer;
+    if (best) {
+      answer.emplace();
+      for (std::size_t i = 0; i < 3; ++i) answer->point[i] = strata::to_nearest_double(best->point[i]);
+      answer->distance = best->distance;
+    }
+    return answer;
+  };
+#else
+  throw UsageError("--nearest needs the extension bsp, which this build of strata does not have");
+#endif
 }
 
 /// Everything from the solids to the finished file.
@@ -86,7 +121,8 @@ void locate(std::span<const LoadedMesh> operands, Form form, const Settings& set
   Stopwatch stopwatch;
   const SceneInput input(operands, settings.input);
   report["seconds"]["prepare"] = stopwatch.lap();
-  const LocationTable table(locator_of(input.scene(), settings.engine, watch), input, form);
+  const LocationTable table(locator_of(input.scene(), settings.engine, watch), input, form,
+                            nearest_of(input.scene(), settings, watch));
   report["seconds"]["build"] = stopwatch.lap();
   const WhereCounts counts = stream_points(table, form, settings, watch);
   report["points"] = counts_report(counts);

@@ -1,13 +1,12 @@
 #include "location_table.h"
 
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <iterator>
 #include <string_view>
 
-#include "core/io/binary.h"
-#include "csv.h"
+#include "common/binary_records.h"
+#include "common/csv.h"
 
 using strata::Contact;
 using strata::Location;
@@ -27,7 +26,8 @@ void append(std::string& text, std::uint32_t value) { text.append(std::to_string
 }  // namespace
 
 std::string LocationTable::header(std::uint64_t count) const {
-  if (form_ != Form::ply) return "x,y,z,where,solid,face\n";
+  if (form_ != Form::ply)
+    return nearest_ ? "x,y,z,where,solid,face,distance,nearest_x,nearest_y,nearest_z\n" : "x,y,z,where,solid,face\n";
   return "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(count) +
          "\nproperty double x\nproperty double y\nproperty double z\nproperty uchar where\nproperty int solid\n"
          "property int face\nend_header\n";
@@ -60,10 +60,26 @@ void LocationTable::append_csv(const Vertex& q, const Location& location, std::s
     if (w == Where::on) at = append(at, location.contacts.front().solid);
     *at++ = ',';
     if (w == Where::on) at = append(at, input_.file_face(location.contacts.front().face));
-    *at++ = '\n';
   }
   rows.append(row.data(), at);
   if (form_ == Form::csv_all) append_all(location, rows);
+  if (nearest_) append_nearest(q, rows);
+  rows += '\n';
+}
+
+void LocationTable::append_nearest(const Vertex& q, std::string& rows) const {
+  const std::optional<Nearest> found = nearest_(q);
+  if (!found) {
+    rows += ",,,,";
+    return;
+  }
+  std::array<char, 4 * (longest_number + 1)> row;
+  char* at = row.data();
+  for (const double x : {found->distance, found->point[0], found->point[1], found->point[2]}) {
+    *at++ = ',';
+    at = append_number(at, x);
+  }
+  rows.append(row.data(), at);
 }
 
 void LocationTable::append_all(const Location& location, std::string& rows) const {
@@ -84,11 +100,9 @@ void LocationTable::append_all(const Location& location, std::string& rows) cons
     if (&e != entries.data()) rows += ';';
     if (e.contact != nullptr) append(rows, input_.file_face(e.contact->face));
   }
-  rows += '\n';
 }
 
 void LocationTable::append_ply(const Vertex& q, const Location& location, std::string& rows) const {
-  constexpr auto order = std::endian::little;
   const Where w = location.where();
   std::int32_t solid = -1, face = -1;
   if (w == Where::in) solid = static_cast<std::int32_t>(location.windings.begin()->first);
@@ -98,9 +112,9 @@ void LocationTable::append_ply(const Vertex& q, const Location& location, std::s
   }
   std::array<char, 3 * 8 + 1 + 2 * 4> row;
   char* at = row.data();
-  for (const double x : q) at = strata::io::store(at, x, order);
-  at = strata::io::store(at, static_cast<std::uint8_t>(w), order);
-  at = strata::io::store(at, solid, order);
-  at = strata::io::store(at, face, order);
+  for (const double x : q) at = store(at, x);
+  at = store(at, static_cast<std::uint8_t>(w));
+  at = store(at, solid);
+  at = store(at, face);
   rows.append(row.data(), at);
 }

@@ -2,13 +2,14 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 
-#include "extensions/scene/location.h"
 #include "scene_input.h"
 #include "strata/mesh.h"
+#include "strata/query.h"
 
 /// How many points are out, on and in: by strata::Where.
 using WhereCounts = std::array<std::uint64_t, 3>;
@@ -25,9 +26,17 @@ class LocationTable {
 
   using Locate = std::function<strata::Location(const strata::Vertex&)>;
 
+  /// The nearest point of a boundary, and how far it is: negative inside.
+  struct Nearest {
+    strata::Vertex point{};
+    double distance = 0;
+  };
+  using FindNearest = std::function<std::optional<Nearest>(const strata::Vertex&)>;
+
   /// `locate` is asked from many threads. Keeps a reference to the input.
-  LocationTable(Locate locate, const SceneInput& input, Form form)
-      : locate_(std::move(locate)), input_(input), form_(form) {}
+  /// Where there is a `nearest`, rows of CSV end with its distance and its coordinates; empty where there is none.
+  LocationTable(Locate locate, const SceneInput& input, Form form, FindNearest nearest = {})
+      : locate_(std::move(locate)), nearest_(std::move(nearest)), input_(input), form_(form) {}
 
   /// What stands before the rows; a PLY file says how many there are.
   [[nodiscard]] std::string header(std::uint64_t count) const;
@@ -37,9 +46,11 @@ class LocationTable {
  private:
   void append_csv(const strata::Vertex& q, const strata::Location& location, std::string& rows) const;
   void append_all(const strata::Location& location, std::string& rows) const;
+  void append_nearest(const strata::Vertex& q, std::string& rows) const;
   void append_ply(const strata::Vertex& q, const strata::Location& location, std::string& rows) const;
 
   Locate locate_;
+  FindNearest nearest_;
   const SceneInput& input_;
   Form form_;
 };

@@ -1,17 +1,8 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
-#include <new>
-#include <stdexcept>
 #include <string>
-#include <system_error>
 
 #include "command_line.h"
-#include "strata/errors.h"
-#include "strata/io.h"
-#include "strata/options.h"
+#include "suite.h"
 
 namespace {
 
@@ -30,48 +21,10 @@ constexpr const char* examples = R"(Examples:
 
 )";
 
-ExitCode complain(ExitCode code, const std::string& message) {
-  std::fputs(("strata: " + message + "\n").c_str(), stderr);
-  return code;
-}
-
-ExitCode complain(const strata::InputError& error, const Settings& settings) {
-  const std::string& path = settings.operands.at(error.operand());
-  for (const strata::Defect& defect : error.defects()) {
-    fmt::print(stderr, "strata: {}: {}: {}\n", path, strata::name(defect.severity), strata::describe(defect));
-  }
-  return complain(ExitCode::invalid_input, path + " is not what was declared; no result was written");
-}
-
-ExitCode run(const Action& action, const Settings& settings) {
-  try {
-    check_streams(settings);
-    const ExitCode code = action();
-    return std::fflush(stdout) == 0 ? code : complain(ExitCode::file, "standard output cannot be written");
-  } catch (const UsageError& error) {
-    return complain(ExitCode::usage, error.what());
-  } catch (const strata::IoError& error) {
-    return complain(ExitCode::file, error.what());
-  } catch (const std::system_error& error) {
-    return complain(ExitCode::file, error.what());
-  } catch (const strata::InputError& error) {
-    return complain(error, settings);
-  } catch (const strata::Cancelled& error) {
-    return complain(ExitCode::stopped, std::string(error.what()) + "; no result was written");
-  } catch (const std::overflow_error& error) {
-    return complain(ExitCode::invalid_input, std::string(error.what()) + "; no result was written");
-  } catch (const std::bad_alloc&) {
-    return complain(ExitCode::stopped, "out of memory");
-  } catch (const std::length_error& error) {
-    return complain(ExitCode::stopped, error.what());
-  } catch (const std::exception& error) {
-    return complain(ExitCode::internal, std::string("an error of the program, please report it: ") + error.what());
-  }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && is_suite_verb(argv[1])) return become_suite(argv);
   Settings settings;
   Action action;
   CLI::App app("Exact Booleans of meshes, on the doubles in the files", "strata");
@@ -80,14 +33,11 @@ int main(int argc, char** argv) {
   app.footer(std::string(examples) + exit_codes);
   CommandLine line{app, settings, action};
   add_boolean_verbs(line);
-  add_query_verbs(line);
-  add_shape_verbs(line);
-  add_planar_verbs(line);
+  add_extension_verbs(line);
   add_suite_verbs(line);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
-  }
-  return static_cast<int>(run(action, settings));
+  const Action checked = [&] {
+    check_streams(settings);
+    return action();
+  };
+  return run_program(app, argc, argv, checked, settings.operands);
 }

@@ -5,16 +5,15 @@
 #include <utility>
 #include <vector>
 
+#include "common/progress.h"
+#include "common/stopwatch.h"
+#include "common/watch.h"
 #include "files.h"
-#include "progress.h"
 #include "report.h"
 #include "reproduction.h"
 #include "result_file.h"
-#include "scene_input.h"
-#include "stopwatch.h"
 #include "strata/convex.h"
 #include "verbs.h"
-#include "watch.h"
 
 namespace {
 

@@ -1,74 +1,22 @@
-#include "planar.h"
+#include "strata/planar.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <functional>
-#include <iostream>
-#include <iterator>
 #include <utility>
 #include <vector>
 
-#include "files.h"
-#include "progress.h"
-#include "report.h"
-#include "stopwatch.h"
-#include "strata/planar.h"
-#include "watch.h"
+#include "common/stopwatch.h"
+#include "common/text_file.h"
+#include "common/watch.h"
+#include "planar_input.h"
+#include "planar_partition.h"
+#include "planar_verbs.h"
 
 namespace {
 
 using namespace strata::planar;
 
 constexpr std::size_t most_listed = 100;  ///< intersections in a report
-
-std::optional<PlanarFormat> format_asked(const std::string& name) {
-  if (name.empty()) return std::nullopt;
-  const auto format = planar_format_named(name);
-  if (!format) throw UsageError(fmt::format("unknown format {}: wkt, geojson and svg are known", name));
-  return format;
-}
-
-PlanarFile read_operand(const std::string& path, const Settings& settings) {
-  const auto format = format_asked(settings.input_format);
-  PlanarFile file;
-  if (path == "-") {
-    const std::string bytes{std::istreambuf_iterator<char>(std::cin), {}};
-    file = read_planar(bytes, *format, "standard input");
-  } else {
-    file = read_planar(path, format);
-  }
-  if (!settings.quiet)
-    for (const std::string& note : file.notes) fmt::print(stderr, "strata: {}: note: {}\n", path, note);
-  return file;
-}
-
-std::vector<PlanarFile> read_files(const Settings& settings) {
-  std::vector<PlanarFile> files;
-  for (const std::string& path : settings.operands) files.push_back(read_operand(path, settings));
-  return files;
-}
-
-PlanarFormat output_format_of(const Settings& settings) {
-  if (const auto format = format_asked(settings.output_format)) return *format;
-  if (const auto format = planar_format_of(settings.output)) return *format;
-  throw UsageError(fmt::format("{}: no known extension: give --format wkt, geojson or svg", settings.output));
-}
-
-FillRule fill_rule(const PlanarSettings& planar) {
-  if (planar.fill == "even-odd") return FillRule::even_odd;
-  if (planar.fill == "positive") return FillRule::positive;
-  return planar.fill == "negative" ? FillRule::negative : FillRule::nonzero;
-}
-
-Json place(const RationalPlacement& p) {
-  Json xy = Json::array();
-  for (const strata::Rational& x : p) {
-    const double nearest = strata::to_nearest_double(x);
-    xy.push_back(strata::to_rational(nearest) == x ? Json(nearest) : Json(x.str()));
-  }
-  return xy;
-}
 
 Json to_json(const SelfMeeting& m) {
   Json j = {{"kind", name(m.kind)}, {"where", place(m.where)}};
@@ -120,34 +68,6 @@ Json facts(const Region& region) {
   return j;
 }
 
-Json operand_facts(const Settings& settings, const std::vector<PlanarFile>& files) {
-  Json list = Json::array();
-  for (std::size_t i = 0; i < files.size(); ++i)
-    list.push_back({{"path", settings.operands[i]},
-                    {"loops", files[i].loops.size()},
-                    {"vertices", files[i].loops.vertices.size()}});
-  return list;
-}
-
-template <class Work>
-auto cancellable(Watch& watch, const Settings& settings, const Work& work) {
-  watch.on_stop(OnStop::ask);
-  try {
-    ProgressBar bar(settings.progress, settings.quiet);
-    const strata::Progress progress = [&bar](double fraction) { bar.show(fraction); };
-    return work(strata::Monitor(&watch.token(), &progress));
-  } catch (const strata::Cancelled&) {
-    watch.on_stop(OnStop::leave);  // says why
-    throw;
-  }
-}
-
-void print_facts(const Json& result, const Settings& settings) {
-  if (settings.quiet || settings.report == "-") return;
-  for (const auto& [key, value] : result.items())
-    fmt::print(settings.output == "-" ? stderr : stdout, "{:18} {}\n", key, value.dump());
-}
-
 }  // namespace
 
 ExitCode run_planar(Operation operation, const char* name, const PlanarSettings& planar, const Settings& settings) {
@@ -165,7 +85,8 @@ ExitCode run_planar(Operation operation, const char* name, const PlanarSettings&
   for (const PlanarFile& file : files) operands.push_back({file.loops, fill_rule(planar)});
   std::vector<SelfMeeting> conflicts;
   const Region region = cancellable(watch, settings, [&](const strata::Monitor& monitor) {
-    Region r = combine(operands, operation, monitor);
+    Region r = planar.by_partitions ? combine_by_partitions(operands, operation, monitor)
+                                    : combine(operands, operation, monitor);
     report["seconds"]["evaluate"] = stopwatch.lap();
     if (!settings.exact) conflicts = rounding_conflicts(r);
     return r;
@@ -192,7 +113,7 @@ ExitCode run_planar(Operation operation, const char* name, const PlanarSettings&
 
 ExitCode run_planar_check(const Settings& settings) {
   Watch watch(settings.timeout);
-  const PlanarFile file = read_operand(settings.operands.front(), settings);
+  const PlanarFile file = read_files(settings).front();
   const std::vector<SelfMeeting> intersections = self_intersections(file.loops);
   const bool clean = intersections.empty() && is_clean(file.loops);
   if (!settings.quiet && settings.report != "-") {
@@ -212,7 +133,7 @@ ExitCode run_planar_check(const Settings& settings) {
 
 ExitCode run_planar_info(const PlanarSettings& planar, const Settings& settings) {
   Watch watch(settings.timeout);
-  const PlanarFile file = read_operand(settings.operands.front(), settings);
+  const PlanarFile file = read_files(settings).front();
   const Region region = cancellable(watch, settings, [&](const strata::Monitor& monitor) {
     const Operand operand(file.loops, fill_rule(planar));
     return combine(std::span(&operand, 1), Operation::union_, monitor);

@@ -4,19 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "byte_source.h"
-#include "csv.h"
+#include "common/byte_source.h"
+#include "common/csv.h"
+#include "common/progress.h"
+#include "common/stopwatch.h"
+#include "common/watch.h"
 #include "hit_table.h"
-#include "progress.h"
 #include "report.h"
 #include "row_file.h"
 #include "scene_input.h"
-#include "stopwatch.h"
 #include "strata/errors.h"
 #include "stream_blocks.h"
 #include "threads.h"
 #include "verbs.h"
-#include "watch.h"
 
 namespace {
 

@@ -1,8 +1,9 @@
 #include "report.h"
 
-#include <sys/resource.h>
+#include <algorithm>
+#include <cmath>
 
-#include "core/mesh/prepare.h"
+#include "strata/check.h"
 #include "strata/measure.h"
 
 using strata::Defect;
@@ -11,8 +12,11 @@ using strata::ExactMesh;
 namespace {
 
 bool measurable(const ExactMesh& mesh) {
-  const strata::Screening seen = strata::screen(mesh.mesh);
-  return seen.finite && seen.indices_valid;
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  for (const strata::Triangle& t : mesh.mesh.triangles)
+    for (const std::uint32_t v : t)
+      if (v >= mesh.mesh.vertices.size() || !std::ranges::all_of(mesh.mesh.vertices[v], is_finite)) return false;
+  return true;
 }
 
 }  // namespace
@@ -67,40 +71,9 @@ Json result_report(const ExactMesh& mesh, std::optional<bool> rounded_valid) {
   return report;
 }
 
-std::vector<Defect> operand_defects(const LoadedMesh& operand, strata::InputClass input) {
-  try {
-    if (!operand.mesh.exact.empty()) return strata::prepare_exact(operand.mesh).notes;
-    switch (input) {
-      case strata::InputClass::solid:
-        return strata::prepare_closed(operand.mesh.mesh, false).notes;
-      case strata::InputClass::overlapping:
-        return strata::prepare_closed(operand.mesh.mesh, true).notes;
-      case strata::InputClass::repair:
-        return strata::prepare_soup(operand.mesh.mesh).notes;
-    }
-  } catch (const strata::InputError& error) {
-    return error.defects();
-  }
-  return {};
-}
-
 Json operand_reports(std::span<const LoadedMesh> operands, strata::InputClass input) {
   Json list = Json::array();
-  for (const LoadedMesh& operand : operands) list.push_back(operand_report(operand, operand_defects(operand, input)));
+  for (const LoadedMesh& operand : operands)
+    list.push_back(operand_report(operand, strata::defects_as_operand(operand.mesh, input)));
   return list;
-}
-
-std::uint64_t peak_bytes() {
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-  return static_cast<std::uint64_t>(usage.ru_maxrss);
-#else
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-#endif
-}
-
-void write_report(const std::string& where, Json report) {
-  report["strata"] = STRATA_VERSION;
-  write_text(where, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

@@ -1,18 +1,14 @@
 #pragma once
-#include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
-#include <string>
+#include <vector>
 
+#include "common/json_report.h"
 #include "files.h"
 #include "strata/combine.h"
 #include "strata/errors.h"
 #include "strata/mesh.h"
 #include "strata/options.h"
-
-/// The report keeps the order in which its members are written.
-using Json = nlohmann::ordered_json;
 
 /// {kind, severity, where, faces, count, message, remedy}; where is null or [x, y, z].
 [[nodiscard]] Json to_json(const strata::Defect& defect);
@@ -28,14 +24,5 @@ using Json = nlohmann::ordered_json;
 /// {measures, facets, volume_exact, empty, closed, rounded_valid}; `rounded_valid` is null where it was not checked.
 [[nodiscard]] Json result_report(const strata::ExactMesh& mesh, std::optional<bool> rounded_valid);
 
-/// What the engine resolved on the way in, as it would say for this operand alone; errors too.
-[[nodiscard]] std::vector<strata::Defect> operand_defects(const LoadedMesh& operand, strata::InputClass input);
-
-/// A report per operand, with its defects.
+/// A report per operand, with what was resolved on the way in, as for this operand alone; errors too.
 [[nodiscard]] Json operand_reports(std::span<const LoadedMesh> operands, strata::InputClass input);
-
-/// Largest memory the process has held so far.
-[[nodiscard]] std::uint64_t peak_bytes();
-
-/// Writes to a file (whole or not at all) or to stdout for "-". Adds the version. Throws strata::IoError.
-void write_report(const std::string& where, Json report);

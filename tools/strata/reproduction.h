@@ -3,10 +3,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/exact/failure.h"
+#include "common/write_case.h"
 #include "settings.h"
+#include "strata/errors.h"
 #include "strata/options.h"
-#include "verify/write_case.h"
 
 /// What a verb asked of the library, for whoever looks for the error: made only when there is one. Meshes that it
 /// points to must outlive it.

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "stopwatch.h"
+#include "common/stopwatch.h"
 #include "strata/check.h"
 
 namespace {

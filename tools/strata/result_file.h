@@ -1,13 +1,13 @@
 #pragma once
 #include <optional>
 
-#include "exit_code.h"
+#include "common/exit_code.h"
+#include "common/watch.h"
 #include "files.h"
 #include "report.h"
 #include "reproduction.h"
 #include "settings.h"
 #include "strata/mesh.h"
-#include "watch.h"
 
 /// What all verbs that make a mesh do with it: checks it where asked to, completes the report with the result and the
 /// times, writes both. Not certified: says so and tells by the exit code. If that was no matter

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "output_file.h"
+#include "common/output_file.h"
 
 /// A file of rows after a header that may say how many there are. Where the count is known only in the end, rows wait
 /// in a temporary file, not in memory.

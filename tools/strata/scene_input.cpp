@@ -2,14 +2,6 @@
 
 #include "strata/query.h"
 
-strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, strata::InputClass input) {
-  try {
-    return strata::Solid(operands[k].mesh, input);
-  } catch (const strata::InputError& error) {
-    throw strata::InputError(error.defects(), k);
-  }
-}
-
 SceneInput::SceneInput(std::span<const LoadedMesh> operands, strata::InputClass input) {
   std::vector<strata::Solid> solids;
   for (std::size_t k = 0; k < operands.size(); ++k) {

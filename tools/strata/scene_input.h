@@ -7,9 +7,6 @@
 #include "strata/query.h"
 #include "strata/solid.h"
 
-/// A solid made from operand k; errors name that operand. Throws strata::InputError.
-[[nodiscard]] strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, strata::InputClass input);
-
 /// The scene of the operands, one solid each, which knows their faces by the numbers that they have in the files.
 class SceneInput {
  public:

@@ -26,7 +26,7 @@ void add_run_options(CLI::App& verb, Settings& settings) {
   verb.add_flag("-q,--quiet", settings.quiet, "Errors only");
 }
 
-void add_engine(CLI::App& verb, Settings& settings, std::initializer_list<const strata::Engine*> engines) {
+void add_engine(CLI::App& verb, Settings& settings, const std::vector<const strata::Engine*>& engines) {
   std::map<std::string, const strata::Engine*> by_name = {{"arrangement", nullptr}};
   for (const strata::Engine* e : engines) by_name.emplace(e->name, e);
   verb.add_option_function<std::string>(

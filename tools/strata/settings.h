@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "common/usage_error.h"
 #include "strata/options.h"
 #include "strata/transform.h"
 
@@ -45,12 +45,9 @@ struct Settings {
 
   std::vector<std::string> operators;  ///< of topology, one after the other
   std::vector<std::string> open;       ///< names of operands without their boundaries
-};
 
-/// The options make no sense together.
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
+  bool volumes = false;  ///< report space as the pieces of a solid divide it
+  bool nearest = false;  ///< tell the point of the boundary that is nearest to each point
 };
 
 /// Whatever all verbs have.
@@ -63,7 +60,7 @@ void add_common_options(CLI::App& verb, Settings& settings, int least, int most)
 void add_input_class(CLI::App& verb, Settings& settings);
 
 /// --engine, with the arrangement and these.
-void add_engine(CLI::App& verb, Settings& settings, std::initializer_list<const strata::Engine*> engines);
+void add_engine(CLI::App& verb, Settings& settings, const std::vector<const strata::Engine*>& engines);
 
 /// -o and what goes with making a mesh.
 void add_output_options(CLI::App& verb, Settings& settings);

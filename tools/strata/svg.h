@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "view.h"
+#include "common/view.h"
 
 /// Collects paths and writes them as SVG, fitted to a page.
 class SvgPage {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "scratch.h"
+#include "common/scratch.h"
 #include "strata/io.h"
 
 namespace fs = std::filesystem;

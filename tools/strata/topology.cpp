@@ -8,13 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "common/stopwatch.h"
+#include "common/watch.h"
 #include "files.h"
 #include "report.h"
-#include "scene_input.h"
-#include "stopwatch.h"
 #include "strata/complex.h"
 #include "verbs.h"
-#include "watch.h"
 
 namespace {
 
@@ -164,6 +163,13 @@ Json part_counts(const SelectiveComplex& s) {
   return result;
 }
 
+/// Cells of dimension 0 to 3 about which the boundary is no manifold.
+Json non_manifold_counts(const SelectiveComplex& s) {
+  std::array<std::uint32_t, 4> counts{};
+  for (const strata::complex::Cell& c : non_manifold_cells(s)) ++counts[static_cast<std::size_t>(c.dimension)];
+  return counts;
+}
+
 Json facts(const SelectiveComplex& s) {
   const auto volume = strata::complex::volume(s);
   const auto area = strata::complex::area(s);
@@ -178,6 +184,8 @@ Json facts(const SelectiveComplex& s) {
           {"closed", is_closed(s)},
           {"closed_regularized", is_closed_regularized(s)},
           {"open_regularized", is_open_regularized(s)},
+          {"manifold", is_manifold(s)},
+          {"non_manifold_cells", non_manifold_counts(s)},
           {"volume_exact", volume ? Json(volume->str()) : Json(nullptr)},
           {"area", area ? Json(*area) : Json(nullptr)},
           {"length", strata::complex::length(s)}};

@@ -1,5 +1,5 @@
 #pragma once
-#include "exit_code.h"
+#include "common/exit_code.h"
 #include "settings.h"
 #include "strata/options.h"
 
@@ -47,3 +47,6 @@
 
 /// Sets that need not be regular: an expression over meshes and complexes, operators, and what their boundaries are.
 [[nodiscard]] ExitCode run_topology(Settings& settings);
+
+/// Booleans of regions of the line, which files list as intervals.
+[[nodiscard]] ExitCode run_intervals(strata::Operation operation, const Settings& settings);

@@ -127,6 +127,12 @@ std::vector<Defect> check(ExactMeshView mesh, const Options& options) {
   });
 }
 
+std::vector<Defect> defects_as_operand(const ExactMesh& mesh, InputClass input) try {
+  return prepare(mesh, input).notes;
+} catch (const InputError& error) {
+  return error.defects();
+}
+
 bool is_embedded(MeshView mesh, const Options& options) { return is_embedded(ExactMeshView(mesh, {}), options); }
 
 bool is_embedded(ExactMeshView mesh, const Options& options) {

@@ -5,6 +5,7 @@
 
 #include "core/exact/sign.h"
 #include "core/kernel/box.h"
+#include "strata/check.h"
 #include "strata/errors.h"
 #include "strata/mesh.h"
 #include "strata/options.h"
@@ -63,11 +64,5 @@ struct Prepared {
 /// it has vertices that are not doubles, whatever its class; else `prepare_closed` for `solid` and `overlapping`, and
 /// `prepare_soup` for `repair`. Throws as these do.
 [[nodiscard]] Prepared prepare(ExactMeshView mesh, InputClass input, std::size_t operand = 0);
-
-/// Diagnosis without intersecting faces: all defects except self-intersection and inside-out shells. Lists the first
-/// few of each kind with coordinates and face numbers, and counts the rest.
-[[nodiscard]] std::vector<Defect> diagnose(MeshView mesh);
-/// The same for exact positions. Nothing is repaired: with rationals, triangles of zero area are errors.
-[[nodiscard]] std::vector<Defect> diagnose(ExactMeshView mesh);
 
 }  // namespace strata

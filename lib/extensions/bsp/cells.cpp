@@ -59,10 +59,21 @@ void for_each_cell(const Partition<D>& region, FunctionRef<void(const std::vecto
   });
 }
 
-#define STRATA_INSTANTIATE(D)                                                                      \
-  template void for_each_inside_leaf<D>(const Partition<D>&,                                       \
-                                        const std::function<void(const std::vector<Facet<D>>&)>&); \
-  template void for_each_cell<D>(const Partition<D>&, FunctionRef<void(const std::vector<AffineForm<D>>&)>);
+template <int D>
+void for_each_bounded_cell(const Partition<D>& region,
+                           FunctionRef<void(const std::vector<BoundaryFacet<D>>& facets)> visit) {
+  for_each_inside_leaf<D>(region, [&](const std::vector<Facet<D>>& facets) {
+    std::vector<BoundaryFacet<D>> cell;
+    for (const Facet<D>& f : facets) cell.push_back(boundary_facet(table_of(region), f));
+    visit(cell);
+  });
+}
+
+#define STRATA_INSTANTIATE(D)                                                                                \
+  template void for_each_inside_leaf<D>(const Partition<D>&,                                                 \
+                                        const std::function<void(const std::vector<Facet<D>>&)>&);           \
+  template void for_each_cell<D>(const Partition<D>&, FunctionRef<void(const std::vector<AffineForm<D>>&)>); \
+  template void for_each_bounded_cell<D>(const Partition<D>&, FunctionRef<void(const std::vector<BoundaryFacet<D>>&)>);
 STRATA_INSTANTIATE(1)
 STRATA_INSTANTIATE(2)
 STRATA_INSTANTIATE(3)

@@ -1,12 +1,12 @@
-#include "extensions/bsp/locator.h"
-
 #include <utility>
 #include <vector>
 
 #include "core/kernel/point.h"
 #include "extensions/bsp/partition_data.h"
 #include "extensions/scene/closed_face.h"
+#include "extensions/scene/location.h"
 #include "extensions/scene/scene_data.h"
+#include "strata/bsp.h"
 
 namespace strata::bsp {
 namespace {

@@ -19,6 +19,9 @@ std::uint32_t LayerDecomposition::layer(std::uint32_t piece) const { return data
 bool LayerDecomposition::is_replaced(std::uint32_t piece) const { return data_->pieces.is_replaced(piece); }
 std::uint32_t LayerDecomposition::face_of(std::uint32_t piece) const { return data_->pieces.face_of(piece); }
 int LayerDecomposition::sign(std::uint32_t piece) const { return -to_int(data_->covering.orientation(face_of(piece))); }
+WindingNumbers LayerDecomposition::windings_of_origin() const {
+  return numbers_of(data_->covering.windings_of_origin());
+}
 std::span<const std::uint32_t> LayerDecomposition::back_to_front() const { return data_->sorted; }
 std::uint32_t LayerDecomposition::cuts_at_crossings() const { return data_->order.cuts_at_crossings; }
 std::uint32_t LayerDecomposition::cuts_of_cycles() const { return data_->order.cuts_of_cycles; }

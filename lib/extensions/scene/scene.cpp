@@ -55,6 +55,14 @@ std::uint32_t Scene::solid_of(std::uint32_t face) const { return data_->input.op
 std::uint32_t Scene::local(std::uint32_t face) const {
   return face - data_->input.first_face(data_->input.operand_of_face(face));
 }
+std::uint32_t Scene::vertex_count() const { return data_->input.vertex_count(); }
+const Vertex& Scene::vertex(std::uint32_t v) const { return data_->input.vertex(v); }
+RationalPoint Scene::position(std::uint32_t v) const {
+  if (const RationalPoint* exact = data_->input.exact(v)) return *exact;
+  const Vertex& p = vertex(v);
+  return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
+}
+Triangle Scene::face(std::uint32_t face) const { return data_->input.face(face); }
 
 Scene::Scene(std::vector<ExactMesh> solids) : data_(Shared<Data>::make(std::move(solids))) {}
 

@@ -1,79 +1,114 @@
 #include "extensions/planar/io/json_value.h"
 
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+
 namespace strata::planar {
 namespace {
 
-class JsonReader {
+using Kind = JsonValue::Kind;
+
+/// Goes through a text and notes how far the parser has come.
+class NotedIterator {
  public:
-  explicit JsonReader(std::string_view text) : scanner_(text) {}
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  NotedIterator(const char* at, const char** note) : at_(at), note_(note) {}
+  reference operator*() const { return *at_; }
+  NotedIterator& operator++() {
+    *note_ = ++at_;
+    return *this;
+  }
+  friend bool operator==(const NotedIterator& a, const NotedIterator& b) { return a.at_ == b.at_; }
+
+ private:
+  const char* at_;
+  const char** note_;
+};
+
+/// Makes a tree of what nlohmann's parser tells, with the places that it does not keep.
+class TreeMaker {
+ public:
+  explicit TreeMaker(std::string_view text) : begin_(text.data()), read_(text.data()), end_(begin_ + text.size()) {}
 
   JsonValue read() {
-    JsonValue v = value(0);
-    scanner_.skip_space();
-    if (!scanner_.at_end()) scanner_.fail_expected("the end of the file");
-    return v;
+    nlohmann::json::sax_parse(NotedIterator(begin_, &read_), NotedIterator(end_, &read_), this);
+    return std::move(whole_);
+  }
+
+  // What the parser calls.
+  bool null() { return add(value(Kind::null)); }
+  bool boolean(bool) { return add(value(Kind::truth)); }
+  bool number_integer(std::int64_t x) { return add_number(static_cast<double>(x)); }
+  bool number_unsigned(std::uint64_t x) { return add_number(static_cast<double>(x)); }
+  bool number_float(double x, const std::string&) { return add_number(x); }
+  bool string(std::string& text) {
+    JsonValue v = value(Kind::text);
+    v.text = std::move(text);
+    return add(std::move(v));
+  }
+  bool binary(nlohmann::json::binary_t&) { return false; }  // JSON has none
+  bool start_object(std::size_t) { return open(Kind::object); }
+  bool start_array(std::size_t) { return open(Kind::array); }
+  bool key(std::string& name) {
+    open_.back().names.push_back(std::move(name));
+    return true;
+  }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) {
+    io::fail_at_line(offset(), reason_of(error.what()));
   }
 
  private:
-  JsonValue value(int depth) {
-    constexpr int deepest = 512;
-    if (depth > deepest) scanner_.fail("values are nested more than 512 deep");
-    scanner_.skip_space();
+  /// Of the last character that was read: within the value or just behind it.
+  [[nodiscard]] std::size_t offset() const {
+    return static_cast<std::size_t>(read_ - begin_) - (read_ > begin_ ? 1 : 0);
+  }
+  [[nodiscard]] JsonValue value(Kind kind) const {
     JsonValue v;
-    v.offset = scanner_.offset();
-    if (scanner_.accept('{')) {
-      object(v, depth);
-    } else if (scanner_.accept('[')) {
-      array(v, depth);
-    } else if (scanner_.peek() == '"') {
-      v.kind = JsonValue::Kind::text;
-      v.text = string();
-    } else if (scanner_.is_at_number()) {
-      v.kind = JsonValue::Kind::number;
-      v.number = scanner_.number(false).nearest;
-    } else {
-      keyword(v);
-    }
+    v.kind = kind;
+    v.offset = offset();
     return v;
   }
-  void object(JsonValue& v, int depth) {
-    v.kind = JsonValue::Kind::object;
-    if (scanner_.accept('}')) return;
-    do {
-      scanner_.skip_space();
-      v.names.push_back(string());
-      scanner_.expect(':');
-      v.items.push_back(value(depth + 1));
-    } while (scanner_.accept(','));
-    scanner_.expect('}');
+  bool add_number(double x) {
+    JsonValue v = value(Kind::number);
+    v.number = x;
+    return add(std::move(v));
   }
-  void array(JsonValue& v, int depth) {
-    v.kind = JsonValue::Kind::array;
-    if (scanner_.accept(']')) return;
-    do {
-      v.items.push_back(value(depth + 1));
-    } while (scanner_.accept(','));
-    scanner_.expect(']');
+  bool add(JsonValue v) {
+    (open_.empty() ? whole_ : open_.back().items.emplace_back()) = std::move(v);
+    return true;
   }
-  std::string string() {
-    scanner_.expect('"');
-    std::string s;
-    while (!scanner_.at_end() && scanner_.peek() != '"') {
-      if (scanner_.peek() == '\\') s.push_back(scanner_.take());
-      if (!scanner_.at_end()) s.push_back(scanner_.take());
-    }
-    if (scanner_.at_end()) scanner_.fail_expected("'\"'");
-    scanner_.take();
-    return s;
+  bool open(Kind kind) {
+    constexpr std::size_t deepest = 512;
+    if (open_.size() > deepest) io::fail_at_line(offset(), "values are nested more than 512 deep");
+    open_.push_back(value(kind));
+    return true;
   }
-  void keyword(JsonValue& v) {
-    const std::string word = scanner_.word();
-    if (word == "NULL") return;
-    if (word != "TRUE" && word != "FALSE") scanner_.fail_expected("a JSON value");
-    v.kind = JsonValue::Kind::truth;
+  bool close() {
+    JsonValue v = std::move(open_.back());
+    open_.pop_back();
+    return add(std::move(v));
+  }
+  /// Without the library's number of the error and its own line; what it quotes may be long.
+  static std::string reason_of(std::string_view text) {
+    constexpr std::size_t most = 160;
+    const std::size_t column = text.find("column ");
+    const std::size_t from =
+        text.find(column == std::string_view::npos ? "] " : ": ", column == std::string_view::npos ? 0 : column);
+    text.remove_prefix(from == std::string_view::npos ? 0 : from + 2);
+    return "no JSON: " + std::string(text.substr(0, most)) + (text.size() > most ? "..." : "");
   }
 
-  Scanner scanner_;
+  const char *begin_, *read_, *end_;
+  std::vector<JsonValue> open_;  ///< arrays and objects
+  JsonValue whole_;
 };
 
 }  // namespace
@@ -84,6 +119,6 @@ const JsonValue* JsonValue::find(std::string_view name) const {
   return nullptr;
 }
 
-JsonValue read_json(std::string_view text) { return JsonReader(text).read(); }
+JsonValue read_json(std::string_view text) { return TreeMaker(text).read(); }
 
 }  // namespace strata::planar

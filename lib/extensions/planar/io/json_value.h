@@ -8,12 +8,12 @@
 
 namespace strata::planar {
 
-/// A JSON value, as far as GeoJSON needs it: numbers are doubles, escapes in texts are kept as they are.
+/// A JSON value, as far as GeoJSON needs it: numbers are their nearest doubles.
 struct JsonValue {
   enum class Kind { null, truth, number, text, array, object };
 
   Kind kind = Kind::null;
-  std::size_t offset = 0;  ///< in the file
+  std::size_t offset = 0;  ///< in the file: of its last character, or of a bracket that opens it
   double number = 0;
   std::string text;
   std::vector<JsonValue> items;    ///< of an array or an object

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <pugixml.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -137,135 +138,78 @@ class PathReader {
 
 constexpr std::string_view white = " \t\r\n";
 
-/// A tag: from '<' to its '>', which is not quoted.
-struct Tag {
-  std::size_t begin = 0;
-  std::string_view text;  ///< of the file, up to the end of the tag
-
-  /// True for the tag that ends an element, </name>.
-  [[nodiscard]] bool is_end() const { return text.substr(begin).starts_with("</"); }
-  /// True for an element that has nothing in it, <name/>.
-  [[nodiscard]] bool is_empty() const { return text.back() == '/'; }
-  /// Without the prefix of a name space.
-  [[nodiscard]] std::string_view name() const {
-    const std::size_t first = begin + (is_end() ? 2 : 1);
-    const std::string_view whole = text.substr(first, end_of_name() - first);
-    return whole.substr(whole.find(':') + 1);  // all of it, if there is none
-  }
-  /// The value of an attribute, as a range of the text.
-  [[nodiscard]] std::optional<std::array<std::size_t, 2>> value(std::string_view attribute) const {
-    if (is_end()) return std::nullopt;
-    for (std::size_t at = behind_white(end_of_name()); at < text.size();) {
-      const std::size_t end_of_key = find_of(" \t\r\n=", at), sign = behind_white(end_of_key);
-      const bool has_value = sign < text.size() && text[sign] == '=';
-      const std::size_t close = has_value ? end_of_value(sign) : sign;
-      if (has_value && text.substr(at, end_of_key - at) == attribute)
-        return std::array{behind_white(sign + 1) + 1, close};
-      at = behind_white(close + (has_value ? 1 : 0));
-    }
-    return std::nullopt;
-  }
-
- private:
-  [[nodiscard]] std::size_t end_of_name() const { return find_of(" \t\r\n/", begin + (is_end() ? 2 : 1)); }
-  /// The quote that closes the value behind a sign.
-  [[nodiscard]] std::size_t end_of_value(std::size_t sign) const {
-    const std::size_t quote = behind_white(sign + 1);
-    const bool is_quoted = quote < text.size() && (text[quote] == '"' || text[quote] == '\'');
-    const std::size_t close = is_quoted ? find_of(text.substr(quote, 1), quote + 1) : text.size();
-    if (close == text.size()) io::fail_at_line(sign, "expected a quoted value of an attribute");
-    return close;
-  }
-  [[nodiscard]] std::size_t find_of(std::string_view any, std::size_t from) const {
-    return std::min(text.find_first_of(any, from), text.size());
-  }
-  [[nodiscard]] std::size_t behind_white(std::size_t from) const {
-    return std::min(text.find_first_not_of(white, from), text.size());
-  }
+/// The part of a file that is the value of an attribute or of a property.
+struct Range {
+  std::size_t begin = 0, end = 0;
 };
 
-/// Behind the next occurrence of a text.
-std::size_t behind(std::string_view text, std::string_view what, std::size_t from) {
-  const std::size_t at = text.find(what, from);
-  if (at == std::string_view::npos) io::fail_at_line(from, "expected '" + std::string(what) + "'");
-  return at + what.size();
-}
-
-/// The tags of elements in a text, in order. Comments, character data, instructions and declarations are passed over.
-class Tags {
+/// An XML document over a copy of a file. Values of attributes begin at the same offsets as in the file. Entities that
+/// a document declares are not replaced; nothing else is read.
+class XmlDocument {
  public:
-  explicit Tags(std::string_view text) : text_(text) {}
+  explicit XmlDocument(std::string_view text) : text_(text) {
+    const pugi::xml_parse_result result = document_.load_buffer_inplace(
+        text_.data(), text_.size(), pugi::parse_minimal | pugi::parse_escapes, pugi::encoding_utf8);
+    if (!result)
+      io::fail_at_line(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)),
+                       std::string("no XML: ") + result.description());
+  }
 
-  std::optional<Tag> next() {
-    while (true) {
-      const std::size_t begin = text_.find('<', at_);
-      if (begin == std::string_view::npos) return std::nullopt;
-      const std::string_view rest = text_.substr(begin);
-      if (const auto end = behind_hidden(begin)) {
-        at_ = *end;
-      } else if (rest.starts_with("<![CDATA[")) {
-        at_ = behind(text_, "]]>", begin);
-      } else if (rest.starts_with("<!")) {
-        at_ = behind_declaration(begin);
-      } else {
-        at_ = end_of_tag(begin);
-        return Tag{begin, text_.substr(0, at_)};
-      }
+  [[nodiscard]] std::string_view text() const { return text_; }
+  [[nodiscard]] pugi::xml_node root() const { return document_; }
+  [[nodiscard]] std::string_view text_of(const Range& r) const { return text().substr(r.begin, r.end - r.begin); }
+
+  [[nodiscard]] std::optional<Range> value(pugi::xml_node element, const char* attribute) const {
+    const pugi::xml_attribute found = element.attribute(attribute);
+    if (!found) return std::nullopt;
+    const std::string_view value = found.value();
+    if (value.empty()) return Range{};
+    const auto begin = static_cast<std::size_t>(value.data() - text_.data());
+    return Range{begin, begin + value.size()};
+  }
+  /// The value of a property, as an attribute or in a style.
+  [[nodiscard]] std::optional<Range> property(pugi::xml_node element, const char* name) const {
+    if (const auto own = value(element, name)) return own;
+    const auto style = value(element, "style");
+    if (!style) return std::nullopt;
+    const std::string_view all = text();
+    for (std::size_t at = style->begin; at < style->end;) {
+      const std::size_t end = std::min(all.find(';', at), style->end), colon = std::min(all.find(':', at), end);
+      std::string_view key = all.substr(at, colon - at);
+      key = key.substr(std::min(key.find_first_not_of(white), key.size()));
+      if (key.substr(0, key.find_last_not_of(white) + 1) == name) return Range{std::min(colon + 1, end), end};
+      at = end + 1;
     }
+    return std::nullopt;
   }
 
  private:
-  /// Behind a comment or an instruction, in which quotes mean nothing.
-  [[nodiscard]] std::optional<std::size_t> behind_hidden(std::size_t begin) const {
-    const std::string_view rest = text_.substr(begin);
-    if (rest.starts_with("<!--")) return behind(text_, "-->", begin + 4);
-    if (rest.starts_with("<?")) return behind(text_, "?>", begin + 2);
-    return std::nullopt;
-  }
-  /// Declarations may hold others, comments and instructions.
-  [[nodiscard]] std::size_t behind_declaration(std::size_t begin) const {
-    std::size_t at = begin + 1;
-    for (std::size_t depth = 1; depth > 0;) {
-      at = text_.find_first_of("\"'<>", at);
-      if (at == std::string_view::npos) io::fail_at_line(begin, "expected '>' behind a declaration");
-      const char c = text_[at];
-      if (c == '<') {
-        const auto end = behind_hidden(at);
-        depth += end ? 0 : 1;
-        at = end.value_or(at + 1);
-      } else if (c == '>') {
-        --depth;
-        ++at;
-      } else {
-        at = behind(text_, text_.substr(at, 1), at + 1);
-      }
-    }
-    return at;
-  }
-  [[nodiscard]] std::size_t end_of_tag(std::size_t begin) const {
-    for (std::size_t at = begin;;) {
-      at = text_.find_first_of("\"'>", at);
-      if (at == std::string_view::npos) io::fail_at_line(begin, "expected '>' behind a tag");
-      if (text_[at] == '>') return at;
-      at = behind(text_, text_.substr(at, 1), at + 1);
-    }
-  }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
+  std::string text_;
+  pugi::xml_document document_;
 };
+
+/// Without the prefix of a name space.
+std::string_view local_name(pugi::xml_node element) {
+  const std::string_view whole = element.name();
+  return whole.substr(whole.find(':') + 1);  // all of it, if there is none
+}
 
 /// Reads the paths of a document that are drawn.
 class DocumentReader {
  public:
-  DocumentReader(std::string_view text, RingCollector& rings) : text_(text), rings_(rings) {}
+  DocumentReader(const XmlDocument& xml, RingCollector& rings) : xml_(xml), rings_(rings) {}
 
+  /// In the order of the document, without recursion: elements may be nested as deep as they like.
   void read() {
-    Tags tags(text_);
-    while (const std::optional<Tag> tag = tags.next()) {
-      if (hides(*tag)) continue;
-      refuse_placement(*tag);
-      look_at(*tag);
+    for (pugi::xml_node at = xml_.root().first_child(); at;) {
+      if (at.type() == pugi::node_element) enter(at);
+      pugi::xml_node next = at.first_child();
+      while (!next && at && at != xml_.root()) {
+        leave(at);
+        next = at.next_sibling();
+        at = at.parent();
+      }
+      at = next;
     }
   }
   /// What was left out.
@@ -284,63 +228,47 @@ class DocumentReader {
                                                           "polyline", "text", "image",  "use"};
   static constexpr std::array<std::string_view, 6> hiding{"defs", "symbol", "clipPath", "mask", "pattern", "marker"};
 
-  /// True inside of elements that are not drawn where they are.
-  bool hides(const Tag& tag) {
-    const std::string_view name = tag.name();
-    if (hidden_depth_ == 0) {
-      if (tag.is_end() || tag.is_empty() || std::find(hiding.begin(), hiding.end(), name) == hiding.end()) return false;
-      hiding_ = name;
-      hidden_depth_ = 1;
-      return true;
+  void enter(pugi::xml_node element) {
+    const std::string_view name = local_name(element);
+    if (hiding_) {
+      has_hidden_path_ = has_hidden_path_ || name == "path";
+      return;
     }
-    has_hidden_path_ = has_hidden_path_ || (name == "path" && !tag.is_end());
-    if (name == hiding_ && !tag.is_empty()) hidden_depth_ += tag.is_end() ? -1 : 1;
-    return true;
-  }
-
-  [[nodiscard]] std::string_view text_of(const std::array<std::size_t, 2>& range) const {
-    return text_.substr(range[0], range[1] - range[0]);
-  }
-  /// The value of a property, as an attribute or in a style.
-  [[nodiscard]] std::optional<std::array<std::size_t, 2>> property(const Tag& tag, std::string_view name) const {
-    if (const auto value = tag.value(name)) return value;
-    const auto style = tag.value("style");
-    if (!style) return std::nullopt;
-    for (std::size_t at = (*style)[0]; at < (*style)[1];) {
-      const std::size_t end = std::min(text_.find(';', at), (*style)[1]), colon = std::min(text_.find(':', at), end);
-      std::string_view key = text_.substr(at, colon - at);
-      key = key.substr(std::min(key.find_first_not_of(white), key.size()));
-      if (key.substr(0, key.find_last_not_of(white) + 1) == name) return std::array{std::min(colon + 1, end), end};
-      at = end + 1;
+    if (element.first_child() && std::find(hiding.begin(), hiding.end(), name) != hiding.end()) {
+      hiding_ = element;
+      return;
     }
-    return std::nullopt;
+    refuse_placement(element, name);
+    look_at(element, name);
+  }
+  void leave(pugi::xml_node node) {
+    if (node == hiding_) hiding_ = {};
+    if (!hiding_ && node.type() == pugi::node_element && local_name(node) == "svg") --depth_;
   }
 
-  void refuse_placement(const Tag& tag) {
-    if (const auto transform = property(tag, "transform"))
-      io::fail_at_line((*transform)[0], "transformations are not applied: write the path with its own coordinates");
-    if (tag.name() != "svg") return;
-    for (const std::string_view placement : {"x", "y", "viewBox"})
-      if (const auto value = tag.value(placement); value && depth_ > 0)
-        io::fail_at_line((*value)[0], "svg elements inside of others are not placed: write one with paths alone");
-    if (!tag.is_empty()) depth_ += tag.is_end() ? -1 : 1;
+  void refuse_placement(pugi::xml_node element, std::string_view name) {
+    if (const auto transform = xml_.property(element, "transform"))
+      io::fail_at_line(transform->begin, "transformations are not applied: write the path with its own coordinates");
+    if (name != "svg") return;
+    for (const char* placement : {"x", "y", "viewBox"})
+      if (const auto value = xml_.value(element, placement); value && depth_ > 0)
+        io::fail_at_line(value->begin, "svg elements inside of others are not placed: write one with paths alone");
+    ++depth_;
   }
 
-  void look_at(const Tag& tag) {
-    const std::string_view name = tag.name();
+  void look_at(pugi::xml_node element, std::string_view name) {
     for (std::size_t i = 0; i < unread.size(); ++i) has_unread_[i] = has_unread_[i] || name == unread[i];
-    if (const auto rule = property(tag, "fill-rule"))
-      has_parity_ = has_parity_ || text_of(*rule).find("evenodd") != std::string_view::npos;
-    has_clip_ = has_clip_ || property(tag, "clip-path") || property(tag, "mask");
+    if (const auto rule = xml_.property(element, "fill-rule"))
+      has_parity_ = has_parity_ || xml_.text_of(*rule).find("evenodd") != std::string_view::npos;
+    has_clip_ = has_clip_ || xml_.property(element, "clip-path") || xml_.property(element, "mask");
     if (name != "path") return;
-    if (const auto data = tag.value("d")) PathReader(text_, (*data)[0], (*data)[1], rings_).read();
+    if (const auto data = xml_.value(element, "d")) PathReader(xml_.text(), data->begin, data->end, rings_).read();
   }
 
-  std::string_view text_;
+  const XmlDocument& xml_;
   RingCollector& rings_;
-  std::string_view hiding_;  ///< the outermost element that is not drawn
-  int hidden_depth_ = 0;     ///< how many of that name are open
-  int depth_ = 0;            ///< how many svg elements are open
+  pugi::xml_node hiding_;  ///< the outermost element that is not drawn
+  int depth_ = 0;          ///< how many svg elements are open
   std::array<bool, unread.size()> has_unread_{};
   bool has_hidden_path_ = false, has_parity_ = false, has_clip_ = false;
 };
@@ -353,7 +281,8 @@ Loops read_svg(std::string_view text, std::vector<std::string>& notes) {
   if (first != std::string_view::npos && text[first] != '<') {
     PathReader(text, 0, text.size(), rings).read();  // bare path data
   } else {
-    DocumentReader document(text, rings);
+    const XmlDocument xml(text);
+    DocumentReader document(xml, rings);
     document.read();
     notes = document.notes();
   }

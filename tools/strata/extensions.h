@@ -1,0 +1,15 @@
+#pragma once
+#include <vector>
+
+#include "settings.h"
+#include "strata/expression.h"
+
+// What verbs of the core take from extensions, if this build has them.
+
+/// Engines of `--engine` beside the arrangement: for Booleans, for formulas, and for points to be located.
+[[nodiscard]] std::vector<const strata::Engine*> boolean_engines();
+[[nodiscard]] std::vector<const strata::Engine*> formula_engines();
+[[nodiscard]] std::vector<const strata::Engine*> locating_engines();
+
+/// What OpenSCAD wrote. Throws UsageError without the extension openscad, else as `read_model_file`.
+[[nodiscard]] strata::Expression read_model(const Settings& settings);

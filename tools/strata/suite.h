@@ -1,0 +1,9 @@
+#pragma once
+#include <string_view>
+
+/// True for verify and fuzz, verbs that the program `strata-verify` has.
+[[nodiscard]] bool is_suite_verb(std::string_view verb);
+
+/// Replaces this process by `strata-verify` with the same arguments. Returns only where there is no such program, with
+/// the exit code for files; says so.
+[[nodiscard]] int become_suite(char** arguments);

@@ -1,0 +1,84 @@
+#include "verify/strata_engine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "common/exit_code.h"
+#include "common/sibling_program.h"
+#include "strata/io.h"
+
+namespace verify {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The exit codes of the command line, of which only some mean what they mean for other programs.
+Verdict verdict(const ChildEnd& end) {
+  if (end.how != ChildEnd::How::exited) return verdict_of(end);
+  if (end.code == static_cast<int>(ExitCode::invalid_input)) return {Outcome::refused, end.error};
+  if (end.code == static_cast<int>(ExitCode::stopped)) return {Outcome::crashed, "out of memory"};
+  return end.code == 0 ? Verdict{} : Verdict{Outcome::crashed, fmt::format("exit status {}: {}", end.code, end.error)};
+}
+
+/// What this program can be asked under a name of its own.
+struct Variant {
+  const char* name;
+  const char* engine;  ///< as for --engine
+  const char* result;
+};
+constexpr std::array variants{Variant{"strata", "arrangement", "result.xoff"},
+                              Variant{"strata-doubles", "arrangement", "result.off"},
+                              Variant{"layers", "layers", "result.xoff"}};
+
+class StrataEngine : public Engine {
+ public:
+  explicit StrataEngine(const Variant& variant) : variant_(variant), program_(sibling_program("strata").string()) {
+    if (program_.empty()) throw std::runtime_error("engine not installed: there is no program strata beside this one");
+  }
+
+  [[nodiscard]] std::string name() const override { return variant_.name; }
+
+  [[nodiscard]] Answer ask(const Case& c, const fs::path& folder, const Limits& limits) const override {
+    Answer answer;
+    answer.file = folder / variant_.result;
+    std::vector<std::string> command = {program_, "eval", c.expression};
+    for (std::string& binding : bindings_of(c, folder)) command.push_back(std::move(binding));
+    for (const std::string& word :
+         {std::string("-o"), answer.file.string(), std::string("--input"), std::string(strata::name(c.input)),
+          std::string("--engine"), std::string(variant_.engine), std::string("-j"), std::string("1"),
+          std::string("-q")})
+      command.push_back(word);
+    const ChildEnd end = run_child(command, limits, folder);
+    answer.why_not = verdict(end);
+    answer.seconds = end.seconds;
+    answer.peak_bytes = end.peak_bytes;
+    if (answer.why_not.outcome != Outcome::exact) answer.file.clear();
+    return answer;
+  }
+
+ private:
+  Variant variant_;
+  std::string program_;
+};
+
+}  // namespace
+
+std::vector<std::string> bindings_of(const Case& c, const fs::path& folder) {
+  std::vector<std::string> bindings;
+  for (const CaseOperand& o : c.operands) {
+    fs::path file = o.file.empty() ? folder / (o.name + ".off") : fs::absolute(o.file);
+    if (o.file.empty()) strata::write_mesh(file, o.mesh, strata::Format::off);
+    bindings.push_back(o.name + "=" + file.string());
+  }
+  return bindings;
+}
+
+std::unique_ptr<Engine> make_strata_engine(const std::string& name) {
+  const auto* v = std::find_if(variants.begin(), variants.end(), [&](const Variant& one) { return one.name == name; });
+  return v == variants.end() ? nullptr : std::make_unique<StrataEngine>(*v);
+}
+
+}  // namespace verify
