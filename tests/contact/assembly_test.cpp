@@ -7,8 +7,8 @@
 #include <map>
 
 #include "contact/parts.h"
+#include "core/kernel/box.h"
 #include "core/kernel/disjoint_sets.h"
-#include "extensions/contact/box_pairs.h"
 #include "strata/contact.h"
 #include "support/random.h"
 #include "support/touching.h"
@@ -153,24 +153,6 @@ TEST_CASE("an assembly can be cancelled", "[contact]") {
   CancelToken cancel;
   cancel.cancel();
   CHECK_THROWS_AS(Assembly(grid(2, 2, 2, 1)).pairs(Monitor(&cancel)), Cancelled);
-}
-
-TEST_CASE("boxes that overlap are found among many", "[contact]") {
-  test::Random random(3);
-  std::vector<Box> boxes(200);
-  for (Box& b : boxes) {
-    if (random.once_in(20)) continue;  // empty
-    Vertex p{double(random.between(0, 20)), double(random.between(0, 40)), double(random.between(0, 5))}, q = p;
-    for (double& x : q) x += random.between(0, 4);
-    b.include(p);
-    b.include(q);
-  }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> expected;
-  for (std::uint32_t a = 0; a < boxes.size(); ++a)
-    for (std::uint32_t b = a + 1; b < boxes.size(); ++b)
-      if (!boxes[a].empty() && !boxes[b].empty() && boxes[a].overlaps(boxes[b])) expected.emplace_back(a, b);
-  CHECK(overlapping_boxes(boxes) == expected);
-  CHECK(overlapping_boxes({}).empty());
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "extensions/contact/box_pairs.h"
+#include "core/containers/box_sweep.h"
 #include "strata/contact.h"
 #include "support/random.h"
 #include "support/shapes.h"
@@ -160,7 +160,7 @@ void run_cgal(const std::vector<Mesh>& meshes) {
   }
   const auto start = std::chrono::steady_clock::now();
   int meeting = 0;
-  for (const auto& [a, b] : strata::contact::overlapping_boxes(boxes))
+  for (const auto& [a, b] : strata::overlapping_pairs(boxes))
     meeting += CGAL::Polygon_mesh_processing::do_intersect(surfaces[a], surfaces[b],
                                                            CGAL::parameters::do_overlap_test_of_bounded_sides(true));
   std::printf("cgal    %.3f s on one thread: %d pairs meet\n", seconds_since(start), meeting);

@@ -1,4 +1,4 @@
-#include "extensions/scene/box_tree.h"
+#include "core/containers/box_tree.h"
 
 #include <tbb/global_control.h>
 
@@ -8,6 +8,7 @@
 
 // Seen to fail: a slab test without its widening (misses no box).
 #include "core/kernel/input_complex.h"
+#include "extensions/scene/face_tree.h"
 #include "extensions/scene/pieces.h"
 #include "extensions/scene/scene_data.h"
 #include "extensions/scene/signed_covering.h"
@@ -105,7 +106,7 @@ TEST_CASE("the tree shows every face that a ray meets once, nearest boxes first"
   test::Random random(static_cast<std::uint64_t>(seed));
   const auto meshes = test::touching_operands(static_cast<std::uint64_t>(seed)).meshes;
   const Scene scene = test::scene_of(meshes);
-  const BoxTree tree(scene);
+  const BoxTree tree = tree_of_faces(scene);
   for (int n = 0; n < 20; ++n) {
     const Vertex from = test::awkward_point(meshes, {1, 2, 3}, random), to = test::awkward_point(meshes, from, random);
     Vertex d{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
@@ -134,7 +135,7 @@ TEST_CASE("trees are small, and alike for any number of threads", "[layers][rays
   std::array<std::vector<std::uint32_t>, 2> order;
   for (const std::size_t threads : {1u, 4u}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const BoxTree tree(scene);
+    const BoxTree tree = tree_of_faces(scene);
     CHECK(tree.bytes() < 40 * std::size_t{scene.face_count()});
     tree.for_each_along(RaySlabs({-2, 0.1, 0.2}, {1, 0, 0.01}, tree.bounds()), HUGE_VAL, [&](auto faces) {
       auto& o = order[threads == 1 ? 0 : 1];

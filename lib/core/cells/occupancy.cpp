@@ -7,7 +7,7 @@
 #include <atomic>
 
 #include "core/cells/face_blocks.h"
-#include "core/mesh/huge_pages.h"
+#include "core/containers/huge_pages.h"
 
 namespace strata {
 

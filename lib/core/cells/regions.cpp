@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/mesh/huge_pages.h"
+#include "core/containers/huge_pages.h"
 
 namespace strata {
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <unordered_map>
 #include <utility>
 
+#include "core/containers/box_sweep.h"
+#include "core/containers/hash_index.h"
+#include "core/containers/point_hash.h"
 #include "core/kernel/disjoint_sets.h"
 
 namespace strata {
@@ -14,25 +16,16 @@ namespace {
 /// More operands than this in one arrangement cost more than a second round.
 constexpr std::size_t most_in_group = 32;
 
-std::uint64_t hash_of(const Vertex& p) {
-  std::uint64_t h = 0;
-  for (const double x : p)
-    h = (h ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15u + (h >> 29);  // -0 is 0
-  return h ^ h >> 32;
-}
-
 /// The operands whose box meets that of another one.
 std::vector<std::uint32_t> with_neighbours(std::span<const OperandBox> united) {
-  std::vector<OperandBox> sorted(united.begin(), united.end());
-  std::sort(sorted.begin(), sorted.end(),
-            [](const OperandBox& a, const OperandBox& b) { return a.box.lower[0] < b.box.lower[0]; });
-  std::vector<bool> has_neighbour(sorted.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i)
-    for (std::size_t k = i + 1; k < sorted.size() && sorted[k].box.lower[0] <= sorted[i].box.upper[0]; ++k)
-      if (sorted[i].box.overlaps(sorted[k].box)) has_neighbour[i] = has_neighbour[k] = true;
+  std::vector<Box> boxes;
+  for (const OperandBox& b : united) boxes.push_back(b.box);
+  std::vector<bool> has_neighbour(boxes.size());
+  for_each_overlapping_pair(boxes,
+                            [&](std::uint32_t a, std::uint32_t b) { has_neighbour[a] = has_neighbour[b] = true; });
   std::vector<std::uint32_t> found;
-  for (std::size_t i = 0; i < sorted.size(); ++i)
-    if (has_neighbour[i]) found.push_back(sorted[i].operand);
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (has_neighbour[i]) found.push_back(united[i].operand);
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -44,7 +37,8 @@ class Walls {
       : operands_(operands), sets_(operands.size()) {
     std::size_t faces = 0;
     for (const std::uint32_t o : united) faces += operands[o].mesh.triangles.size();
-    slots_.resize(std::bit_ceil(2 * faces + 1));
+    faces_.reserve(faces);
+    table_ = HashIndex(faces);
     for (const std::uint32_t o : united) add(o);
   }
 
@@ -54,9 +48,8 @@ class Walls {
  private:
   struct Face {
     std::uint64_t key = 0;
-    std::uint32_t operand = none, face = 0;
+    std::uint32_t operand = 0, face = 0;
   };
-  static constexpr std::uint32_t none = 0xffffffffu;
 
   void add(std::uint32_t operand) {
     const MeshView& mesh = operands_[operand].mesh;
@@ -71,17 +64,16 @@ class Walls {
       add(Face{key, operand, f});
     }
   }
+  /// Every face is kept, equal or not.
   void add(const Face& f) {
-    for (std::size_t s = f.key;; ++s) {
-      Face& slot = slots_[s & (slots_.size() - 1)];
-      if (slot.operand == none) {
-        slot = f;
-        return;
-      }
-      if (slot.key != f.key || slot.operand == f.operand || !are_opposite(slot, f)) continue;
-      sets_.unite(slot.operand, f.operand);
+    table_.find_or_add(f.key, static_cast<std::uint32_t>(faces_.size()), [&](std::uint32_t number) {
+      const Face& known = faces_[number];
+      if (known.key != f.key || known.operand == f.operand || !are_opposite(known, f)) return false;
+      sets_.unite(known.operand, f.operand);
       any_ = true;
-    }
+      return false;
+    });
+    faces_.push_back(f);
   }
 
   [[nodiscard]] std::array<Vertex, 3> corners(const Face& f) const {
@@ -98,7 +90,8 @@ class Walls {
 
   std::span<const Operand> operands_;
   DisjointSets<std::uint32_t> sets_;
-  std::vector<Face> slots_;  ///< a hash table with open addresses
+  std::vector<Face> faces_;
+  HashIndex table_;  ///< numbers of faces_
   std::vector<std::uint64_t> hashes_;
   bool any_ = false;
 };

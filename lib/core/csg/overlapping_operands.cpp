@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/containers/box_sweep.h"
 #include "core/kernel/box.h"
 
 namespace strata {
@@ -15,14 +16,16 @@ constexpr std::size_t most_in_group = 13;
 constexpr std::size_t most_operands = 2000;
 
 std::vector<OperandBox> crowded(std::span<const OperandBox> all) {
+  std::vector<Box> boxes;
+  for (const OperandBox& b : all) boxes.push_back(b.box);
+  std::vector<std::size_t> others(all.size(), 0);  // that overlap an operand
+  for_each_overlapping_pair(boxes, [&](std::uint32_t a, std::uint32_t b) {
+    ++others[a];
+    ++others[b];
+  });
   std::vector<OperandBox> found;
-  for (const OperandBox& b : all) {
-    if (b.box.empty()) continue;
-    const auto overlapping =
-        std::count_if(all.begin(), all.end(), [&](const OperandBox& other) { return other.box.overlaps(b.box); });
-    const auto others = static_cast<std::size_t>(overlapping) - 1;
-    if (others >= crowd && 2 * others >= all.size()) found.push_back(b);
-  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (others[i] >= crowd && 2 * others[i] >= all.size()) found.push_back(all[i]);
   return found;
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/io/large_pages.h"
+#include "core/containers/huge_pages.h"
 #include "core/io/tally.h"
 #include "core/io/triangulate.h"
 
@@ -127,8 +127,8 @@ void gather_faces(std::span<const FaceList> lists, MeshFile& file, const std::st
   if (std::max({faces, triangles, std::uint64_t{file.mesh.vertices.size()}}) > most_items)
     throw IoError(name, {}, "more than 2^32 - 2 vertices or triangles");
   const bool plain = std::all_of(lists.begin(), lists.end(), [](const auto& l) { return l.sizes().empty(); });
-  resize_in_large_pages(file.mesh.triangles, triangles);
-  if (!plain) resize_in_large_pages(file.polygon_of_triangle, triangles);
+  resize_fresh(file.mesh.triangles, triangles);
+  if (!plain) resize_fresh(file.polygon_of_triangle, triangles);
   std::vector<Findings> findings(lists.size());
   tbb::parallel_for(std::size_t{0}, lists.size(),
                     [&](std::size_t i) { findings[i] = ListWriter(file, starts[i]).write(lists[i]); });

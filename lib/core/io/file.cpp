@@ -10,7 +10,7 @@
 #include <cstring>
 #include <system_error>
 
-#include "core/io/large_pages.h"
+#include "core/containers/huge_pages.h"
 #include "strata/errors.h"
 
 namespace strata::io {
@@ -76,7 +76,7 @@ FileBytes::FileBytes(const File& file) {
   // or have no size.
   std::size_t capacity = file.size() + 1;
   bytes_ = std::make_unique_for_overwrite<char[]>(capacity);
-  prefer_large_pages(bytes_.get(), capacity);
+  prefer_huge_pages(bytes_.get(), capacity);
   if (file.size() > 0 && read_in_parts(file, bytes_.get(), file.size())) file.go_to(size_ = file.size());
   while (const std::size_t got = file.read(bytes_.get() + size_, capacity - size_)) {
     size_ += got;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/io/large_pages.h"
+#include "core/containers/huge_pages.h"
 #include "core/io/obj_piece.h"
 #include "core/io/readers.h"
 
@@ -30,7 +30,7 @@ void check(const ObjUses& uses, std::uint64_t before, std::uint64_t vertex_count
 MeshFile join_pieces(const Input& input, std::vector<ObjPiece> pieces) {
   const auto before = vertices_before(pieces);
   MeshFile file;
-  resize_in_large_pages(file.mesh.vertices, before.back());
+  resize_fresh(file.mesh.vertices, before.back());
   std::vector<FaceList> faces(pieces.size());
   tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
     ObjPiece& piece = pieces[i];

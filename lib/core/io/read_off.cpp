@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/containers/huge_pages.h"
 #include "core/io/face_list.h"
-#include "core/io/large_pages.h"
 #include "core/io/line_records.h"
 #include "core/io/readers.h"
 #include "core/io/text_cursor.h"
@@ -100,7 +100,7 @@ MeshFile read_off(const Input& input) {
   return read_in_pieces(input, [&](std::size_t size) {
     const auto pieces = divide_records(input, header.end, header.vertices + header.faces, syntax, size);
     MeshFile file;
-    resize_in_large_pages(file.mesh.vertices, header.vertices);
+    resize_fresh(file.mesh.vertices, header.vertices);
     std::vector<FaceList> faces(pieces.size());
     std::atomic<bool> more = false;
     tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {

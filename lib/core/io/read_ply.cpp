@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/large_pages.h"
+#include "core/containers/huge_pages.h"
 #include "core/io/line_records.h"
 #include "core/io/piece_source.h"
 #include "core/io/ply_records.h"
@@ -33,7 +33,7 @@ MeshFile read_whole(const Input& input, const PlyPlan& plan, Numbers numbers) {
   PlyRecords records(plan, numbers);
   for (const PlyElementPlan& p : plan.elements) {
     check_room(*p.element, records.numbers());
-    if (p.role == PlyRole::points) resize_in_large_pages(file.mesh.vertices, p.element->count);
+    if (p.role == PlyRole::points) resize_fresh(file.mesh.vertices, p.element->count);
     records.read(p, 0, p.element->count, file.mesh.vertices);
   }
   if (records.numbers().has_more()) file.notes.emplace_back(ignored_rest);
@@ -72,7 +72,7 @@ class BinaryPieces {
     const std::size_t stride = next_size(*p.element);
     const std::uint64_t count = p.element->count;
     if (count > (source_.size() - offset_) / stride) fail("fewer records, or of other sizes");
-    if (p.role == PlyRole::points) resize_in_large_pages(file_.mesh.vertices, count);
+    if (p.role == PlyRole::points) resize_fresh(file_.mesh.vertices, count);
     const std::size_t per_piece = std::max<std::size_t>(size / stride, 1);
     const std::size_t pieces = (count + per_piece - 1) / per_piece, lists = faces_.size();
     faces_.resize(lists + pieces);
@@ -111,7 +111,7 @@ class TextPieces {
     const auto pieces = divide_records(input_, offset_, count, {}, size);
     if (pieces.size() == 1) fail("one piece, which may have fewer lines than records");
     for (const PlyElementPlan& p : plan_.elements)
-      if (p.role == PlyRole::points) resize_in_large_pages(file_.mesh.vertices, p.element->count);
+      if (p.role == PlyRole::points) resize_fresh(file_.mesh.vertices, p.element->count);
     std::vector<FaceList> faces(pieces.size());
     tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) { faces[i] = read_piece(pieces[i]); });
     gather_faces(faces, file_, input_.name);

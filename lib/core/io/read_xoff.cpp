@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/containers/huge_pages.h"
 #include "core/io/exact_polygon.h"
 #include "core/io/face_list.h"
-#include "core/io/large_pages.h"
 #include "core/io/line_records.h"
 #include "core/io/readers.h"
 #include "core/io/tally.h"
@@ -150,7 +150,7 @@ class XoffReader {
 
  private:
   void read_vertices() {
-    resize_in_large_pages(file_.mesh.vertices, vertex_count_);
+    resize_fresh(file_.mesh.vertices, vertex_count_);
     std::vector<std::vector<ExactVertex>> exact(pieces_.size());
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
       RecordPiece& records = pieces_[i];
@@ -180,8 +180,8 @@ class XoffReader {
     for (const FacePiece& p : faces_) first.push_back(first.back() + p.triangles.size());
     if (first.back() > most_items) fail("more than 2^32 - 2 triangles");
     const bool plain = std::all_of(faces_.begin(), faces_.end(), [](const FacePiece& p) { return p.plain; });
-    resize_in_large_pages(file_.mesh.triangles, first.back());
-    if (!plain) resize_in_large_pages(file_.polygon_of_triangle, first.back());
+    resize_fresh(file_.mesh.triangles, first.back());
+    if (!plain) resize_fresh(file_.polygon_of_triangle, first.back());
     tbb::parallel_for(std::size_t{0}, faces_.size(), [&](std::size_t i) {
       const FacePiece& p = faces_[i];
       std::copy(p.triangles.begin(), p.triangles.end(), file_.mesh.triangles.data() + first[i]);

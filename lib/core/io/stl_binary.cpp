@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/containers/huge_pages.h"
 #include "core/io/binary.h"
-#include "core/io/large_pages.h"
 #include "core/io/piece_source.h"
 #include "core/io/readers.h"
 #include "core/io/stl.h"
@@ -53,7 +53,7 @@ void read_records(std::string_view records, std::size_t first, VertexWelder<floa
 MeshFile read_pieces(PieceSource& source, std::size_t count, std::size_t size, const std::string& name) {
   const std::size_t per_piece = std::max<std::size_t>(size / stl_record_size, 1);
   std::vector<Triangle> triangles;
-  resize_in_large_pages(triangles, count);
+  resize_fresh(triangles, count);
   std::vector<WeldedPiece<float>> pieces((count + per_piece - 1) / per_piece);
   tbb::enumerable_thread_specific<VertexWelder<float>> welders;
   tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {

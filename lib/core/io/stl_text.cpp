@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/io/large_pages.h"
+#include "core/containers/huge_pages.h"
 #include "core/io/stl.h"
 #include "core/io/text_cursor.h"
 #include "core/io/vertex_welder.h"
@@ -68,7 +68,7 @@ std::vector<Triangle> gather(std::span<WeldedPiece<double>> pieces, std::vector<
   std::vector<std::size_t> first{0};
   for (const auto& part : parts) first.push_back(first.back() + part.size());
   std::vector<Triangle> triangles;
-  resize_in_large_pages(triangles, first.back());
+  resize_fresh(triangles, first.back());
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
     pieces[i].triangles = std::span(triangles).subspan(first[i], parts[i].size());
     std::copy(parts[i].begin(), parts[i].end(), pieces[i].triangles.begin());

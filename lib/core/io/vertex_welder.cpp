@@ -3,14 +3,11 @@
 namespace strata::io {
 
 template <class Scalar>
-void VertexWelder<Scalar>::grow() {
-  slots_.assign(2 * slots_.size(), 0);
-  const std::size_t mask = slots_.size() - 1;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    std::size_t at = hash_of(points_[i]) & mask;
-    while (slots_[at] != 0) at = (at + 1) & mask;
-    slots_[at] = static_cast<std::uint32_t>(i + 1);
-  }
+void VertexWelder<Scalar>::keep(const Point& p) {
+  points_.push_back(p);
+  if (points_.size() < table_.room()) return;
+  table_.grow(2 * table_.room(), static_cast<std::uint32_t>(points_.size()),
+              [&](std::uint32_t n) { return hash_of(points_[n]); });
 }
 
 template class VertexWelder<float>;

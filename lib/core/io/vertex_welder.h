@@ -1,33 +1,28 @@
 #pragma once
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "core/mesh/corner_hash.h"
+#include "core/containers/hash_index.h"
+#include "core/containers/point_hash.h"
 
 namespace strata::io {
 
-/// Numbers the different points of a stream in order of first use. -0 equals 0; a point keeps the zeros of its first
-/// use. An open hash table, which is fast while it fits into a core's cache. O(1) expected per point.
+/// Numbers the different points of a stream in order of first use. -0 equals 0, and a point keeps the zeros it came
+/// with first. Quick as long as it fits into a core's cache. O(1) expected per point.
 template <class Scalar>
 class VertexWelder {
  public:
   using Point = std::array<Scalar, 3>;
 
-  VertexWelder() : slots_(least_slots) {}
-
   /// The number of the point. Requires finite coordinates and fewer than 2^32 - 1 different points.
   std::uint32_t add(const Point& p) {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t at = hash_of(p) & mask;
-    while (slots_[at] != 0) {
-      const std::uint32_t number = slots_[at] - 1;
-      if (are_equal(points_[number], p)) return number;
-      at = (at + 1) & mask;
-    }
-    return add_at(at, p);
+    const auto next = static_cast<std::uint32_t>(points_.size());
+    const std::uint32_t number =
+        table_.find_or_add(hash_of(p), next, [&](std::uint32_t there) { return are_equal(points_[there], p); });
+    if (number == next) keep(p);
+    return number;
   }
 
   /// The different points so far, by number.
@@ -36,22 +31,16 @@ class VertexWelder {
   /// Removes all points and keeps the memory.
   void clear() {
     points_.clear();
-    std::fill(slots_.begin(), slots_.end(), 0);
+    table_.clear();
   }
 
  private:
-  static constexpr std::size_t least_slots = std::size_t{1} << 14;
+  static constexpr std::size_t least_room = (std::size_t{1} << 13) - 1;
 
-  std::uint32_t add_at(std::size_t slot, const Point& p) {
-    points_.push_back(p);
-    slots_[slot] = static_cast<std::uint32_t>(points_.size());
-    if (2 * points_.size() >= slots_.size()) grow();
-    return static_cast<std::uint32_t>(points_.size() - 1);
-  }
-  void grow();
+  void keep(const Point& p);
 
   std::vector<Point> points_;
-  std::vector<std::uint32_t> slots_;  ///< number + 1, or 0 where free; a power of two, at most half full
+  HashIndex table_{least_room};  ///< numbers of points_
 };
 
 }  // namespace strata::io

@@ -8,9 +8,10 @@
 #include <memory>
 #include <utility>
 
+#include "core/containers/hash_index.h"
+#include "core/containers/huge_pages.h"
+#include "core/containers/point_hash.h"
 #include "core/io/face_list.h"
-#include "core/io/large_pages.h"
-#include "core/mesh/corner_hash.h"
 
 namespace strata::io {
 namespace {
@@ -28,7 +29,7 @@ class Joint {
   std::vector<Vertex> join() {
     bits_ = std::min(most_bits, static_cast<int>(std::bit_width(count() / partition_size)));
     deal();
-    resize_in_large_pages(first_use_, count());
+    resize_fresh(first_use_, count());
     tbb::parallel_for(std::size_t{0}, partitions(), [&](std::size_t i) { find_first_uses(partition(i)); });
     dealt_.reset();
     auto vertices = number_first_uses();
@@ -68,7 +69,7 @@ class Joint {
       ends_.push_back(end);
     }
     dealt_ = std::make_unique_for_overwrite<Dealt[]>(count());
-    prefer_large_pages(dealt_.get(), count() * sizeof(Dealt));
+    prefer_huge_pages(dealt_.get(), count() * sizeof(Dealt));
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
       auto number = static_cast<std::uint32_t>(first_[i]);
       for (const Point& p : pieces_[i].points) dealt_[place[i][partition_of(p)]++] = {p, number++};
@@ -77,14 +78,12 @@ class Joint {
 
   /// Points are in order, so the one that is in a table is the first.
   void find_first_uses(std::span<const Dealt> points) {
-    std::vector<std::uint32_t> slots(std::bit_ceil(2 * points.size() + 1));
-    const std::size_t mask = slots.size() - 1;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto& [p, number] = points[i];
-      std::size_t at = hash_of(p) & mask;
-      while (slots[at] != 0 && !are_equal(points[slots[at] - 1].point, p)) at = (at + 1) & mask;
-      if (slots[at] == 0) slots[at] = static_cast<std::uint32_t>(i + 1);
-      first_use_[number] = points[slots[at] - 1].number;
+    HashIndex table(points.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      const Point& p = points[i].point;
+      const std::uint32_t first =
+          table.find_or_add(hash_of(p), i, [&](std::uint32_t there) { return are_equal(points[there].point, p); });
+      first_use_[points[i].number] = points[first].number;
     }
   }
 
@@ -99,8 +98,8 @@ class Joint {
     std::size_t total = 0;
     for (std::size_t& n : next) total += std::exchange(n, total);
     std::vector<Vertex> vertices;
-    resize_in_large_pages(vertices, total);
-    resize_in_large_pages(vertex_, count());
+    resize_fresh(vertices, total);
+    resize_fresh(vertex_, count());
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
       std::size_t vertex = next[i];
       for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {

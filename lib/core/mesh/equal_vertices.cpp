@@ -2,7 +2,9 @@
 
 #include <array>
 #include <bit>
-#include <limits>
+
+#include "core/containers/hash_index.h"
+#include "core/containers/point_hash.h"
 
 namespace strata {
 namespace {
@@ -15,30 +17,15 @@ Bits bits(const Vertex& v) {
   return result;
 }
 
-std::uint64_t hash(const Bits& b) {
-  std::uint64_t h = 0;
-  for (const std::uint64_t word : b) {
-    h = (h ^ word) * 0x9E3779B97F4A7C15U;
-    h ^= h >> 32;
-  }
-  return h;
-}
-
-/// Hashing with linear probing. `equal` compares vertices whose doubles are equal.
+/// `equal` decides among vertices whose doubles are the same.
 template <class Equal>
 std::vector<std::uint32_t> first_equal(std::span<const Vertex> vertices, Equal equal) {
-  constexpr auto empty = std::numeric_limits<std::uint32_t>::max();
-  const std::size_t slots = std::bit_ceil(vertices.size() * 2 + 2);
-  std::vector<std::uint32_t> table(slots, empty);
+  HashIndex table(vertices.size());
   std::vector<std::uint32_t> first(vertices.size());
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
     const Bits key = bits(vertices[v]);
-    std::size_t slot = hash(key) & (slots - 1);
-    while (table[slot] != empty && !(bits(vertices[table[slot]]) == key && equal(table[slot], v))) {
-      slot = (slot + 1) & (slots - 1);
-    }
-    if (table[slot] == empty) table[slot] = v;
-    first[v] = table[slot];
+    first[v] = table.find_or_add(hash_of(vertices[v]), v,
+                                 [&](std::uint32_t there) { return bits(vertices[there]) == key && equal(there, v); });
   }
   return first;
 }

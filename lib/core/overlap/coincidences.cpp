@@ -4,12 +4,11 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
-#include <atomic>
-#include <bit>
 #include <numeric>
 
-#include "core/mesh/corner_hash.h"
-#include "core/mesh/huge_pages.h"
+#include "core/containers/hash_index.h"
+#include "core/containers/huge_pages.h"
+#include "core/containers/point_hash.h"
 
 namespace strata {
 namespace {
@@ -40,43 +39,21 @@ std::vector<std::uint32_t> vertices_near_others(const InputComplex& input, const
   return vertices;
 }
 
-/// A hash table of positions, each with one of its vertices.
-class Places {
- public:
-  explicit Places(std::size_t vertices) : mask_(std::bit_ceil(vertices + vertices / 2 + 1) - 1) {
-    resize_fresh(slots_, mask_ + 1, nobody);
-  }
-
-  /// The vertex that represents the position of this one; itself if there was none. Threads may insert at the same
-  /// time.
-  std::uint32_t insert(const InputComplex& input, std::uint32_t vertex) {
-    const InputComplex::Coordinates& p = input.vertex(vertex);
-    for (std::size_t s = hash_of(p);; ++s) {
-      const std::atomic_ref<std::uint32_t> slot(slots_[s & mask_]);
-      std::uint32_t there = slot.load(std::memory_order_relaxed);
-      if (there == nobody && slot.compare_exchange_strong(there, vertex, std::memory_order_relaxed)) return vertex;
-      if (input.vertex(there) == p) return there;
-    }
-  }
-
- private:
-  static constexpr std::uint32_t nobody = 0xffffffffu;
-  std::size_t mask_;
-  std::vector<std::uint32_t> slots_;
-};
-
 }  // namespace
 
 Pairs find_coincidences(const InputComplex& input, const CellTree& cells, const Monitor& monitor) {
   const std::vector<std::uint32_t> vertices = vertices_near_others(input, cells);
-  Places places(vertices.size());
+  ConcurrentHashIndex places(vertices.size());  // each with the vertex that stands for it
   tbb::enumerable_thread_specific<Pairs> found;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices.size(), 1 << 12), [&](const auto& range) {
     monitor.check();
     Pairs& pairs = found.local();
-    for (std::size_t i = range.begin(); i != range.end(); ++i)
-      if (const std::uint32_t there = places.insert(input, vertices[i]); there != vertices[i])
-        pairs.emplace_back(there, vertices[i]);
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      const InputComplex::Coordinates& p = input.vertex(vertices[i]);
+      const std::uint32_t there =
+          places.find_or_add(hash_of(p), vertices[i], [&](std::uint32_t v) { return input.vertex(v) == p; });
+      if (there != vertices[i]) pairs.emplace_back(there, vertices[i]);
+    }
   });
   Pairs all;
   for (const Pairs& pairs : found) all.insert(all.end(), pairs.begin(), pairs.end());

@@ -7,7 +7,7 @@
 #include <bit>
 #include <utility>
 
-#include "core/mesh/huge_pages.h"
+#include "core/containers/huge_pages.h"
 
 namespace strata {
 namespace {

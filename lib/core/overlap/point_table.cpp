@@ -5,14 +5,12 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <atomic>
-#include <bit>
 #include <limits>
 
+#include "core/containers/hash_index.h"
 #include "core/exact/failure.h"
 #include "core/kernel/disjoint_sets.h"
 #include "core/kernel/predicates.h"
-#include "core/mesh/huge_pages.h"
 
 namespace strata {
 namespace {
@@ -33,40 +31,26 @@ std::uint64_t hash_of(const SymbolicPoint& name) {
   return h ^ h >> 32;
 }
 
-/// Finds the first occurrence of every name in a list. Threads insert at the same time. A slot, once taken, belongs to
-/// its name and is lowered to the least index seen, so its final content does not depend on the order of the threads.
+/// Finds the first occurrence of every name in a list, in parallel.
 template <class NameOf>
 class FirstOccurrences {
  public:
   /// `name_of(i)` for i < count.
-  FirstOccurrences(std::size_t count, const NameOf& name_of) : name_of_(name_of) {
-    const std::size_t size = std::bit_ceil(count + count / 2 + 1);
-    mask_ = size - 1;
-    resize_fresh(slots_, size, none);
-    for_each_index(count, [&](std::size_t i) { insert(static_cast<Index>(i)); });
+  FirstOccurrences(std::size_t count, const NameOf& name_of) : name_of_(name_of), table_(count) {
+    for_each_index(count, [&](std::size_t i) {
+      const SymbolicPoint& name = name_of_(i);
+      table_.add_lowest(hash_of(name), static_cast<Index>(i), [&](Index k) { return name_of_(k) == name; });
+    });
   }
 
   [[nodiscard]] Index of(std::size_t i) const {
-    for (std::size_t s = hash_of(name_of_(i));; ++s)
-      if (const Index first = slots_[s & mask_]; first == i || name_of_(first) == name_of_(i)) return first;
+    const SymbolicPoint& name = name_of_(i);
+    return table_.find(hash_of(name), [&](Index k) { return k == i || name_of_(k) == name; });
   }
 
  private:
-  void insert(Index i) {
-    for (std::size_t s = hash_of(name_of_(i));; ++s) {
-      const std::atomic_ref<Index> slot(slots_[s & mask_]);
-      Index known = slot.load(std::memory_order_relaxed);
-      if (known == none && slot.compare_exchange_strong(known, i, std::memory_order_relaxed)) return;
-      if (!(name_of_(known) == name_of_(i))) continue;
-      while (i < known && !slot.compare_exchange_weak(known, i, std::memory_order_relaxed)) {
-      }
-      return;
-    }
-  }
-
   const NameOf& name_of_;
-  std::size_t mask_ = 0;
-  std::vector<Index> slots_;
+  ConcurrentHashIndex table_;
 };
 
 }  // namespace

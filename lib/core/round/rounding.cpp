@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "core/mesh/huge_pages.h"
+#include "core/containers/huge_pages.h"
 
 namespace strata {
 namespace {

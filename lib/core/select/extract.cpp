@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/cells/face_blocks.h"
-#include "core/mesh/huge_pages.h"
+#include "core/containers/huge_pages.h"
 #include "core/select/merge_pieces.h"
 
 namespace strata {

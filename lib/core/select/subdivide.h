@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/containers/pool.h"
 #include "core/kernel/input_complex.h"
-#include "core/mesh/pool.h"
 #include "core/overlap/intersect.h"
 #include "core/select/classifier.h"
 #include "strata/options.h"

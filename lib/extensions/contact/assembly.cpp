@@ -7,7 +7,7 @@
 #include <mutex>
 #include <numeric>
 
-#include "extensions/contact/box_pairs.h"
+#include "core/containers/box_sweep.h"
 #include "extensions/contact/nearest.h"
 #include "extensions/contact/parts.h"
 #include "extensions/contact/region.h"
@@ -56,7 +56,7 @@ std::vector<RelatedPair> Assembly::pairs(const Monitor& monitor) const {
   std::vector<Box> boxes;
   for (std::uint32_t part = 0; part < size(); ++part) boxes.push_back(parts_->box(part));
   std::vector<RelatedPair> all;
-  for (const auto& [a, b] : overlapping_boxes(boxes)) all.push_back({a, b, Relation::apart});
+  for (const auto& [a, b] : overlapping_pairs(boxes)) all.push_back({a, b, Relation::apart});
   Progress progress(monitor, all.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size(), 1), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
@@ -72,7 +72,7 @@ std::vector<RelatedPair> Assembly::pairs(const Monitor& monitor) const {
 std::vector<std::pair<std::uint32_t, std::uint32_t>> Assembly::near_pairs(double reach) const {
   std::vector<Box> boxes;
   for (std::uint32_t part = 0; part < size(); ++part) boxes.push_back(grown(parts_->box(part), reach));
-  return overlapping_boxes(boxes);
+  return overlapping_pairs(boxes);
 }
 
 Relation Assembly::relation(std::uint32_t a, std::uint32_t b) const { return relation_of(*parts_, a, b); }

@@ -14,9 +14,8 @@ namespace strata::contact {
 /// The faces of a leaf that are near a box, with the data for filters in doubles.
 class LeafFaces {
  public:
-  LeafFaces(const InputComplex& input, std::uint32_t part, const PartTree& tree, const PartTree::Node& leaf,
-            const Box& near) {
-    for (const std::uint32_t f : tree.faces(leaf))
+  LeafFaces(const InputComplex& input, std::uint32_t part, const BoxTree& tree, BoxTree::Branch leaf, const Box& near) {
+    for (const std::uint32_t f : tree.items(leaf))
       if (const Box box = box_of_face(input, part, f); box.overlaps(near)) list_.push_back({box, {}, f, false});
     input_ = &input;
     part_ = part;
@@ -39,44 +38,21 @@ class LeafFaces {
   };
   const InputComplex* input_ = nullptr;
   std::uint32_t part_ = 0;
-  boost::container::small_vector<Entry, PartTree::leaf_size> list_;
+  boost::container::small_vector<Entry, BoxTree::leaf_size> list_;
 };
 
-/// Calls `visit(node of a, node of b)` for pairs of leaves whose boxes meet; stops and returns false when `visit` does.
-template <class Visit>
-bool for_each_near_leaves(const PartTree& a, const PartTree& b, const Visit& visit) {
-  if (a.nodes().empty() || b.nodes().empty()) return true;
-  boost::container::small_vector<std::pair<std::uint32_t, std::uint32_t>, 128> waiting{{0, 0}};
-  while (!waiting.empty()) {
-    const auto [i, k] = waiting.back();
-    waiting.pop_back();
-    const PartTree::Node &m = a.nodes()[i], &n = b.nodes()[k];
-    if (!m.box.overlaps(n.box)) continue;
-    if (m.is_leaf() && n.is_leaf()) {
-      if (!visit(m, n)) return false;
-    } else if (n.is_leaf() || (!m.is_leaf() && m.count >= n.count)) {
-      waiting.push_back({m.right, k});
-      waiting.push_back({i + 1, k});
-    } else {
-      waiting.push_back({i, n.right});
-      waiting.push_back({i, k + 1});
-    }
-  }
-  return true;
-}
-
-/// Calls `visit(f, g, intersections)` for all faces f of part a and g of part b that share a point, except those for
-/// which `skip(f, g)` holds, with the constraints that `meet_faces` finds for them alone. Stops and returns false when
-/// `visit` does. The order is always the same.
+/// Calls `visit(f, g, intersections)` for all faces f of part a and g of part b that share a point, but for those of
+/// which `skip(f, g)` holds, with what `meet_faces` says about them alone; ends, and returns false, when `visit` does.
+/// Always in the same order.
 template <class Skip, class Visit>
 bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Skip& skip, const Visit& visit) {
   const InputComplex& input = parts.input();
-  const PartTree &tree_a = parts.tree(a), &tree_b = parts.tree(b);
+  const BoxTree &tree_a = parts.tree(a), &tree_b = parts.tree(b);
   PairIntersections intersections;
-  return for_each_near_leaves(tree_a, tree_b, [&](const PartTree::Node& m, const PartTree::Node& n) {
-    LeafFaces of_a(input, a, tree_a, m, n.box);
+  return for_each_near_leaves(tree_a, tree_b, [&](BoxTree::Branch m, BoxTree::Branch n) {
+    LeafFaces of_a(input, a, tree_a, m, tree_b.box(n));
     if (of_a.size() == 0) return true;
-    LeafFaces of_b(input, b, tree_b, n, m.box);
+    LeafFaces of_b(input, b, tree_b, n, tree_a.box(m));
     for (std::size_t i = 0; i < of_a.size(); ++i)
       for (std::size_t k = 0; k < of_b.size(); ++k) {
         if (!of_a.box(i).overlaps(of_b.box(k)) || skip(of_a.number(i), of_b.number(k))) continue;

@@ -11,12 +11,12 @@
 namespace strata::contact {
 namespace {
 
-/// Two nodes, the nearest first; of equally near ones, those found first.
-struct NearNodes {
+/// Two branches, the nearest first; of equally near ones, those found first.
+struct NearBranches {
   double half_distance = 0;
-  std::uint32_t a = 0, b = 0;
+  BoxTree::Branch a, b;
 
-  friend bool operator<(const NearNodes& x, const NearNodes& y) { return x.half_distance > y.half_distance; }
+  friend bool operator<(const NearBranches& x, const NearBranches& y) { return x.half_distance > y.half_distance; }
 };
 
 /// Processes the faces of two leaves, the pairs that may be as near as the best.
@@ -38,28 +38,24 @@ void make_local(MeshFeature& feature, std::uint32_t first) {
 }  // namespace
 
 Nearest nearest_of(const Parts& parts, std::uint32_t a, std::uint32_t b) {
-  const PartTree &tree_a = parts.tree(a), &tree_b = parts.tree(b);
-  if (tree_a.nodes().empty() || tree_b.nodes().empty())
-    throw std::invalid_argument("an empty part has no distance from another");
+  const BoxTree &tree_a = parts.tree(a), &tree_b = parts.tree(b);
+  if (tree_a.empty() || tree_b.empty()) throw std::invalid_argument("an empty part has no distance from another");
   NearestCandidates candidates(parts.input());
-  std::priority_queue<NearNodes> waiting;
-  const auto add = [&](std::uint32_t i, std::uint32_t k) {
-    const double distance = half_distance(tree_a.nodes()[i].box, tree_b.nodes()[k].box);
+  std::priority_queue<NearBranches> waiting;
+  const auto add = [&](BoxTree::Branch i, BoxTree::Branch k) {
+    const double distance = half_distance(tree_a.box(i), tree_b.box(k));
     if (distance <= candidates.half_bound()) waiting.push({distance, i, k});
   };
-  add(0, 0);
+  add(tree_a.root(), tree_b.root());
   while (!waiting.empty() && waiting.top().half_distance <= candidates.half_bound()) {
-    const NearNodes next = waiting.top();
+    const NearBranches next = waiting.top();
     waiting.pop();
-    const PartTree::Node &m = tree_a.nodes()[next.a], &n = tree_b.nodes()[next.b];
-    if (m.is_leaf() && n.is_leaf()) {
-      look_at_leaves(parts, a, b, tree_a.faces(m), tree_b.faces(n), candidates);
-    } else if (n.is_leaf() || (!m.is_leaf() && m.count >= n.count)) {
-      add(next.a + 1, next.b);
-      add(m.right, next.b);
+    if (tree_a.is_leaf(next.a) && tree_b.is_leaf(next.b)) {
+      look_at_leaves(parts, a, b, tree_a.items(next.a), tree_b.items(next.b), candidates);
+    } else if (is_first_divided(tree_a, next.a, tree_b, next.b)) {
+      for (const BoxTree::Branch part : tree_a.children(next.a)) add(part, next.b);
     } else {
-      add(next.a, next.b + 1);
-      add(next.a, n.right);
+      for (const BoxTree::Branch part : tree_b.children(next.b)) add(next.a, part);
     }
   }
   Nearest nearest = candidates.best();

@@ -37,9 +37,9 @@ bool Parts::are_beside(std::uint32_t a, std::uint32_t b) const {
   return false;
 }
 
-const PartTree& Parts::tree(std::uint32_t part) const {
+const BoxTree& Parts::tree(std::uint32_t part) const {
   Lazy& lazy = lazy_[part];
-  std::call_once(lazy.tree_once, [&] { lazy.tree = std::make_unique<const PartTree>(input_, part); });
+  std::call_once(lazy.tree_once, [&] { lazy.tree = std::make_unique<const BoxTree>(tree_of_part(input_, part)); });
   return *lazy.tree;
 }
 

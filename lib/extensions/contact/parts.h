@@ -8,7 +8,7 @@
 #include "core/kernel/box.h"
 #include "core/kernel/input_complex.h"
 #include "core/kernel/point.h"
-#include "extensions/contact/part_tree.h"
+#include "extensions/contact/part_boxes.h"
 #include "strata/solid.h"
 
 namespace strata::contact {
@@ -28,7 +28,7 @@ class Parts {
   [[nodiscard]] Box common_box(std::uint32_t a, std::uint32_t b) const;
   /// True when the boxes alone prove that the interiors of two parts are disjoint.
   [[nodiscard]] bool are_beside(std::uint32_t a, std::uint32_t b) const;
-  [[nodiscard]] const PartTree& tree(std::uint32_t part) const;
+  [[nodiscard]] const BoxTree& tree(std::uint32_t part) const;
 
   /// True when some component of a part's surface, connected by common vertices, lies inside another part. Requires
   /// that the surfaces of the two do not meet. One walk per component: theory.md, section 3.
@@ -45,7 +45,7 @@ class Parts {
   };
   struct Lazy {
     std::once_flag tree_once, pieces_once;
-    std::unique_ptr<const PartTree> tree;
+    std::unique_ptr<const BoxTree> tree;
     std::vector<Piece> pieces;
   };
   [[nodiscard]] const std::vector<Piece>& pieces(std::uint32_t part) const;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/containers/z_order.h"
 #include "extensions/convex/quickhull.h"
 
 namespace strata::convex {
@@ -70,26 +71,18 @@ class Sieve {
   std::vector<Quickhull::Plane> planes_;
 };
 
-/// Moves the bits of a number of ten bits to every third bit.
-std::uint64_t spread(std::uint64_t x) {
-  x = (x | x << 16) & 0x30000ff;
-  x = (x | x << 8) & 0x300f00f;
-  x = (x | x << 4) & 0x30c30c3;
-  return (x | x << 2) & 0x9249249;
-}
-
-/// Sorts points along a Z-curve through 1024 cells along each axis (Morton 1966), within a cell by number.
+/// Sorts points along a Z-curve, within a cell by number.
 void sort_by_place(const PointCloud& cloud, std::vector<std::uint32_t>& points) {
   Vertex scale;
   for (std::size_t i = 0; i < 3; ++i) scale[i] = 1023 / cloud.extent()[i].value;
   const auto cell = [&](std::uint32_t p, std::size_t axis) {
     const double x = (cloud.at(p)[axis] - cloud.lowest()[axis]) * scale[axis];
-    return spread(x > 0 ? static_cast<std::uint64_t>(std::min(x, 1023.0)) : 0);  // 0 for NaN, where this overflows
+    return x > 0 ? static_cast<std::uint32_t>(std::min(x, 1023.0)) : 0U;  // of NaN, where this overflows, 0
   };
   std::vector<std::uint64_t> keys(points.size());
   tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
     const std::uint32_t p = points[i];
-    keys[i] = (cell(p, 0) << 2 | cell(p, 1) << 1 | cell(p, 2)) << 32 | p;
+    keys[i] = std::uint64_t{z_order(cell(p, 0), cell(p, 1), cell(p, 2))} << 32 | p;
   });
   tbb::parallel_sort(keys);
   std::transform(keys.begin(), keys.end(), points.begin(),

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/mesh/corner_hash.h"
+#include "core/containers/point_hash.h"
 #include "strata/errors.h"
 
 namespace strata::convex {

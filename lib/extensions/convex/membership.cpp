@@ -42,15 +42,6 @@ Box minus(const Box& x, const Box& y) {
   return box;
 }
 
-BoxIndex index_of(const Mesh& mesh) {
-  std::vector<Box> boxes;
-  for (const Triangle& t : mesh.triangles) {
-    Box& box = boxes.emplace_back();
-    for (const std::uint32_t v : t) box.include(bounds_of(mesh.vertices[v]));
-  }
-  return BoxIndex(std::move(boxes));
-}
-
 Vertex nearest(const RationalPoint& p) {
   return {to_nearest_double(p[0]), to_nearest_double(p[1]), to_nearest_double(p[2])};
 }
@@ -84,7 +75,7 @@ int place_in_triangle(const std::array<RationalPoint, 3>& t, const RationalPoint
 
 /// Counts the faces straight above. A point in the interior of faces is in front of them or behind them; on edges it is
 /// not decided.
-Side side_of_solid(const ExactMesh& solid, const BoxIndex& triangles, const NearPoint& point) {
+Side side_of_solid(const ExactMesh& solid, const TriangleBoxes& triangles, const NearPoint& point) {
   const RationalPoint& p = point.p;
   Box upwards = bounds_of(nearest(p));
   upwards.upper[2] = infinity;
@@ -174,16 +165,29 @@ Polytope triangle_polytope(ExactMeshView mesh, const Triangle& triangle) {
   return result;
 }
 
+TriangleBoxes::TriangleBoxes(const Mesh& mesh) {
+  boxes_.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
+    Box& box = boxes_.emplace_back();
+    for (const std::uint32_t v : t) box.include(bounds_of(mesh.vertices[v]));
+  }
+  tree_ = BoxTree::by_surface_area(static_cast<std::uint32_t>(boxes_.size()), [&](std::span<const std::uint32_t> some) {
+    Box box;
+    for (const std::uint32_t t : some) box.include(boxes_[t]);
+    return box;
+  });
+}
+
 SumMembership::SumMembership(const ExactMesh& a, const Surface& of_a, const ExactMesh* b, const Surface& of_b,
                              const Polytope* whole_b)
     : a_(a),
       b_(b),
       whole_b_(whole_b),
-      triangles_of_a_(index_of(a.mesh)),
+      triangles_of_a_(a.mesh),
       parts_of_a_(parts_of(of_a)),
       parts_of_b_(parts_of(of_b)) {
   if (b != nullptr) {
-    triangles_of_b_ = index_of(b->mesh);
+    triangles_of_b_ = TriangleBoxes(b->mesh);
   } else {
     set_b_ = approximate(*whole_b);
     for (const Vertex& v : whole_b->vertices) bounds_of_b_.include(bounds_of(v));
@@ -194,7 +198,7 @@ Side SumMembership::side(const NearPoint& point) const {
   // One operand contains a component of the other, or their boundaries meet. The first condition alone decides most
   // interior points.
   bool unknown = false;
-  const auto holds = [&](const ExactMesh& solid, const BoxIndex& triangles,
+  const auto holds = [&](const ExactMesh& solid, const TriangleBoxes& triangles,
                          const std::vector<std::vector<RationalPoint>>& parts) {
     for (const auto& part : parts) {
       Side side = Side::unknown;
@@ -217,7 +221,7 @@ Side SumMembership::side_of_boundaries(const NearPoint& point) const {
   bool unknown = false;
   for (std::size_t j = 0; j < b_->mesh.triangles.size(); ++j) {
     const Triangle& t = b_->mesh.triangles[j];
-    const Side side = side_of_sums(point, near, triangles_of_b_.boxes()[j], approximate(b_->mesh, t),
+    const Side side = side_of_sums(point, near, triangles_of_b_[j], approximate(b_->mesh, t),
                                    [&] { return triangle_polytope(*b_, t); });
     if (side == Side::in) return Side::in;
     unknown |= side == Side::unknown;

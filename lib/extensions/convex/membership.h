@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "core/containers/box_tree.h"
 #include "core/kernel/box.h"
 #include "extensions/convex/approximate_convex_set.h"
-#include "extensions/convex/box_index.h"
 #include "extensions/convex/surface.h"
 #include "strata/convex.h"
 #include "strata/mesh.h"
@@ -29,6 +29,26 @@ enum class Side { out, in, unknown };
 
 [[nodiscard]] Polytope triangle_polytope(ExactMeshView mesh, const Triangle& triangle);
 
+/// Boxes of triangles, and a tree over them.
+class TriangleBoxes {
+ public:
+  TriangleBoxes() = default;
+  /// O(n log n).
+  explicit TriangleBoxes(const Mesh& mesh);
+
+  [[nodiscard]] const Box& operator[](std::size_t triangle) const { return boxes_[triangle]; }
+  /// Calls `visit(triangle)` for every box that overlaps `range` until it returns false; false if it did. The order is
+  /// the same each time. O(log n + found) for small boxes that are apart.
+  template <class Visit>
+  bool for_each_overlapping(const Box& range, const Visit& visit) const {
+    return tree_.for_each_near(range, [&](std::uint32_t t) { return !boxes_[t].overlaps(range) || visit(t); });
+  }
+
+ private:
+  std::vector<Box> boxes_;
+  BoxTree tree_;
+};
+
 /// Decides whether points lie in the sum of two solids, or of a solid and a polytope, by its definition: x is in A + B
 /// if A meets x - B. Then their boundaries meet, or one contains a component of the other.
 class SumMembership {
@@ -50,7 +70,7 @@ class SumMembership {
   const ExactMesh& a_;
   const ExactMesh* b_;
   const Polytope* whole_b_;
-  BoxIndex triangles_of_a_, triangles_of_b_;
+  TriangleBoxes triangles_of_a_, triangles_of_b_;
   Box bounds_of_b_;                                                  ///< of a polytope
   std::optional<ApproximateConvexSet> set_b_;                        ///< of a polytope
   std::vector<std::vector<RationalPoint>> parts_of_a_, parts_of_b_;  ///< vertices of every shell

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/cells/grid.h"
+#include "core/containers/z_order.h"
 
 namespace strata {
 namespace {
@@ -12,16 +13,13 @@ namespace {
 /// A step has fixed costs, which more faces share; but all tools of one step are tested with each other.
 constexpr std::size_t faces_of_step = 2000;
 
-/// Interleaves the bits of three coordinates of 10 bits each: the position on a Morton curve.
-std::uint32_t interleaved(const std::array<std::int32_t, 3>& g) {
+/// The position on a Morton curve.
+std::uint32_t place_on_curve(const std::array<std::int32_t, 3>& g) {
   constexpr int dropped = 20;
-  std::uint32_t code = 0;
-  for (int bit = 9; bit >= 0; --bit)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::int32_t x = std::min(g[i], Grid::extent - 1);
-      code = code << 1 | (static_cast<std::uint32_t>(x) >> (dropped + bit) & 1u);
-    }
-  return code;
+  const auto cell = [&](std::size_t i) {
+    return static_cast<std::uint32_t>(std::min(g[i], Grid::extent - 1)) >> dropped & 1023u;
+  };
+  return z_order(cell(0), cell(1), cell(2));
 }
 
 }  // namespace
@@ -45,7 +43,7 @@ std::vector<ToolGroup> group_tools(std::span<const Solid> tools) {
     if (boxes[i].empty()) continue;
     InputComplex::Coordinates middle{};
     for (std::size_t k = 0; k < 3; ++k) middle[k] = boxes[i].lower[k] / 2 + boxes[i].upper[k] / 2;
-    order.emplace_back(interleaved(Grid(all.lower, all.upper).at(middle)), i);
+    order.emplace_back(place_on_curve(Grid(all.lower, all.upper).at(middle)), i);
   }
   std::sort(order.begin(), order.end());
   std::vector<ToolGroup> groups;

@@ -1,8 +1,9 @@
 #include "extensions/planar/arrangement.h"
 
-#include <bit>
 #include <numeric>
 
+#include "core/containers/hash_index.h"
+#include "core/containers/point_hash.h"
 #include "extensions/planar/intersections.h"
 #include "extensions/planar/sweep.h"
 
@@ -270,18 +271,10 @@ Arrangement arrange(Segments segments, const Monitor& monitor, std::size_t patie
 }
 
 std::vector<std::uint32_t> first_equal(std::span<const PlanePoint> points) {
-  const std::size_t mask = std::bit_ceil(points.size() * 2 + 2) - 1;
-  std::vector<std::uint32_t> slots(mask + 1, none), name(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const auto x = std::bit_cast<std::uint64_t>(points[i][0] + 0.0),
-               y = std::bit_cast<std::uint64_t>(points[i][1] + 0.0);
-    std::uint64_t h = (x ^ std::rotl(y * 0x9e3779b97f4a7c15, 29)) * 0xbf58476d1ce4e5b9;
-    h = (h ^ (h >> 32)) * 0x94d049bb133111eb;
-    std::size_t at = (h >> 20) & mask;
-    while (slots[at] != none && points[slots[at]] != points[i]) at = (at + 1) & mask;
-    if (slots[at] == none) slots[at] = i;
-    name[i] = slots[at];
-  }
+  HashIndex table(points.size());
+  std::vector<std::uint32_t> name(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+    name[i] = table.find_or_add(hash_of(points[i]), i, [&](std::uint32_t k) { return points[k] == points[i]; });
   return name;
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/kernel/input_complex.h"
-#include "extensions/scene/box_tree.h"
 #include "extensions/scene/ray_caster_data.h"
 #include "extensions/scene/ray_events.h"
 #include "extensions/scene/ray_line.h"

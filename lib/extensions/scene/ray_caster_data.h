@@ -1,13 +1,13 @@
 #pragma once
 #include <utility>
 
-#include "extensions/scene/box_tree.h"
+#include "extensions/scene/face_tree.h"
 #include "strata/query.h"
 
 namespace strata {
 
 struct RayCaster::Data {
-  explicit Data(Scene s) : scene(std::move(s)), tree(scene) {}
+  explicit Data(Scene s) : scene(std::move(s)), tree(tree_of_faces(scene)) {}
 
   Scene scene;
   BoxTree tree;

@@ -4,10 +4,10 @@
 #include <optional>
 #include <utility>
 
+#include "core/containers/ray_slabs.h"
 #include "core/exact/double_double.h"
 #include "core/kernel/input_complex.h"
 #include "core/kernel/predicates.h"
-#include "extensions/scene/ray_slabs.h"
 #include "strata/query.h"
 
 namespace strata {

@@ -24,6 +24,12 @@ inline std::uint64_t hash_of(const std::array<float, 3>& p) {
   return folded_product(xy ^ 0x9e3779b97f4a7c15u, z ^ 0xd6e8feb86659fd93u);
 }
 
+inline std::uint64_t hash_of(const std::array<double, 2>& p) {
+  const auto bits = [&](std::size_t i) { return std::bit_cast<std::uint64_t>(p[i] + 0.0); };
+  return folded_product(folded_product(bits(0) ^ 0x9e3779b97f4a7c15u, bits(1) ^ 0xd6e8feb86659fd93u),
+                        0xa0761d6478bd642fu);
+}
+
 /// Equality without branches: which coordinate differs is a matter of chance.
 template <class Scalar>
 bool are_equal(const std::array<Scalar, 3>& p, const std::array<Scalar, 3>& q) {

@@ -1,9 +1,13 @@
-#include "extensions/contact/part_tree.h"
+#include "extensions/contact/part_boxes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
+#include <vector>
+
+#include "core/containers/z_order.h"
 
 namespace strata::contact {
 Box widened(Box box) {
@@ -22,19 +26,11 @@ Box box_of_vertex(const InputComplex& input, std::uint32_t vertex) {
 
 namespace {
 
-/// A face, and where it is on a Z-curve through 1024 cells each way (Morton 1966).
+/// A face, and where it is on a Z-curve.
 struct Placed {
   std::uint32_t cell = 0;
   std::uint32_t face = 0;
 };
-
-/// Every third bit of a number of ten bits.
-std::uint32_t spread(std::uint32_t x) {
-  x = (x | x << 16) & 0x30000ff;
-  x = (x | x << 8) & 0x300f00f;
-  x = (x | x << 4) & 0x30c30c3;
-  return (x | x << 2) & 0x9249249;
-}
 
 /// By the sums of their corners. Eighths of coordinates do not overflow when added.
 std::vector<Placed> placed_faces(const InputComplex& input, std::uint32_t part) {
@@ -51,9 +47,9 @@ std::vector<Placed> placed_faces(const InputComplex& input, std::uint32_t part) 
     const auto &p = points[a], &q = points[b], &r = points[c];
     const auto cell = [&](std::size_t i) {
       const double above = p[i] / 8 + q[i] / 8 + r[i] / 8 - 3 * (bounds.lower[i] / 8);
-      return spread(static_cast<std::uint32_t>(std::clamp(above * scale, 0.0, 1023.0)));
+      return static_cast<std::uint32_t>(std::clamp(above * scale, 0.0, 1023.0));
     };
-    placed[f] = {cell(0) << 2 | cell(1) << 1 | cell(2), input.first_face(part) + f};
+    placed[f] = {z_order(cell(0), cell(1), cell(2)), input.first_face(part) + f};
   }
   return placed;
 }
@@ -74,31 +70,17 @@ void sort_by_cells(std::vector<Placed>& faces) {
 
 }  // namespace
 
-PartTree::PartTree(const InputComplex& input, std::uint32_t part) {
+BoxTree tree_of_part(const InputComplex& input, std::uint32_t part) {
   std::vector<Placed> placed = placed_faces(input, part);
-  if (placed.empty()) return;
   sort_by_cells(placed);
-  faces_.reserve(placed.size());
-  for (const Placed& p : placed) faces_.push_back(p.face);
-  nodes_.reserve(2 * placed.size() / (leaf_size / 2) + 1);
-  build(input, part, 0, static_cast<std::uint32_t>(placed.size()));
-}
-
-void PartTree::build(const InputComplex& input, std::uint32_t part, std::uint32_t first, std::uint32_t count) {
-  const std::size_t node = nodes_.size();
-  nodes_.push_back({{}, first, count, 0});
-  Box box;
-  if (count <= leaf_size) {
-    for (const std::uint32_t f : faces(nodes_[node])) box.include(box_of_face(input, part, f));
-  } else {
-    const std::uint32_t half = count / 2;
-    build(input, part, first, half);
-    nodes_[node].right = static_cast<std::uint32_t>(nodes_.size());
-    build(input, part, first + half, count - half);
-    box = nodes_[node + 1].box;
-    box.include(nodes_[nodes_[node].right].box);
-  }
-  nodes_[node].box = box;
+  std::vector<std::uint32_t> faces;
+  faces.reserve(placed.size());
+  for (const Placed& p : placed) faces.push_back(p.face);
+  return BoxTree::by_order(std::move(faces), [&](std::span<const std::uint32_t> some) {
+    Box box;
+    for (const std::uint32_t f : some) box.include(box_of_face(input, part, f));
+    return box;
+  });
 }
 
 }  // namespace strata::contact

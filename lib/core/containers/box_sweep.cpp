@@ -1,12 +1,11 @@
-#include "extensions/contact/box_pairs.h"
+#include "core/containers/box_sweep.h"
 
-#include <algorithm>
 #include <array>
 
-namespace strata::contact {
+namespace strata {
 namespace {
 
-/// The axis along which boxes are shortest on average, beside what they span in all.
+/// Quarters of coordinates: their differences do not overflow.
 std::size_t sweep_axis(std::span<const Box> boxes, std::span<const std::uint32_t> order) {
   Box all;
   for (const std::uint32_t b : order) all.include(boxes[b]);
@@ -21,22 +20,23 @@ std::size_t sweep_axis(std::span<const Box> boxes, std::span<const std::uint32_t
 
 }  // namespace
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> overlapping_boxes(std::span<const Box> boxes) {
-  std::vector<std::uint32_t> order;
+BoxSweep sweep_of(std::span<const Box> boxes) {
+  BoxSweep sweep;
   for (std::uint32_t b = 0; b < boxes.size(); ++b)
-    if (!boxes[b].empty()) order.push_back(b);
-  if (order.empty()) return {};
-  const std::size_t axis = sweep_axis(boxes, order);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (!boxes[b].empty()) sweep.order.push_back(b);
+  const std::size_t axis = sweep.axis = sweep_axis(boxes, sweep.order);
+  std::sort(sweep.order.begin(), sweep.order.end(), [&](std::uint32_t a, std::uint32_t b) {
     const double x = boxes[a].lower[axis], y = boxes[b].lower[axis];
     return x != y ? x < y : a < b;
   });
+  return sweep;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> overlapping_pairs(std::span<const Box> boxes) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (std::size_t i = 0; i < order.size(); ++i)
-    for (std::size_t k = i + 1; k < order.size() && boxes[order[k]].lower[axis] <= boxes[order[i]].upper[axis]; ++k)
-      if (boxes[order[i]].overlaps(boxes[order[k]])) pairs.push_back(std::minmax(order[i], order[k]));
+  for_each_overlapping_pair(boxes, [&](std::uint32_t a, std::uint32_t b) { pairs.emplace_back(a, b); });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
-}  // namespace strata::contact
+}  // namespace strata

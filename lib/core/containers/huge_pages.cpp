@@ -1,4 +1,4 @@
-#include "core/mesh/huge_pages.h"
+#include "core/containers/huge_pages.h"
 
 #if defined(__linux__)
 #include <sys/mman.h>

@@ -1,4 +1,4 @@
-#include "extensions/scene/box_tree.h"
+#include "core/containers/box_tree.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -6,58 +6,47 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "core/kernel/input_complex.h"
-#include "extensions/scene/scene_data.h"
+#include <limits>
 
 namespace strata {
 namespace {
 
-Box box_of(const InputComplex& input, std::uint32_t face) {
-  Box box;
-  for (const std::uint32_t v : input.face(face)) {
-    const Vertex& p = input.vertex(v);
-    Box at{p, p};
-    if (input.exact(v) != nullptr)
-      for (std::size_t i = 0; i < 3; ++i) {
-        at.lower[i] = std::nextafter(p[i], -HUGE_VAL);
-        at.upper[i] = std::nextafter(p[i], HUGE_VAL);
-      }
-    box.include(at);
-  }
-  return box;
-}
-
-Box box_of_all(const InputComplex& input) {
+Box box_of_all(std::uint32_t count, const BoxTree::BoxOf& box_of) {
   const auto add = [&](const tbb::blocked_range<std::uint32_t>& range, Box box) {
-    for (std::uint32_t f = range.begin(); f < range.end(); ++f) box.include(box_of(input, f));
+    for (std::uint32_t i = range.begin(); i < range.end(); ++i) box.include(box_of({&i, 1}));
     return box;
   };
   const auto join = [](Box a, const Box& b) {
     a.include(b);
     return a;
   };
-  return tbb::parallel_reduce(tbb::blocked_range<std::uint32_t>(0, input.face_count(), 4096), Box{}, add, join);
+  return tbb::parallel_reduce(tbb::blocked_range<std::uint32_t>(0, count, 4096), Box{}, add, join);
 }
 
-/// Coordinates from 0 to about 1 in all of a scene, in floats: to build by, not to decide by.
+/// Coordinates from 0 to about 1 in all of the boxes, in floats: to build by, not to decide by.
 class UnitSpace {
  public:
   explicit UnitSpace(const Box& all) {
     double most = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      lower_[i] = all.lower[i] / 2;
-      most = std::max(most, all.upper[i] / 2 - lower_[i]);
+      lower_[i] = half(all.lower[i]);
+      most = std::max(most, half(all.upper[i]) - lower_[i]);
     }
     const int exponent = most > 0 ? std::ilogb(most) + 1 : 0;
     factor_ = {std::ldexp(1, -exponent / 2), std::ldexp(1, -exponent - -exponent / 2)};
   }
   [[nodiscard]] float operator()(double x, std::size_t axis) const {
-    return static_cast<float>((x / 2 - lower_[axis]) * factor_[0] * factor_[1]);
+    return static_cast<float>((half(x) - lower_[axis]) * factor_[0] * factor_[1]);
   }
 
  private:
-  Vertex lower_{};
+  /// Boxes may have no end on a side.
+  static double half(double x) {
+    constexpr double most = std::numeric_limits<double>::max();
+    return std::clamp(x, -most, most) / 2;
+  }
+
+  std::array<double, 3> lower_{};
   std::array<double, 2> factor_{};  ///< their product may be too large for one
 };
 
@@ -83,30 +72,39 @@ struct UnitBox {
 
 struct Reference {
   UnitBox box;
-  std::uint32_t face = 0;
+  std::uint32_t item = 0;
 };
 
 }  // namespace
 
 class BoxTreeBuilder {
  public:
-  explicit BoxTreeBuilder(const Scene& scene) : input_(input_complex_of(scene)) {}
+  explicit BoxTreeBuilder(const BoxTree::BoxOf& box_of) : box_of_(box_of) {}
 
-  void build(BoxTree& tree) {
-    tree.bounds_ = box_of_all(input_);
-    refer_to_faces(UnitSpace(tree.bounds_));
-    if (references_.empty()) return;
-    std::vector<Node> nodes;
-    const Child root = grow(0, references_.size(), 0, nodes);
-    if (root.count != BoxTree::is_inner) {
-      nodes.push_back({});
-      set(nodes[0], 0, 0, root);
-      set(nodes[0], 0, 1, Child{});
-    }
+  BoxTree by_surface_area(std::uint32_t count) {
+    BoxTree tree;
+    if (count == 0) return tree;
+    tree.bounds_ = box_of_all(count, box_of_);
+    refer_to_items(count, UnitSpace(tree.bounds_));
+    std::vector<Node> nodes(1);
+    finish(grow(0, count, 0, nodes), nodes);
     nodes.shrink_to_fit();
     tree.nodes_ = std::move(nodes);
-    tree.faces_.resize(references_.size());
-    tbb::parallel_for(std::size_t{0}, references_.size(), [&](std::size_t i) { tree.faces_[i] = references_[i].face; });
+    tree.items_.resize(count);
+    tbb::parallel_for(std::size_t{0}, references_.size(), [&](std::size_t i) { tree.items_[i] = references_[i].item; });
+    return tree;
+  }
+
+  BoxTree by_order(std::vector<std::uint32_t> items) {
+    BoxTree tree;
+    if (items.empty()) return tree;
+    tree.items_ = std::move(items);
+    tree.nodes_.reserve(1 + 2 * tree.items_.size() / BoxTree::leaf_size);
+    tree.nodes_.resize(1);
+    const Child root = halve(tree.items_, 0, static_cast<std::uint32_t>(tree.items_.size()), tree.nodes_);
+    finish(root, tree.nodes_);
+    tree.bounds_ = root.box;
+    return tree;
   }
 
  private:
@@ -115,7 +113,7 @@ class BoxTreeBuilder {
   static constexpr std::size_t leaf_size = 5;
   static constexpr std::size_t task_size = 1 << 15;
   static constexpr std::size_t bin_count = 16;
-  /// From here on faces are halved, so that no tree is deeper than this and 32 levels more.
+  /// From here on items are halved, so that no tree is deeper than this and 32 levels more.
   static constexpr int level_of_halving = 64;
 
   /// A leaf, or a node by its number.
@@ -124,17 +122,26 @@ class BoxTreeBuilder {
     std::uint32_t first = 0, count = 0;
   };
 
-  void refer_to_faces(const UnitSpace& space) {
-    references_.resize(input_.face_count());
-    tbb::parallel_for(std::uint32_t{0}, input_.face_count(), [&](std::uint32_t f) {
-      const Box box = box_of(input_, f);
-      Reference& r = references_[f];
-      r.face = f;
+  void refer_to_items(std::uint32_t count, const UnitSpace& space) {
+    references_.resize(count);
+    tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t item) {
+      const Box box = box_of_({&item, 1});
+      Reference& r = references_[item];
+      r.item = item;
       for (std::size_t i = 0; i < 3; ++i) {
         r.box.lower[i] = space(box.lower[i], i);
         r.box.upper[i] = space(box.upper[i], i);
       }
     });
+  }
+
+  /// Completes a tree. While it is made, nodes name each other by their distance, so that they can be moved.
+  static void finish(const Child& root, Nodes& nodes) {
+    set(nodes[0], 0, 0, root);
+    set(nodes[0], 0, 1, Child{});
+    for (std::uint32_t n = 0; n < nodes.size(); ++n)
+      for (std::size_t k = 0; k < 2; ++k)
+        if (BoxTree::is_inner(nodes[n].count[k])) nodes[n].first[k] += n;
   }
 
   static void set(Node& node, std::size_t number, std::size_t k, const Child& child) {
@@ -143,7 +150,8 @@ class BoxTreeBuilder {
       node.boxes[1][i][k] = child.box.upper[i];
     }
     node.count[k] = child.count;
-    node.first[k] = child.count == BoxTree::is_inner ? child.first - static_cast<std::uint32_t>(number) : child.first;
+    const auto base = BoxTree::is_inner(child.count) ? static_cast<std::uint32_t>(number) : 0;
+    node.first[k] = child.first - base;
   }
 
   /// The tree of some references, which are put in its order. Nodes are appended, parents before children.
@@ -163,22 +171,36 @@ class BoxTreeBuilder {
       append(of_left, left, nodes);
       append(of_right, right, nodes);
     }
+    return join(number, left, right, end - begin, nodes);
+  }
+
+  static Child join(std::size_t number, const Child& left, const Child& right, std::size_t count, Nodes& nodes) {
     set(nodes[number], number, 0, left);
     set(nodes[number], number, 1, right);
-    Child whole{left.box, static_cast<std::uint32_t>(number), BoxTree::is_inner};
+    const std::size_t known = std::min<std::size_t>(count, BoxTree::most_items);
+    Child whole{left.box, static_cast<std::uint32_t>(number), BoxTree::inner | static_cast<std::uint32_t>(known)};
     whole.box.include(right.box);
     return whole;
   }
 
-  /// Nodes name each other by their distance: they can be moved.
+  /// The tree of some items in their order.
+  Child halve(std::span<const std::uint32_t> items, std::uint32_t first, std::uint32_t count, Nodes& nodes) const {
+    if (count <= BoxTree::leaf_size) return {box_of_(items.subspan(first, count)), first, count};
+    const std::size_t number = nodes.size();
+    nodes.emplace_back();
+    const Child left = halve(items, first, count / 2, nodes);
+    const Child right = halve(items, first + count / 2, count - count / 2, nodes);
+    return join(number, left, right, count, nodes);
+  }
+
   static void append(const Nodes& part, Child& root, Nodes& nodes) {
-    if (root.count == BoxTree::is_inner) root.first += static_cast<std::uint32_t>(nodes.size());
+    if (BoxTree::is_inner(root.count)) root.first += static_cast<std::uint32_t>(nodes.size());
     nodes.insert(nodes.end(), part.begin(), part.end());
   }
 
   [[nodiscard]] Child leaf(std::size_t begin, std::size_t end) const {
     Child child{{}, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin)};
-    for (std::size_t i = begin; i < end; ++i) child.box.include(box_of(input_, references_[i].face));
+    for (std::size_t i = begin; i < end; ++i) child.box.include(box_of_({&references_[i].item, 1}));
     return child;
   }
 
@@ -190,9 +212,9 @@ class BoxTreeBuilder {
     for (std::size_t i = 1; i < 3; ++i)
       if (centres.upper[i] - centres.lower[i] > centres.upper[axis] - centres.lower[axis]) axis = i;
     const float lower = centres.lower[axis], width = centres.upper[axis] - lower;
-    if (!(width > 0) || level >= level_of_halving) return halve(begin, end, axis);
+    if (!(width > 0) || level >= level_of_halving) return middle_of(begin, end, axis);
     const float scale = bin_count * (1 - 0x1p-20F) / width;
-    if (!std::isfinite(scale)) return halve(begin, end, axis);
+    if (!std::isfinite(scale)) return middle_of(begin, end, axis);
     const auto bin_of = [=](const Reference& r) {
       return static_cast<std::size_t>((r.box.lower[axis] + r.box.upper[axis] - lower) * scale);
     };
@@ -203,8 +225,8 @@ class BoxTreeBuilder {
     return static_cast<std::size_t>(middle - references_.begin());
   }
 
-  /// The last bin of the left part where (area times faces) of both parts is least. The first and the last bin hold
-  /// faces, so both parts do.
+  /// The last bin of the left part where (area times items) of both parts is least. The first and the last bin hold
+  /// items, so both parts do.
   template <class BinOf>
   std::size_t cheapest_cut(std::size_t begin, std::size_t end, const BinOf& bin_of) const {
     std::array<UnitBox, bin_count> box;
@@ -236,20 +258,26 @@ class BoxTreeBuilder {
     return best;
   }
 
-  std::size_t halve(std::size_t begin, std::size_t end, std::size_t axis) {
+  std::size_t middle_of(std::size_t begin, std::size_t end, std::size_t axis) {
     const std::size_t middle = begin + (end - begin) / 2;
     const auto at = [&](std::size_t i) { return references_.begin() + static_cast<std::ptrdiff_t>(i); };
     std::nth_element(at(begin), at(middle), at(end), [&](const Reference& a, const Reference& b) {
       const float x = a.box.twice_centre()[axis], y = b.box.twice_centre()[axis];
-      return x != y ? x < y : a.face < b.face;
+      return x != y ? x < y : a.item < b.item;
     });
     return middle;
   }
 
-  const InputComplex& input_;
+  const BoxTree::BoxOf& box_of_;
   std::vector<Reference> references_;
 };
 
-BoxTree::BoxTree(const Scene& scene) { BoxTreeBuilder(scene).build(*this); }
+BoxTree BoxTree::by_surface_area(std::uint32_t count, const BoxOf& box_of) {
+  return BoxTreeBuilder(box_of).by_surface_area(count);
+}
+
+BoxTree BoxTree::by_order(std::vector<std::uint32_t> items, const BoxOf& box_of) {
+  return BoxTreeBuilder(box_of).by_order(std::move(items));
+}
 
 }  // namespace strata
