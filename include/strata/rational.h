@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -179,6 +180,13 @@ class Rational {
 [[nodiscard]] Integer numerator(const Rational& x);    ///< has the sign of x
 [[nodiscard]] Integer denominator(const Rational& x);  ///< positive
 std::ostream& operator<<(std::ostream& out, const Rational& x);
+
+/// The value of decimal digits, with a sign or without; none for any other text. O(n^1.6) for n digits.
+[[nodiscard]] std::optional<Integer> parse_integer(std::string_view text);
+
+/// The value of "7", "-7" or "-7/6": an integer, or its quotient by digits that are not all 0; none for any other text.
+/// What `str` writes comes back. O(n^1.6) for n digits, and a greatest common divisor.
+[[nodiscard]] std::optional<Rational> parse_quotient(std::string_view text);
 
 /// A point with rational coordinates.
 using RationalPoint = std::array<Rational, 3>;

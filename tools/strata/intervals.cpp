@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "common/rational_text.h"
 #include "common/run.h"
 #include "common/text_file.h"
 #include "report.h"
 #include "strata/bsp.h"
+#include "strata/rational.h"
 #include "verbs.h"
 
 namespace {
@@ -62,7 +62,7 @@ class Table {
   }
   [[nodiscard]] std::optional<Rational> end(std::string_view text, std::string_view infinite) const {
     if (text == infinite) return std::nullopt;
-    if (const auto quotient = parse_quotient(text)) return quotient;
+    if (const auto quotient = strata::parse_quotient(text)) return quotient;
     double x = 0;
     const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), x);
     if (error != std::errc{} || last != text.data() + text.size() || !std::isfinite(x))

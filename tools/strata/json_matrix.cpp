@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "common/rational_text.h"
 
 using strata::Integer;
 using strata::Rational;
@@ -16,9 +15,10 @@ constexpr const char* coefficient = "a number or a string with an integer or a q
 
 Rational read_quotient(const JsonLocation& place) {
   const std::string text = place.text();
-  if (const auto value = parse_quotient(text)) return *value;
+  if (const auto value = strata::parse_quotient(text)) return *value;
   const std::size_t slash = text.find('/');
-  if (slash != text.npos && parse_integer(text.substr(slash + 1)) == Integer(0)) place.fail("the denominator is 0");
+  if (slash != text.npos && strata::parse_integer(text.substr(slash + 1)) == Integer(0))
+    place.fail("the denominator is 0");
   place.fail_expected(coefficient);
 }
 

@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "common/rational_text.h"
+#include "strata/rational.h"
 
 namespace verify {
 namespace {
@@ -34,7 +34,7 @@ std::optional<Rational> parse_decimal(std::string_view text) {
   long exponent = 0;
   if (e != text.npos) {
     const std::string_view digits = text.substr(e + 1);
-    const auto value = parse_integer(digits);
+    const auto value = strata::parse_integer(digits);
     if (!value || digits.size() > 8) return {};
     exponent = static_cast<long>(value->to_int64());
     text = text.substr(0, e);
@@ -45,7 +45,7 @@ std::optional<Rational> parse_decimal(std::string_view text) {
     mantissa.erase(point, 1);
     if (text.find_first_of("+-", point) != text.npos) return {};
   }
-  const auto digits = parse_integer(mantissa);
+  const auto digits = strata::parse_integer(mantissa);
   if (!digits) return {};
   const std::size_t first = mantissa.find_first_of("123456789");
   if (first == mantissa.npos) return Rational(0);
@@ -77,7 +77,7 @@ std::string decimal(const Rational& q) {
 }
 
 std::optional<Rational> parse_rational(std::string_view text) {
-  if (const auto quotient = parse_quotient(text)) return quotient;
+  if (const auto quotient = strata::parse_quotient(text)) return quotient;
   return parse_decimal(text);
 }
 

@@ -185,7 +185,7 @@ inline bool is_first_divided(const BoxTree& a, BoxTree::Branch m, const BoxTree&
 /// Always in the same order.
 template <class Visit>
 bool for_each_near_leaves(const BoxTree& a, const BoxTree& b, const Visit& visit) {
-  using Branch = BoxTree::Branch;
+  using Node = BoxTree::Branch;
   boost::container::small_vector<std::pair<Branch, Branch>, 128> waiting;
   if (!a.empty() && !b.empty() && a.bounds().overlaps(b.bounds())) waiting.emplace_back(a.root(), b.root());
   while (!waiting.empty()) {

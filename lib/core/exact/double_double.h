@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/exact/bounded.h"
+#include "core/exact/two_sum.h"
 
 namespace strata {
 
@@ -23,29 +24,29 @@ struct DoubleDouble {
   constexpr DoubleDouble(double v, double l, double e) : value(v), low(l), error(e) {}
 
   friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
-    const Pair s = sum(a.value, b.value), t = sum(a.low, b.low);
-    const Pair v = quick_sum(s.high, s.low + t.high);
-    const Pair r = quick_sum(v.high, v.low + t.low);
-    return {r.high, r.low, a.error + b.error + std::abs(r.high) * rounding};
+    const WithRest s = two_sum(a.value, b.value), t = two_sum(a.low, b.low);
+    const WithRest v = quick_two_sum(s.value, s.rest + t.value);
+    const WithRest r = quick_two_sum(v.value, v.rest + t.rest);
+    return {r.value, r.rest, a.error + b.error + std::abs(r.value) * rounding};
   }
   friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
   friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
-    const Pair p = product(a.value, b.value);
-    const Pair r = quick_sum(p.high, p.low + (a.value * b.low + a.low * b.value));
+    const WithRest p = product(a.value, b.value);
+    const WithRest r = quick_two_sum(p.value, p.rest + (a.value * b.low + a.low * b.value));
     const double carried = a.size() * b.error + b.size() * a.error + a.error * b.error;
-    return {r.high, r.low, carried + std::abs(r.high) * rounding + Bounded::underflow};
+    return {r.value, r.rest, carried + std::abs(r.value) * rounding + Bounded::underflow};
   }
   /// Requires that b is certainly not zero; otherwise the error is infinite or NaN.
   /// Underflow in the remainder is divided by b as well: it counts as an error of a.
   friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
     const double first = a.value / b.value;
     const DoubleDouble rest = a.without_error() - b.without_error() * DoubleDouble(first);
-    const Pair q = quick_sum(first, (rest.value + rest.low) / b.value);
+    const WithRest q = quick_two_sum(first, (rest.value + rest.low) / b.value);
     const double distance = std::abs(b.value) * (1 - 0x1p-50) - b.error * Bounded::slack;
-    if (!(distance > 0)) return {q.high, q.low, HUGE_VAL};
+    if (!(distance > 0)) return {q.value, q.rest, HUGE_VAL};
     const double carried =
-        (a.error + Bounded::underflow) / distance + std::abs(q.high) * (1 + 0x1p-50) * (b.error / distance);
-    return {q.high, q.low, carried * Bounded::slack + std::abs(q.high) * rounding + Bounded::underflow};
+        (a.error + Bounded::underflow) / distance + std::abs(q.value) * (1 + 0x1p-50) * (b.error / distance);
+    return {q.value, q.rest, carried * Bounded::slack + std::abs(q.value) * rounding + Bounded::underflow};
   }
   DoubleDouble operator-() const { return {-value, -low, error}; }
 
@@ -62,25 +63,14 @@ struct DoubleDouble {
   }
 
  private:
-  struct Pair {
-    double high, low;
-  };
-  static Pair sum(double a, double b) {  // Knuth: exact
-    const double s = a + b, bb = s - a;
-    return {s, (a - (s - bb)) + (b - bb)};
-  }
-  static Pair quick_sum(double a, double b) {  // Dekker: exact for |a| >= |b| or a = 0
-    const double s = a + b;
-    return {s, b - (s - a)};
-  }
-  static Pair split(double a) {  // Veltkamp: 26 bits each
+  static WithRest split(double a) {  // Veltkamp: 26 bits each
     const double c = 134217729.0 * a, high = c - (c - a);
     return {high, a - high};
   }
-  static Pair product(double a, double b) {  // Dekker: exact unless it underflows
+  static WithRest product(double a, double b) {  // Dekker: exact unless it underflows
     const double p = a * b;
-    const Pair x = split(a), y = split(b);
-    return {p, ((x.high * y.high - p) + x.high * y.low + x.low * y.high) + x.low * y.low};
+    const WithRest x = split(a), y = split(b);
+    return {p, ((x.value * y.value - p) + x.value * y.rest + x.rest * y.value) + x.rest * y.rest};
   }
   [[nodiscard]] double size() const { return std::abs(value) * (1 + 0x1p-50); }
   [[nodiscard]] DoubleDouble without_error() const { return {value, low, 0}; }

@@ -26,7 +26,7 @@ bool is_integer_text(std::string_view text) {
 }
 
 /// Of digits that may have leading zeros, which Boost would take for octal numbers.
-BigInteger parse_integer(std::string_view text) {
+BigInteger integer_of_text(std::string_view text) {
   if (!is_integer_text(text)) throw std::invalid_argument("not an integer: '" + std::string(text) + "'");
   const bool is_negative = text[0] == '-';
   text.remove_prefix(std::min(text.find_first_not_of("+-0"), text.size()));
@@ -50,7 +50,7 @@ Integer::Integer(double x) {
   require_finite(x);
   Native::construct(*this, std::trunc(x));
 }
-Integer::Integer(std::string_view digits) { Native::construct(*this, parse_integer(digits)); }
+Integer::Integer(std::string_view digits) { Native::construct(*this, integer_of_text(digits)); }
 Integer::Integer(const Integer& other) { Native::construct(*this, native(other)); }
 Integer::Integer(Integer&& other) noexcept { Native::construct(*this, std::move(native(other))); }
 Integer& Integer::operator=(const Integer& other) {
@@ -181,12 +181,12 @@ Rational::Rational(const Integer& numerator, const Integer& denominator) {
 }
 Rational::Rational(std::string_view text) {
   const std::size_t slash = text.find('/');
-  const BigInteger n = parse_integer(text.substr(0, slash));
+  const BigInteger n = integer_of_text(text.substr(0, slash));
   if (slash == std::string_view::npos) {
     Native::construct(*this, n);
     return;
   }
-  const BigInteger d = parse_integer(text.substr(slash + 1));
+  const BigInteger d = integer_of_text(text.substr(slash + 1));
   require_divisor(d == 0);
   Native::construct(*this, n, d);
 }

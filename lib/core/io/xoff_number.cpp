@@ -1,21 +1,14 @@
 #include "core/io/xoff_number.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
 
+#include "strata/rational.h"
+
 namespace strata::io {
 namespace {
-
-bool is_digits(std::string_view word) {
-  return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-std::string_view without_sign(std::string_view word) {
-  return !word.empty() && (word[0] == '-' || word[0] == '+') ? word.substr(1) : word;
-}
 
 ExactCoordinate rounded(Rational exact, const TextCursor& at) {
   const double nearest = to_nearest_double(exact);
@@ -34,16 +27,15 @@ ExactCoordinate read_coordinate(TextCursor& text) {
   TextCursor behind = text;
   const std::string_view word = behind.word();
   const std::size_t slash = word.find('/');
-  const std::string_view numerator = word.substr(0, slash);
-  const bool is_integer = is_digits(without_sign(numerator));
-  if (slash == std::string_view::npos && (!is_integer || word.size() <= few)) return {text.number(what), {}};
-  text = behind;
-  if (slash == std::string_view::npos) return rounded(Rational(Integer(word)), start);
-  const std::string_view denominator = word.substr(slash + 1);
-  if (!is_integer || !is_digits(denominator)) start.fail_expected(what);
-  if (denominator.find_first_not_of('0') == std::string_view::npos)
-    start.fail_expected("a denominator that is not zero");
-  return rounded(Rational(Integer(numerator), Integer(denominator)), start);
+  if (slash == std::string_view::npos && word.size() <= few) return {text.number(what), {}};
+  if (auto value = parse_quotient(word)) {
+    text = behind;
+    return rounded(std::move(*value), start);
+  }
+  if (slash == std::string_view::npos) return {text.number(what), {}};
+  const std::string_view below = word.substr(slash + 1);
+  const bool is_zero = !below.empty() && below.find_first_not_of('0') == std::string_view::npos;
+  start.fail_expected(is_zero && parse_integer(word.substr(0, slash)) ? "a denominator that is not zero" : what);
 }
 
 void append_coordinate(std::string& text, double x) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/exact/sign.h"
+#include "core/exact/two_sum.h"
 
 namespace strata {
 
@@ -19,7 +20,7 @@ class ExactSteps {
   [[nodiscard]] bool are_exact() const { return exact_; }
 
   [[nodiscard]] double sum(double a, double b) {
-    const WithRest s = sum_with_rest(a, b);
+    const WithRest s = two_sum(a, b);
     exact_ &= s.rest == 0;
     return s.value;
   }
@@ -42,21 +43,12 @@ class ExactSteps {
   [[nodiscard]] Sign sign_of_dot(const Vector& u, const Vector& v) {
     const WithRest x = product_with_rest(u[0], v[0]), y = product_with_rest(u[1], v[1]),
                    z = product_with_rest(u[2], v[2]);
-    const WithRest xy = sum_with_rest(x.value, y.value), all = sum_with_rest(xy.value, z.value);
+    const WithRest xy = two_sum(x.value, y.value), all = two_sum(xy.value, z.value);
     const double rests = sum(sum(sum(x.rest, y.rest), z.rest), sum(xy.rest, all.rest));
     return sign_of(all.value + rests);
   }
 
  private:
-  /// A rounded value and its error.
-  struct WithRest {
-    double value, rest;
-  };
-  /// Knuth's two-sum. Overflow makes the error NaN.
-  static WithRest sum_with_rest(double a, double b) {
-    const double s = a + b, b_used = s - a, a_used = s - b_used;
-    return {s, (b - b_used) + (a - a_used)};
-  }
   /// The error is a double unless the product is so small that the error may underflow. Overflow makes it infinite or
   /// NaN.
   [[nodiscard]] WithRest product_with_rest(double a, double b) {

@@ -6,6 +6,7 @@
 
 #include "core/exact/big_integer.h"
 #include "core/exact/pairwise_sum.h"
+#include "core/exact/scaled_root.h"
 #include "core/mesh/product_sum.h"
 
 namespace strata {
@@ -36,14 +37,9 @@ bool any_exact(const std::vector<bool>& flags, const Triangle& t) {
 /// The square root of q >= 0, truncated to at least 64 bits and then rounded.
 long double square_root(const Rational& q) {
   if (q == 0) return 0;
-  const Integer n = numerator(q);
-  const Integer d = denominator(q);
-  const long quotient_bits = static_cast<long>(bit_length(n)) - static_cast<long>(bit_length(d));
-  const long half_shift = (130 - quotient_bits) / 2;  // q * 4^half_shift has about 130 bits
-  const auto shift = static_cast<std::size_t>(2 * std::abs(half_shift));
-  const Integer scaled = half_shift >= 0 ? (n << shift) / d : n / (d << shift);
-  const Integer root = sqrt(scaled);
-  return std::ldexp(to_nearest_long_double(root), static_cast<int>(-half_shift));
+  const long k = (130 - binary_size(q)) / 2;  // q 4^k has about 130 bits
+  const Integer root = scaled_root(q, k);
+  return std::ldexp(to_nearest_long_double(root), static_cast<int>(-k));
 }
 
 long double exact_double_area(const ExactMesh& mesh, const Triangle& t) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/exact/scaled_root.h"
 #include "extensions/bsp/partition_data.h"
 
 namespace strata::bsp {
@@ -177,19 +178,11 @@ double nearest_square_root(const Rational& q) {
   // integer, no midpoint of two doubles is between the integers around it, so all numbers between them round to the
   // same double.
   constexpr int kept = 140;
-  const int size = static_cast<int>(bit_length(numerator(q))) - static_cast<int>(bit_length(denominator(q)));
-  int shift = kept - size;
-  shift += shift % 2 != 0 ? 1 : 0;
-  const Integer scaled_numerator = shift > 0 ? Integer(numerator(q) << static_cast<unsigned>(shift)) : numerator(q);
-  const Integer scaled_denominator =
-      shift < 0 ? Integer(denominator(q) << static_cast<unsigned>(-shift)) : denominator(q);
-  const Integer whole = scaled_numerator / scaled_denominator, root = sqrt(whole);
-  const bool is_exact = root * root * scaled_denominator == scaled_numerator;
-  Rational x = is_exact ? Rational(root) : Rational(2 * root + 1, Integer(2));
-  const auto half = static_cast<unsigned>(std::abs(shift) / 2);
-  if (shift > 0) x /= Integer(1) << half;
-  if (shift < 0) x *= Integer(1) << half;
-  return to_nearest_double(x);
+  const long size = binary_size(q), k = (kept - size + (size & 1)) / 2;
+  const Integer root = scaled_root(q, k), power = Integer(1) << static_cast<unsigned long>(std::abs(k));
+  const auto in_units = [&](Rational x) { return k >= 0 ? std::move(x /= power) : std::move(x *= power); };
+  const Rational floor = in_units(root);
+  return to_nearest_double(floor * floor == q ? floor : in_units(Rational(2 * root + 1, Integer(2))));
 }
 
 template <int D>

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "strata/rational.h"
 #include "core/io/input.h"
 #include "extensions/complex/validate.h"
 #include "strata/complex.h"
@@ -70,22 +71,10 @@ class Lines {
   }
   [[nodiscard]] Rational rational() {
     const auto text = word("a coordinate");
-    const auto is_integer = [](std::string_view t) {
-      return !t.empty() && std::all_of(t.begin(), t.end(), [](char c) { return c >= '0' && c <= '9'; });
-    };
-    const std::string_view digits = text.starts_with('-') ? text.substr(1) : text;
-    const std::size_t slash = std::min(digits.find('/'), digits.size());
-    const std::string_view below = slash == digits.size() ? "1" : digits.substr(slash + 1);
-    const bool is_zero = std::all_of(below.begin(), below.end(), [](char c) { return c == '0'; });
-    if (!is_integer(digits.substr(0, slash)) || !is_integer(below) || is_zero)
-      fail("expected an integer or a fraction, found " + io::quoted(text));
-    const auto integer = [](std::string_view t) {  // leading zeros do not mean octal
-      t.remove_prefix(std::min(t.find_first_not_of('0'), t.size() - 1));
-      return Integer(std::string(t));
-    };
-    const Rational value(integer(digits.substr(0, slash)), integer(below));
-    if (!std::isfinite(to_nearest_double(value))) fail("a coordinate is beyond all doubles");
-    return text.starts_with('-') ? Rational(-value) : value;
+    const auto value = text.starts_with('+') ? std::nullopt : parse_quotient(text);
+    if (!value) fail("expected an integer or a fraction, found " + io::quoted(text));
+    if (!std::isfinite(to_nearest_double(*value))) fail("a coordinate is beyond all doubles");
+    return *value;
   }
 
  private:

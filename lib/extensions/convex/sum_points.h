@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/exact/two_sum.h"
 #include "strata/mesh.h"
 
 namespace strata::convex {
@@ -24,12 +25,6 @@ class SumPoints {
   [[nodiscard]] ExactMesh& points() { return points_; }
 
  private:
-  /// Two-sum (Knuth): the rounding error of a + b is itself a double.
-  static double loss(double a, double b, double sum) {
-    const double part = sum - a;
-    return (a - (sum - part)) + (b - part);
-  }
-
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t number) {
     const Vertex &p = a_.mesh.vertices[a], &q = b_.mesh.vertices[b];
     const bool are_doubles = !is_rational(a_, a) && !is_rational(b_, b);
@@ -42,8 +37,9 @@ class SumPoints {
   Vertex add_doubles(const Vertex& p, const Vertex& q, std::uint32_t number) {
     Vertex sum, rest;
     for (std::size_t i = 0; i < 3; ++i) {
-      sum[i] = p[i] + q[i];
-      rest[i] = loss(p[i], q[i], sum[i]);
+      const WithRest s = two_sum(p[i], q[i]);
+      sum[i] = s.value;
+      rest[i] = s.rest;
     }
     const bool is_finite = std::isfinite(sum[0]) && std::isfinite(sum[1]) && std::isfinite(sum[2]);
     if (!is_finite || rest == Vertex{0, 0, 0}) return sum;

@@ -1,11 +1,8 @@
-#include "common/rational_text.h"
+#include "strata/rational.h"
 
 #include <algorithm>
-#include <string>
 
-using strata::Integer;
-using strata::Rational;
-
+namespace strata {
 namespace {
 
 bool is_digits(std::string_view text) {
@@ -15,17 +12,19 @@ bool is_digits(std::string_view text) {
 }  // namespace
 
 std::optional<Integer> parse_integer(std::string_view text) {
-  const std::string_view digits = text.starts_with('-') || text.starts_with('+') ? text.substr(1) : text;
-  if (!is_digits(digits)) return {};
+  const bool has_sign = text.starts_with('-') || text.starts_with('+');
+  if (!is_digits(has_sign ? text.substr(1) : text)) return {};
   return Integer(text);
 }
 
 std::optional<Rational> parse_quotient(std::string_view text) {
   const std::size_t slash = text.find('/');
-  const auto above = parse_integer(text.substr(0, slash));
+  auto above = parse_integer(text.substr(0, slash));
   if (!above) return {};
-  if (slash == text.npos) return Rational(*above);
+  if (slash == std::string_view::npos) return Rational(*above);
   const std::string_view below = text.substr(slash + 1);
-  if (!is_digits(below) || Integer(below) == 0) return {};
+  if (!is_digits(below) || below.find_first_not_of('0') == std::string_view::npos) return {};
   return Rational(*above, Integer(below));
 }
+
+}  // namespace strata
