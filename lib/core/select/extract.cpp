@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "core/cells/face_blocks.h"
+#include "core/exact/invariants.h"
 #include "core/mesh/huge_pages.h"
 #include "core/select/merge_pieces.h"
+#include "core/select/validate.h"
 
 namespace strata {
 namespace {
@@ -159,6 +161,7 @@ Boundary extract(const InputComplex& input, const std::vector<Verdict>& verdicts
     }
   });
   result.points = std::move(subdivision.points);
+  ensure("extract", [&] { return validate(input, result); });
   return result;
 }
 
