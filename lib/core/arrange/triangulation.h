@@ -85,6 +85,7 @@ class Triangulation {
   [[nodiscard]] const FacePoints& points() const { return points_; }
   [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
   [[nodiscard]] const Note& note(std::int32_t i) const { return notes_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] std::span<const Note> notes() const { return notes_; }
   /// Some triangle at a vertex.
   [[nodiscard]] std::int32_t triangle_at(std::int32_t vertex) const { return at_[static_cast<std::size_t>(vertex)]; }
   /// The names of vertices beside their own.

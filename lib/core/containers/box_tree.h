@@ -186,7 +186,7 @@ inline bool is_first_divided(const BoxTree& a, BoxTree::Branch m, const BoxTree&
 template <class Visit>
 bool for_each_near_leaves(const BoxTree& a, const BoxTree& b, const Visit& visit) {
   using Node = BoxTree::Branch;
-  boost::container::small_vector<std::pair<Branch, Branch>, 128> waiting;
+  boost::container::small_vector<std::pair<Node, Node>, 128> waiting;
   if (!a.empty() && !b.empty() && a.bounds().overlaps(b.bounds())) waiting.emplace_back(a.root(), b.root());
   while (!waiting.empty()) {
     const auto [m, n] = waiting.back();

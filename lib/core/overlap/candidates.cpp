@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "core/cells/validate.h"
+#include "core/exact/invariants.h"
+#include "core/kernel/validate.h"
 #include "core/overlap/coincidences.h"
 
 namespace strata {
@@ -10,6 +13,8 @@ namespace strata {
 Candidates::Candidates(std::unique_ptr<InputComplex> input, const Monitor& monitor)
     : input_(std::move(input)), cells_(*input_, {.self = input_->may_self_intersect(), .monitor = monitor}) {
   input_->identify(find_coincidences(*input_, cells_, monitor));
+  ensure("find_candidates", [&] { return validate(*input_); });
+  ensure("find_candidates", [&] { return validate(*input_, cells_); });
 }
 
 Candidates find_candidates(InputComplex input, const Monitor& monitor) {

@@ -11,9 +11,11 @@
 #include <optional>
 #include <vector>
 
+#include "core/exact/invariants.h"
 #include "core/overlap/constraint_order.h"
 #include "core/overlap/filtered_face.h"
 #include "core/overlap/meeting.h"
+#include "core/overlap/validate.h"
 
 namespace strata {
 namespace {
@@ -173,7 +175,9 @@ Intersections intersect(const Candidates& candidates, const Monitor& monitor) {
     monitor.check();
     pairs.local().find(*mixed[i], per_cell[i]);
   });
-  return gathered(per_cell, candidates.input(), monitor);
+  Intersections all = gathered(per_cell, candidates.input(), monitor);
+  ensure("intersect", [&] { return validate(candidates.input(), all); });
+  return all;
 }
 
 }  // namespace strata

@@ -44,6 +44,8 @@ class PointTable {
   }
   /// Requires a constructed point.
   [[nodiscard]] const Point& constructed(PointId id) const { return constructed_[id - first()]; }
+  /// All constructed points, by number.
+  [[nodiscard]] std::span<const Point> constructed() const { return constructed_; }
 
  private:
   const InputComplex* input_;

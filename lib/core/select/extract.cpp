@@ -10,7 +10,9 @@
 
 #include "core/cells/face_blocks.h"
 #include "core/containers/huge_pages.h"
+#include "core/exact/invariants.h"
 #include "core/select/merge_pieces.h"
+#include "core/select/validate.h"
 
 namespace strata {
 namespace {
@@ -159,6 +161,7 @@ Boundary extract(const InputComplex& input, const std::vector<Verdict>& verdicts
     }
   });
   result.points = std::move(subdivision.points);
+  ensure("extract", [&] { return validate(input, result); });
   return result;
 }
 

@@ -2,10 +2,15 @@
 
 #include <algorithm>
 
+#include "core/arrange/validate.h"
 #include "core/exact/failure.h"
+#include "core/exact/invariants.h"
 
 namespace strata {
 namespace {
+
+/// Triangulations up to this size are validated in checked builds.
+constexpr std::size_t most_validated = 256;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -52,6 +57,8 @@ SubdividedFace FaceSplitter::split(std::span<const Constraint> constraints, NewP
 
 void FaceSplitter::collect_pieces(const std::optional<FreeCorner>& corner, NewPoints& found) {
   const bool simple = triangulate();
+  if (triangulation_.triangles().size() <= most_validated)
+    ensure("subdivide", [&] { return validate(triangulation_, constraints_); });
   spread(corner ? Start{triangle_at_corner(corner->index), {corner->windings, {}}} : start_inside());
   remember_corners();
   judge();

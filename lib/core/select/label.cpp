@@ -7,6 +7,8 @@
 
 #include "core/cells/cell_tree.h"
 #include "core/cells/face_blocks.h"
+#include "core/exact/invariants.h"
+#include "core/select/validate.h"
 #include "core/winding/corner_cache.h"
 
 namespace strata {
@@ -113,6 +115,7 @@ std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivi
       }
     }
   });
+  ensure("label", [&] { return validate(input, verdicts, subdivision); });
   return verdicts;
 }
 

@@ -5,7 +5,10 @@
 
 #include <utility>
 
+#include "core/exact/invariants.h"
+#include "core/overlap/validate.h"
 #include "core/select/face_splitter.h"
+#include "core/select/validate.h"
 
 namespace strata {
 namespace {
@@ -80,6 +83,8 @@ Subdivision subdivide(const InputComplex& input, Intersections intersections, co
   result.points.identify(same);
   if (result.points.has_identified())
     replace_points(result.faces, [&](std::size_t, PointId p) { return result.points.representative(p); });
+  ensure("subdivide", [&] { return validate(input, result.points); });
+  ensure("subdivide", [&] { return validate(input, result); });
   return result;
 }
 
