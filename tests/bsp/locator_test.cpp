@@ -1,7 +1,6 @@
-#include "strata/bsp.h"
-
 #include <catch2/catch.hpp>
 
+#include "strata/bsp.h"
 #include "strata/query.h"
 #include "support/random.h"
 #include "support/rounds.h"

@@ -1,8 +1,8 @@
-#include "strata/rational.h"
-
 #include <catch2/catch.hpp>
 #include <random>
 #include <string>
+
+#include "strata/rational.h"
 
 using namespace strata;
 

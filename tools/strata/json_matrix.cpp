@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-
 using strata::Integer;
 using strata::Rational;
 

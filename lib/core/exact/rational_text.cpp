@@ -1,6 +1,6 @@
-#include "strata/rational.h"
-
 #include <algorithm>
+
+#include "strata/rational.h"
 
 namespace strata {
 namespace {

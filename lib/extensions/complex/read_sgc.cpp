@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "strata/rational.h"
 #include "core/io/input.h"
 #include "extensions/complex/validate.h"
 #include "strata/complex.h"
+#include "strata/rational.h"
 
 namespace strata::complex {
 namespace {
