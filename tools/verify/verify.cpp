@@ -12,6 +12,7 @@
 #include "common/progress.h"
 #include "common/shared_folder.h"
 #include "common/text_file.h"
+#include "common/usage_error.h"
 #include "strata/errors.h"
 #include "verify/certify.h"
 #include "verify/reports.h"

@@ -16,6 +16,7 @@
 
 #include "common/sibling_program.h"
 #include "common/stopwatch.h"
+#include "common/usage_error.h"
 #include "common/watch.h"
 #include "verify/fuzz/findings.h"
 #include "verify/fuzz/laws.h"
@@ -110,14 +111,15 @@ class Search {
     }
     if (!output_.quiet)
       fmt::print("seed {}: {} rounds asked, {} passed over, {} findings, {:.1f} s{}\n", f_.seed, asked_.load(),
-                 passed_over_.load(), findings_, stopwatch_.lap(), watch_.token() ? ", interrupted" : "");
+                 passed_over_.load(), findings_, stopwatch_.lap(),
+                 watch_.token().is_cancelled() ? ", interrupted" : "");
     if (findings_ != 0) return ExitCode::negative;
-    return watch_.token() ? ExitCode::stopped : ExitCode::ok;
+    return watch_.token().is_cancelled() ? ExitCode::stopped : ExitCode::ok;
   }
 
  private:
   [[nodiscard]] bool has_time() const {
-    if (watch_.token()) return false;
+    if (watch_.token().is_cancelled()) return false;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
     return f_.minutes == 0 || passed.count() < 60 * f_.minutes;
   }
