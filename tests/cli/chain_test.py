@@ -12,7 +12,7 @@ class Chain(ChainTest):
         third, seventh = Fraction(1, 3), Fraction(1, 7)
         steps = [box("difference", (1, 1, 1), (-third, 1, 1), label="notch"),
                  box("union", (1, 1, 1), (4 - seventh, 2, 2)),
-                 box("xor", (1, 1, 1), (1, 2, 2), label="void"),
+                 box("symmetric-difference", (1, 1, 1), (1, 2, 2), label="void"),
                  box("intersection", ("9/2", "9/2", "9/2"), (0, 0, 0)), box("difference", (9, 9, 9), (-1, -1, -1))]
         report = self.chain(self.block, steps)
         self.assertEqual((report["start"]["file"], report["start"]["volume_exact"]), ("block.off", "64"))

@@ -31,7 +31,7 @@ class Report(ToolTest):
 
     def test_exact_volumes_are_fractions(self):
         a, b = self.file("a.off", cube()), self.file("b.off", cube(0.5, 0.5, 0.5))
-        for verb, volume in (("union", "15/8"), ("intersection", "1/8"), ("difference", "7/8"), ("xor", "7/4")):
+        for verb, volume in (("union", "15/8"), ("intersection", "1/8"), ("difference", "7/8"), ("symmetric-difference", "7/4")):
             with self.subTest(verb=verb):
                 report = self.report(verb, a, b, "-o", "out.off")
                 self.assertEqual(report["operation"], verb)

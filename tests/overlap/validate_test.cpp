@@ -100,7 +100,7 @@ TEST_CASE("what is wrong with a table of points is listed", "[overlap]") {
   SECTION("points that are identified and apart") {
     const std::vector<std::pair<PointId, PointId>> equal{{x.points.first(), x.points.first() + 1}};
     x.points.identify(equal);
-    CHECK(reports(validate(x.input, x.points), "are identified and not at one place"));
+    CHECK(reports(validate(x.input, x.points), "are identified and have different positions"));
   }
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("points at one place are to be identified", "[overlap]") {
   Crossing x;
   std::vector<PointId> ids;
   for (PointId id = x.points.first(); id < x.points.end(); ++id) ids.push_back(id);
-  REQUIRE(validate_distinct(x.points, ids).empty());
+  REQUIRE(validate_distinct(x.input, x.points, ids).empty());
   // The corner 0 by another name: three planes of a.
   std::vector<std::uint32_t> at_corner;
   for (std::uint32_t f = 0; f < x.input.face_count(0); ++f) {
@@ -124,8 +124,8 @@ TEST_CASE("points at one place are to be identified", "[overlap]") {
   REQUIRE(at_corner.size() == 3);
   const std::vector<SymbolicPoint> corner{SymbolicPoint::three_faces(at_corner[0], at_corner[1], at_corner[2])};
   const PointId same = x.points.add(corner, {}).front();
-  CHECK(reports(validate_distinct(x.points, {0, 1, same}), "are at one place and not identified"));
+  CHECK(reports(validate_distinct(x.input, x.points, {0, 1, same}), "have one position and are not identified"));
   const std::vector<std::pair<PointId, PointId>> equal{{0, same}};
   x.points.identify(equal);
-  CHECK(validate_distinct(x.points, {0, 1, same}).empty());
+  CHECK(validate_distinct(x.input, x.points, {0, 1, same}).empty());
 }

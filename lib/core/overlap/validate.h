@@ -26,8 +26,9 @@ namespace strata {
 [[nodiscard]] std::vector<std::string> validate(const InputComplex& input, std::span<const Point> constructed,
                                                 PointId first);
 
-/// Of these points of the table, or a sample of them: those that represent themselves are at places of their own. O(n
-/// log n).
-[[nodiscard]] std::vector<std::string> validate_distinct(const PointTable& points, std::vector<PointId> ids);
+/// Of these points of the table, or a sample of them: those that represent themselves have different positions, except
+/// vertices that one operand lists twice. O(n log n).
+[[nodiscard]] std::vector<std::string> validate_distinct(const InputComplex& input, const PointTable& points,
+                                                         std::vector<PointId> ids);
 
 }  // namespace strata

@@ -11,7 +11,8 @@
 namespace strata {
 
 /// The exact boundary of a result: vertices as numbers of points, triangles with the face from which each comes.
-/// Vertices are numbered through `inputs` and then `constructed`; they are distinct points.
+/// Vertices are numbered through `inputs` and then `constructed`. Their positions are different, except those of
+/// vertices that one operand lists twice.
 struct Boundary {
   std::vector<std::uint32_t> inputs;                    ///< used input vertices, by increasing number
   std::vector<PointId> constructed;                     ///< used constructed points, by increasing number

@@ -93,7 +93,7 @@ class BoundaryCheck {
     for_sample(boundary_.triangles.size(), triangle_sample, [&](std::size_t t) { check_triangle(t); });
     std::vector<PointId> ids = boundary_.constructed;
     for_sample(boundary_.inputs.size(), triangle_sample, [&](std::size_t i) { ids.push_back(boundary_.inputs[i]); });
-    for (const std::string& v : validate_distinct(points_, std::move(ids))) violations_.add(v);
+    for (const std::string& v : validate_distinct(input_, points_, std::move(ids))) violations_.add(v);
     return std::move(violations_).list();
   }
 
