@@ -10,17 +10,23 @@
 
 namespace strata {
 
-/// Regularized set operations on n >= 1 operands: the closure of the interior of what is union_: in any; intersection:
-/// in all; difference: in the first and in no other; symmetric_difference: in an odd number of them. Regularization
-/// leaves no loose faces, edges or points, and none are missing (Requicha 1980).
-enum class Operation { union_, intersection, difference, symmetric_difference };
+/// Regularized set operations on n >= 1 operands. The result is the closure of the interior of a set of points, so it
+/// has no isolated faces, edges or points, and none are missing (Requicha 1980).
+enum class Operation {
+  union_,               ///< points in any operand
+  intersection,         ///< points in all operands
+  difference,           ///< points in the first operand and in no other
+  symmetric_difference  ///< points in an odd number of operands
+};
 
+/// All of them. Verbs, documents and property tests iterate over this list.
 inline constexpr std::array all_operations{Operation::union_, Operation::intersection, Operation::difference,
                                            Operation::symmetric_difference};
 
 /// Its name, in files and on the command line: union, intersection, difference, symmetric-difference.
 [[nodiscard]] constexpr const char* name(Operation operation) {
   constexpr std::array names{"union", "intersection", "difference", "symmetric-difference"};
+  static_assert(names.size() == all_operations.size());
   return names[static_cast<std::size_t>(operation)];
 }
 
@@ -32,9 +38,10 @@ inline constexpr std::array all_operations{Operation::union_, Operation::interse
   return std::nullopt;
 }
 
-/// Its sign in expressions: | & - ^.
+/// Its sign between two operands in expressions: | & - ^. For more operands, signs are applied from left to right.
 [[nodiscard]] constexpr char sign(Operation operation) {
   constexpr std::array signs{'|', '&', '-', '^'};
+  static_assert(signs.size() == all_operations.size());
   return signs[static_cast<std::size_t>(operation)];
 }
 

@@ -129,7 +129,8 @@ bool BoxTree::for_each_near_below(const Node& node, const Box& box, const Visit&
   std::array<bool, 2> met{true, true};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 2; ++k)
-      met[k] = (met[k] & (lower[i][k] <= box.upper[i]) & (box.lower[i] <= upper[i][k])) != 0;
+      met[k] = (static_cast<int>(met[k]) & static_cast<int>(lower[i][k] <= box.upper[i]) &
+                static_cast<int>(box.lower[i] <= upper[i][k])) != 0;
   const auto look = [&](std::size_t k) {
     const std::uint32_t first = node.first[k], count = node.count[k];
     if (is_inner(count)) return for_each_near_below(nodes_[first], box, visit);

@@ -33,7 +33,8 @@ inline std::uint64_t hash_of(const std::array<double, 2>& p) {
 /// Equality without branches: which coordinate differs is a matter of chance.
 template <class Scalar>
 bool are_equal(const std::array<Scalar, 3>& p, const std::array<Scalar, 3>& q) {
-  return ((p[0] == q[0]) & (p[1] == q[1]) & (p[2] == q[2])) != 0;
+  // No branches: `&` of integers.
+  return (static_cast<int>(p[0] == q[0]) & static_cast<int>(p[1] == q[1]) & static_cast<int>(p[2] == q[2])) != 0;
 }
 
 }  // namespace strata

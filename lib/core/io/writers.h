@@ -14,7 +14,8 @@ void check_writable(MeshView mesh, const std::string& name);
 /// The same for exact positions: of vertices that do not exist, not in order, or beyond the range of doubles.
 void check_writable(std::span<const ExactVertex> exact, std::size_t vertex_count, const std::string& name);
 
-/// One writer per format. Requires finite coordinates and indices in range.
+/// One writer per format. A mesh without faces is written as some bytes, because readers refuse empty files. Requires
+/// finite coordinates and indices in range.
 void write_stl_ascii(MeshView mesh, Sink& sink);
 void write_obj(MeshView mesh, Sink& sink);
 void write_off(MeshView mesh, Sink& sink);

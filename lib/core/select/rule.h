@@ -49,12 +49,16 @@ class Rule {
   /// Lists of operands whose union alone matters to the rule: each list may be replaced by its union.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> unions() const {
     if (formula_) return formula_->unions();
-    const std::uint32_t first = operation_ == Operation::difference ? 1 : 0;
-    if (operation_ == Operation::intersection || operation_ == Operation::symmetric_difference || operands_ < first + 2)
-      return {};
-    std::vector<std::uint32_t> list(operands_ - first);
-    std::iota(list.begin(), list.end(), first);
-    return {list};
+    switch (operation_) {
+      case Operation::union_:
+        return operands_from(0);
+      case Operation::difference:
+        return operands_from(1);
+      case Operation::intersection:
+      case Operation::symmetric_difference:
+        return {};
+    }
+    return {};
   }
 
   [[nodiscard]] bool inside(const Windings& windings) const {
@@ -80,6 +84,14 @@ class Rule {
   }
 
  private:
+  /// The list of all operands from this one on, if there are two or more.
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> operands_from(std::uint32_t first) const {
+    if (operands_ < first + 2) return {};
+    std::vector<std::uint32_t> list(operands_ - first);
+    std::iota(list.begin(), list.end(), first);
+    return {list};
+  }
+
   Operation operation_{};
   std::uint32_t operands_;
   std::optional<Formula> formula_;  ///< instead of the operation

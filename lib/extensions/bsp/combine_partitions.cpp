@@ -58,8 +58,21 @@ class Merging {
   [[nodiscard]] bsp::Partition<3> merged(Operation operation, std::span<const bsp::Partition<3>> regions) const {
     if (regions.empty()) return {};
     if (regions.size() == 1) return regions[0];
-    if (operation == Operation::difference)
-      return pair(operation, regions[0], merged(Operation::union_, regions.subspan(1)));
+    switch (operation) {
+      case Operation::difference:
+        return pair(operation, regions[0], merged(Operation::union_, regions.subspan(1)));
+      case Operation::union_:
+      case Operation::intersection:
+      case Operation::symmetric_difference:
+        return merged_by_halves(operation, regions);
+    }
+    return {};
+  }
+
+ private:
+  /// Of an associative operation.
+  [[nodiscard]] bsp::Partition<3> merged_by_halves(Operation operation,
+                                                   std::span<const bsp::Partition<3>> regions) const {
     const std::size_t half = regions.size() / 2;
     bsp::Partition<3> first, second;
     tbb::parallel_invoke([&] { first = merged(operation, regions.first(half)); },
@@ -67,7 +80,6 @@ class Merging {
     return pair(operation, first, second);
   }
 
- private:
   [[nodiscard]] bsp::Partition<3> pair(Operation operation, const bsp::Partition<3>& a,
                                        const bsp::Partition<3>& b) const {
     return bsp::rebuilt_if_deep(bsp::combined(operation, a, b, monitor_));
