@@ -35,6 +35,19 @@ MeshPlanes::MeshPlanes(HyperplaneTable<3>& table, ExactMeshView mesh) : table_(t
   for (const ExactVertex& e : mesh.exact) wide_[e.vertex] = place_of(e.position);
 }
 
+/// Converts from units of the lattice to units of the mesh. This makes narrow forms at most 1,100 bits longer, which
+/// fits into a LongInt.
+template <class Int>
+OrientedHyperplane<3> MeshPlanes::oriented(const HPlane<Int>& plane) const {
+  using Form = std::conditional_t<std::is_same_v<Int, Narrow>, LongInt, Int>;
+  std::array<Form, 4> form{Form(plane.a), Form(plane.b), Form(plane.c), Form(plane.d)};
+  const int shift = std::abs(unit_);
+  if (unit_ > 0) form[3] = Form(form[3] << shift);
+  if (unit_ < 0)
+    for (std::size_t i = 0; i < 3; ++i) form[i] = Form(form[i] << shift);
+  return oriented_hyperplane<3>(form);
+}
+
 std::optional<MeshPlanes::Plane> MeshPlanes::through(const Triangle& vertices) {
   std::optional<OrientedHyperplane<3>> plane = found([&](const auto& at) -> std::optional<OrientedHyperplane<3>> {
     const auto p = strata::plane_through(at[vertices[0]], at[vertices[1]], at[vertices[2]]);
@@ -94,19 +107,6 @@ HPoint<Integer> MeshPlanes::place_of(const RationalPoint& p) const {
   if (unit_ < 0)
     for (Integer& x : n) x <<= shift;
   return {n[0], n[1], n[2], w, w == 1};
-}
-
-/// Converts from units of the lattice to units of the mesh. This makes narrow forms at most 1,100 bits longer, which
-/// fits into a LongInt.
-template <class Int>
-OrientedHyperplane<3> MeshPlanes::oriented(const HPlane<Int>& plane) const {
-  using Form = std::conditional_t<std::is_same_v<Int, Narrow>, LongInt, Int>;
-  std::array<Form, 4> form{Form(plane.a), Form(plane.b), Form(plane.c), Form(plane.d)};
-  const int shift = std::abs(unit_);
-  if (unit_ > 0) form[3] = Form(form[3] << shift);
-  if (unit_ < 0)
-    for (std::size_t i = 0; i < 3; ++i) form[i] = Form(form[i] << shift);
-  return oriented_hyperplane<3>(form);
 }
 
 void MeshPlanes::note(std::uint32_t plane, std::uint32_t vertex) {
