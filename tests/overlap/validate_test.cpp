@@ -81,7 +81,7 @@ TEST_CASE("what is wrong with intersections is listed", "[overlap]") {
   }
   SECTION("vertices that are not equal") {
     x.found.equal.push_back({0, 8});
-    CHECK(reports(x.violations(), "vertices 0 and 8 are told to be equal"));
+    CHECK(reports(x.violations(), "vertices 0 and 8 are listed as equal"));
   }
 }
 

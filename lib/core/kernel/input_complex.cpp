@@ -8,6 +8,7 @@
 #include "core/exact/big_integer.h"
 #include "core/exact/lattice.h"
 #include "core/kernel/disjoint_sets.h"
+#include "core/kernel/rational_point.h"
 
 namespace strata {
 
@@ -53,17 +54,6 @@ std::optional<InputComplex::Coordinates> remainder_of(const RationalPoint& exact
     remainder[i] = *rest;
   }
   return remainder;
-}
-
-/// p over the least common denominator.
-HPoint<Integer> homogeneous(const RationalPoint& p) {
-  Integer w = denominator(p[0]);
-  for (std::size_t i = 1; i < 3; ++i)
-    if (denominator(p[i]) != w) w = lcm(w, denominator(p[i]));
-  std::array<Integer, 3> n;
-  for (std::size_t i = 0; i < 3; ++i)
-    n[i] = denominator(p[i]) == w ? numerator(p[i]) : Integer(numerator(p[i]) * (w / denominator(p[i])));
-  return {n[0], n[1], n[2], w, w == 1};
 }
 
 }  // namespace

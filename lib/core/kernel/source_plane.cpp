@@ -77,7 +77,7 @@ SourcePlane::SourcePlane(const HPlane<Integer>& plane, int unit, const RealPoint
   }
 }
 
-SourcePlane SourcePlane::turned() const {
+SourcePlane SourcePlane::reversed() const {
   SourcePlane r = *this;
   for (Integer* x : {&r.exact_.a, &r.exact_.b, &r.exact_.c, &r.exact_.d}) *x = -*x;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -18,7 +18,7 @@ class SourcePlane {
   SourcePlane(const HPlane<Integer>& plane, int unit, const RealPoint<DoubleDouble>& at);
 
   /// The same plane with the opposite orientation.
-  [[nodiscard]] SourcePlane turned() const;
+  [[nodiscard]] SourcePlane reversed() const;
 
   /// a x + b y + c z + d, positive on the outer side, in integers that are not all even.
   [[nodiscard]] const HPlane<Integer>& exact() const { return exact_; }

@@ -100,7 +100,7 @@ Chain apply(const PointTable& points, const Chain& chain, std::vector<Cut> cuts)
 }
 
 /// The point where the lines of two crossing edges meet.
-HomogeneousPoint crossing(const PointTable& points, Projection axes, const NetEdge& e, const NetEdge& f) {
+HPoint<Integer> crossing(const PointTable& points, Projection axes, const NetEdge& e, const NetEdge& f) {
   const RationalPoint a = rational(points[e.low]);
   const RationalPoint b = rational(points[e.high]);
   const RationalPoint c = rational(points[f.low]);

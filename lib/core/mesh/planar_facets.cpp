@@ -59,18 +59,18 @@ class PlaneIndex {
 };
 
 /// (q - p) times a positive number.
-std::array<Integer, 3> direction(const HomogeneousPoint& p, const HomogeneousPoint& q) {
+std::array<Integer, 3> direction(const HPoint<Integer>& p, const HPoint<Integer>& q) {
   std::array<Integer, 3> d;
   const bool same = p.w == q.w;
-  for (int i = 0; i < 3; ++i) d[i] = same ? Integer(q.x[i] - p.x[i]) : Integer(q.x[i] * p.w - p.x[i] * q.w);
+  for (int i = 0; i < 3; ++i) d[i] = same ? Integer(q[i] - p[i]) : Integer(q[i] * p.w - p[i] * q.w);
   return d;
 }
 
-Coefficients plane_through(const HomogeneousPoint& a, const HomogeneousPoint& b, const HomogeneousPoint& c) {
+Coefficients plane_through(const HPoint<Integer>& a, const HPoint<Integer>& b, const HPoint<Integer>& c) {
   const std::array<Integer, 3> u = direction(a, b);
   const std::array<Integer, 3> v = direction(a, c);
   Coefficients plane{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0], 0};
-  for (int i = 0; i < 3; ++i) plane[3] += plane[i] * a.x[i];
+  for (int i = 0; i < 3; ++i) plane[3] += plane[i] * a[i];
   if (a.w != 1) {
     for (int i = 0; i < 3; ++i) plane[i] *= a.w;
   }
@@ -78,12 +78,12 @@ Coefficients plane_through(const HomogeneousPoint& a, const HomogeneousPoint& b,
 }
 
 /// Points of the vertices that triangles use. The others remain zero, whatever their coordinates are.
-std::vector<HomogeneousPoint> points_of(const ExactMesh& mesh) {
+std::vector<HPoint<Integer>> points_of(const ExactMesh& mesh) {
   std::vector<Vertex> used(mesh.mesh.vertices.size(), Vertex{0, 0, 0});
   for (const Triangle& t : mesh.mesh.triangles) {
     for (const std::uint32_t v : t) used[v] = mesh.mesh.vertices[v];
   }
-  std::vector<HomogeneousPoint> points = homogeneous(used);
+  std::vector<HPoint<Integer>> points = homogeneous(used);
   for (const ExactVertex& e : mesh.exact) points[e.vertex] = homogeneous(e.position);
   return points;
 }
@@ -142,7 +142,7 @@ FacetsByPlane facets_by_plane(const ExactMesh& mesh) {
 }
 
 FacetsByPlane facets_by_plane(const std::vector<ExactFacet>& facets) {
-  std::vector<HomogeneousPoint> all;
+  std::vector<HPoint<Integer>> all;
   for (const ExactFacet& facet : facets) {
     for (const auto& loop : facet) {
       for (const RationalPoint& p : loop) all.push_back(homogeneous(p));

@@ -9,14 +9,14 @@ namespace {
 
 int sign_of(std::strong_ordering comparison) { return (comparison > 0) - (comparison < 0); }
 
-int compare_coordinate(const HomogeneousPoint& a, const HomogeneousPoint& b, int axis) {
-  if (a.w == b.w) return sign_of(a.x[axis].compare(b.x[axis]));
-  const Integer left = a.x[axis] * b.w;
-  const Integer right = b.x[axis] * a.w;
+int compare_coordinate(const HPoint<Integer>& a, const HPoint<Integer>& b, int axis) {
+  if (a.w == b.w) return sign_of(a[axis].compare(b[axis]));
+  const Integer left = a[axis] * b.w;
+  const Integer right = b[axis] * a.w;
   return sign_of(left.compare(right));
 }
 
-int compare_points(const HomogeneousPoint& a, const HomogeneousPoint& b) {
+int compare_points(const HPoint<Integer>& a, const HPoint<Integer>& b) {
   for (int axis = 0; axis < 3; ++axis) {
     if (const int order = compare_coordinate(a, b, axis); order != 0) return order;
   }
@@ -36,7 +36,7 @@ Integer scaled_integer(double x, int unit) {  // x / 2^unit, where that is an in
   return Integer(static_cast<std::int64_t>(std::ldexp(x, -last))) << (last - unit);
 }
 
-std::vector<std::uint32_t> coordinate_ranks(const std::vector<HomogeneousPoint>& points, int axis) {
+std::vector<std::uint32_t> coordinate_ranks(const std::vector<HPoint<Integer>>& points, int axis) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(),
@@ -51,32 +51,21 @@ std::vector<std::uint32_t> coordinate_ranks(const std::vector<HomogeneousPoint>&
 
 }  // namespace
 
-HomogeneousPoint homogeneous(const RationalPoint& p) {
-  HomogeneousPoint result;
-  result.w = lcm(lcm(denominator(p[0]), denominator(p[1])), denominator(p[2]));
-  for (int i = 0; i < 3; ++i) result.x[i] = numerator(p[i]) * (result.w / denominator(p[i]));
-  return result;
-}
-
-RationalPoint rational(const HomogeneousPoint& p) {
-  return {Rational(p.x[0], p.w), Rational(p.x[1], p.w), Rational(p.x[2], p.w)};
-}
-
-std::vector<HomogeneousPoint> homogeneous(std::span<const Vertex> vertices) {
+std::vector<HPoint<Integer>> homogeneous(std::span<const Vertex> vertices) {
   int unit = 0;
   for (const Vertex& v : vertices) {
     for (const double x : v) unit = x == 0 ? unit : std::min(unit, last_bit_exponent(x));
   }
-  std::vector<HomogeneousPoint> points;
+  std::vector<HPoint<Integer>> points;
   points.reserve(vertices.size());
   for (const Vertex& v : vertices) {
-    points.push_back(
-        {{scaled_integer(v[0], unit), scaled_integer(v[1], unit), scaled_integer(v[2], unit)}, Integer(1) << -unit});
+    points.push_back({scaled_integer(v[0], unit), scaled_integer(v[1], unit), scaled_integer(v[2], unit),
+                      Integer(1) << -unit, unit == 0});
   }
   return points;
 }
 
-PointTable::PointTable(std::vector<HomogeneousPoint> points, std::vector<std::uint32_t>& name_of) {
+PointTable::PointTable(std::vector<HPoint<Integer>> points, std::vector<std::uint32_t>& name_of) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(),
@@ -90,7 +79,7 @@ PointTable::PointTable(std::vector<HomogeneousPoint> points, std::vector<std::ui
   for (int axis = 1; axis < 3; ++axis) ranks_[axis - 1] = coordinate_ranks(points_, axis);
 }
 
-std::uint32_t PointTable::add(HomogeneousPoint p) {
+std::uint32_t PointTable::add(HPoint<Integer> p) {
   points_.push_back(std::move(p));
   return static_cast<std::uint32_t>(points_.size() - 1);
 }
@@ -102,12 +91,12 @@ int PointTable::compare(std::uint32_t a, std::uint32_t b) const {
 }
 
 int orientation(const PointTable& points, Projection axes, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  const HomogeneousPoint& p = points[a];
-  const HomogeneousPoint& q = points[b];
-  const HomogeneousPoint& r = points[c];
-  const auto difference = [&p](const HomogeneousPoint& s, int axis) -> Integer {  // (s - p) w_s w_p
-    if (s.w == p.w) return s.x[axis] - p.x[axis];  // times w_p less: the sign is the same
-    return s.x[axis] * p.w - p.x[axis] * s.w;
+  const HPoint<Integer>& p = points[a];
+  const HPoint<Integer>& q = points[b];
+  const HPoint<Integer>& r = points[c];
+  const auto difference = [&p](const HPoint<Integer>& s, int axis) -> Integer {  // (s - p) w_s w_p
+    if (s.w == p.w) return s[axis] - p[axis];                                    // times w_p less: the sign is the same
+    return s[axis] * p.w - p[axis] * s.w;
   };
   const Integer left = difference(q, axes.first) * difference(r, axes.second);
   const Integer right = difference(q, axes.second) * difference(r, axes.first);

@@ -4,33 +4,23 @@
 #include <span>
 #include <vector>
 
-#include "strata/mesh.h"
-#include "strata/rational.h"
+#include "core/kernel/rational_point.h"
 
 namespace strata::facets {
 
-/// The point (x/w, y/w, z/w) in integers, w > 0.
-struct HomogeneousPoint {
-  std::array<Integer, 3> x;
-  Integer w;
-};
-
-[[nodiscard]] HomogeneousPoint homogeneous(const RationalPoint& p);
-[[nodiscard]] RationalPoint rational(const HomogeneousPoint& p);
-
 /// Finite doubles as integers over one common power of two.
-[[nodiscard]] std::vector<HomogeneousPoint> homogeneous(std::span<const Vertex> vertices);
+[[nodiscard]] std::vector<HPoint<Integer>> homogeneous(std::span<const Vertex> vertices);
 
 /// Distinct points, named by numbers. Points given at the start are numbered in lexicographic order, so numbers compare
 /// as the points do, also along any line. Points added later have larger numbers and are compared exactly.
 class PointTable {
  public:
   /// Sorts the points; `name_of[i]` becomes the number of points[i]. O(n log n).
-  PointTable(std::vector<HomogeneousPoint> points, std::vector<std::uint32_t>& name_of);
+  PointTable(std::vector<HPoint<Integer>> points, std::vector<std::uint32_t>& name_of);
 
-  std::uint32_t add(HomogeneousPoint p);  ///< a point that may equal one in the table
+  std::uint32_t add(HPoint<Integer> p);  ///< a point that may equal one in the table
 
-  [[nodiscard]] const HomogeneousPoint& operator[](std::uint32_t name) const { return points_[name]; }
+  [[nodiscard]] const HPoint<Integer>& operator[](std::uint32_t name) const { return points_[name]; }
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] bool has_added() const { return points_.size() > sorted_; }
 
@@ -42,7 +32,7 @@ class PointTable {
   [[nodiscard]] std::uint32_t rank(std::uint32_t name, int axis) const { return ranks_[axis - 1][name]; }
 
  private:
-  std::vector<HomogeneousPoint> points_;
+  std::vector<HPoint<Integer>> points_;
   std::size_t sorted_;
   std::array<std::vector<std::uint32_t>, 2> ranks_;
 };

@@ -49,7 +49,7 @@ class ConstraintCheck {
     for_sample(constraints.size(), constraint_sample, [&](std::size_t i) { check_places(i); });
     for_sample(all_.equal.size(), constraint_sample, [&](std::size_t i) {
       const auto& [a, b] = all_.equal[i];
-      if (!equal(input_, vertex(a), vertex(b))) violations_.add("vertices ", a, " and ", b, " are told to be equal");
+      if (!equal(input_, vertex(a), vertex(b))) violations_.add("vertices ", a, " and ", b, " are listed as equal");
     });
     return std::move(violations_).list();
   }

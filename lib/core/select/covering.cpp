@@ -21,7 +21,7 @@ std::optional<Windings> Covering::above(std::span<const std::uint32_t> covers) {
   if (sheets_.size() + 1 < input_.operand_count()) return std::nullopt;
   Windings w;
   for (const Sheet& s : sheets_) {
-    if (!s.tells()) return std::nullopt;
+    if (!s.is_decisive()) return std::nullopt;
     w.add(s.operand, s.above());
   }
   return w;
@@ -31,7 +31,7 @@ bool Covering::leaves_nothing(std::span<const std::uint32_t> covers) {
   find_sheets(covers);
   bool above = rule_.settles(operand_, 0), below = rule_.settles(operand_, 1);
   for (const Sheet& s : sheets_) {
-    if (!s.tells()) continue;
+    if (!s.is_decisive()) continue;
     if (s.operand < operand_) return true;
     above = above || rule_.settles(s.operand, s.above());
     below = below || rule_.settles(s.operand, s.below());

@@ -45,7 +45,7 @@ class Covering {
     std::uint32_t operand = 0;
     int net = 0;
 
-    [[nodiscard]] bool tells() const { return net == 1 || net == -1; }
+    [[nodiscard]] bool is_decisive() const { return net == 1 || net == -1; }
     [[nodiscard]] int above() const { return net > 0 ? 0 : 1; }
     [[nodiscard]] int below() const { return 1 - above(); }
   };

@@ -174,7 +174,7 @@ FaceSplitter::Start FaceSplitter::start_inside() {
 Windings FaceSplitter::above_at(const SymbolicPoint& q, const std::vector<std::uint32_t>& covers) {
   if (!rule_.looks_around()) return {};
   if (!self_)
-    if (auto told = covering_.above(covers)) return *std::move(told);
+    if (auto known = covering_.above(covers)) return *std::move(known);
   std::vector<std::uint32_t> covering = covers;
   covering.push_back(face_);
   Windings w = oracle_.above(face_, make_point(input_, q), covering);

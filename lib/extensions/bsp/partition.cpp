@@ -156,9 +156,9 @@ Partition<D> combined(Operation operation, const Partition<D>& a, const Partitio
 template <int D>
 Partition<D> complement(const Partition<D>& region) {
   Tree tree = tree_of(region);
-  const auto turned = [](Link link) { return is_leaf(link) ? other(link) : link; };
-  for (Node& n : tree.nodes) n = {n.hyperplane, turned(n.minus), turned(n.plus)};
-  tree.root = turned(tree.root);
+  const auto complemented = [](Link link) { return is_leaf(link) ? other(link) : link; };
+  for (Node& n : tree.nodes) n = {n.hyperplane, complemented(n.minus), complemented(n.plus)};
+  tree.root = complemented(tree.root);
   return partition_from(table_of(region), std::move(tree));
 }
 

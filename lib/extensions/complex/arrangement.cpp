@@ -27,15 +27,15 @@ struct Place {
   }
 };
 
-std::vector<std::uint8_t> turned_faces(const InputComplex& input) {
-  std::vector<std::uint8_t> turned(input.face_count());
+std::vector<std::uint8_t> reversed_faces(const InputComplex& input) {
+  std::vector<std::uint8_t> reversed(input.face_count());
   for (Index f = 0; f < input.face_count(); ++f)
     for (int axis = 0; axis < 3; ++axis)
       if (const Sign s = normal_component(input, f, axis); s != Sign::zero) {
-        turned[f] = s == Sign::negative;
+        reversed[f] = s == Sign::negative;
         break;
       }
-  return turned;
+  return reversed;
 }
 
 /// Points by number in lexicographic order, coincident points next to each other.
@@ -98,7 +98,7 @@ GivenFaces::GivenFaces(std::span<const Soup> operands) : vertex_cell(operands.si
 
 Arrangement::Arrangement(const GivenFaces& faces, const Monitor& monitor)
     : candidates(find_candidates(complex_of(faces), monitor)), input(candidates.input()), points(input) {
-  is_reversed = turned_faces(input);
+  is_reversed = reversed_faces(input);
   Intersections intersections = intersect(candidates, monitor);
   points = std::move(intersections.points);
   FaceCutter cutter(input, points, is_reversed);

@@ -123,7 +123,7 @@ void FaceCutter::add_border() {
 void FaceCutter::add_side_part(Index face, int side, Index a, Index b) { side_parts.push_back({{a, b}, face, side}); }
 
 void FaceCutter::add_piece(Index face, std::array<Index, 3> v, const std::vector<Index>& covered) {
-  if (is_turned_[face] != 0) std::swap(v[1], v[2]);
+  if (is_reversed_[face] != 0) std::swap(v[1], v[2]);
   pieces.push_back({v, face, static_cast<Index>(covers.size()), static_cast<Index>(covered.size())});
   covers.insert(covers.end(), covered.begin(), covered.end());
 }

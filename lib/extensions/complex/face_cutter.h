@@ -14,7 +14,7 @@ namespace strata::complex {
 class FaceCutter {
  public:
   FaceCutter(const InputComplex& input, const PointTable& points, const std::vector<std::uint8_t>& is_reversed)
-      : input_(input), points_(points), is_turned_(is_reversed), triangulation_(input, points) {}
+      : input_(input), points_(points), is_reversed_(is_reversed), triangulation_(input, points) {}
   FaceCutter(const FaceCutter&) = delete;
   FaceCutter& operator=(const FaceCutter&) = delete;
 
@@ -44,7 +44,7 @@ class FaceCutter {
 
   const InputComplex& input_;
   const PointTable& points_;
-  const std::vector<std::uint8_t>& is_turned_;
+  const std::vector<std::uint8_t>& is_reversed_;
   Triangulation triangulation_;
 
   std::uint32_t face_ = 0;

@@ -60,9 +60,9 @@ SelectiveComplex simplex_in_space(std::span<const Vertex> corners, bool closed) 
   if (corners.size() == 2) add_triangle_at_edge(soup, 0, 1, inside);
   if (corners.size() == 3) add_triangle(soup, {0, 1, 2}, inside, border, outside);
   if (corners.size() == 4) {
-    const bool turned = orient3d(corners[0], corners[1], corners[2], corners[3]) == Sign::positive;
+    const bool reversed = orient3d(corners[0], corners[1], corners[2], corners[3]) == Sign::positive;
     for (const Triangle& t : {Triangle{0, 1, 2}, Triangle{1, 0, 3}, Triangle{2, 1, 3}, Triangle{0, 2, 3}})
-      add_triangle(soup, turned ? Triangle{t[1], t[0], t[2]} : t, border, border, inside);
+      add_triangle(soup, reversed ? Triangle{t[1], t[0], t[2]} : t, border, border, inside);
   }
   return from(soup, closed);
 }

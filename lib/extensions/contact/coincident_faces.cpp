@@ -57,12 +57,12 @@ class VerticesByPlace {
 };
 
 /// A face rotated so that its lowest corner is first, or the mirror image of that.
-struct Turned {
-  explicit Turned(const Indices& vertices, std::uint32_t number = 0) : corners(vertices), face(number) {
+struct NormalizedFace {
+  explicit NormalizedFace(const Indices& vertices, std::uint32_t number = 0) : corners(vertices), face(number) {
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   }
-  [[nodiscard]] Turned mirrored() const { return Turned({corners[0], corners[2], corners[1]}); }
-  friend bool operator<(const Turned& f, const Turned& g) { return f.corners < g.corners; }
+  [[nodiscard]] NormalizedFace mirrored() const { return NormalizedFace({corners[0], corners[2], corners[1]}); }
+  friend bool operator<(const NormalizedFace& f, const NormalizedFace& g) { return f.corners < g.corners; }
 
   Indices corners;
   std::uint32_t face;
@@ -75,7 +75,7 @@ Twins::Twins(const Parts& parts, std::uint32_t a, std::uint32_t b) : input_(part
   const Box box = parts.common_box(a, b);
   const std::vector<std::uint32_t> of_a = faces_within(parts, a, box), of_b = faces_within(parts, b, box);
   const VerticesByPlace vertices(input_, b, of_b);
-  std::vector<Turned> faces;
+  std::vector<NormalizedFace> faces;
   for (const std::uint32_t g : of_b) faces.emplace_back(input_.faces(b)[g], g);
   std::sort(faces.begin(), faces.end());
   const auto points = input_.points(a);
@@ -90,7 +90,7 @@ Twins::Twins(const Parts& parts, std::uint32_t a, std::uint32_t b) : input_(part
     const Indices there{same[corners[0]], same[corners[1]], same[corners[2]]};
     if (has(there, none)) continue;
     for (const bool is_mirrored : {true, false}) {
-      const Turned face = is_mirrored ? Turned(there).mirrored() : Turned(there);
+      const NormalizedFace face = is_mirrored ? NormalizedFace(there).mirrored() : NormalizedFace(there);
       const auto partner = std::lower_bound(faces.begin(), faces.end(), face);
       if (partner == faces.end() || partner->corners != face.corners) continue;
       pairs_.push_back({input_.first_face(a) + f, input_.first_face(b) + partner->face, !is_mirrored});

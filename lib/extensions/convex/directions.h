@@ -88,7 +88,7 @@ template <class N>
 /// The sign of the first product of components in different axes that is not zero. It decides a scalar product that is
 /// zero, after an infinitesimal transformation of the second vector (theory.md, "Minkowski sums"). Not zero for
 /// perpendicular vectors that are not zero: if u_i v_j = 0 for all i != j, both lie along one axis or one is zero.
-[[nodiscard]] inline int turned_sign(const std::array<double, 3>& u, const std::array<double, 3>& v) {
+[[nodiscard]] inline int infinitesimal_sign(const std::array<double, 3>& u, const std::array<double, 3>& v) {
   constexpr std::array<std::array<std::size_t, 2>, 6> order{{{0, 1}, {1, 2}, {2, 0}, {1, 0}, {2, 1}, {0, 2}}};
   for (const auto& [i, j] : order)
     if (u[i] != 0 && v[j] != 0) return (u[i] > 0) == (v[j] > 0) ? 1 : -1;

@@ -81,7 +81,7 @@ Side side_of_solid(const ExactMesh& solid, const TriangleBoxes& triangles, const
   upwards.upper[2] = infinity;
   int above = 0;
   bool is_in_front = false;
-  std::optional<Side> told;
+  std::optional<Side> side;
   triangles.for_each_overlapping(upwards, [&](std::uint32_t number) {
     const Triangle& t = solid.mesh.triangles[number];
     const std::array<RationalPoint, 3> c{solid.position(t[0]), solid.position(t[1]), solid.position(t[2])};
@@ -90,10 +90,10 @@ Side side_of_solid(const ExactMesh& solid, const TriangleBoxes& triangles, const
     if (const int place = height == 0 ? place_in_triangle(c, normal, p) : -1; place >= 0) {
       const int slope = dot(normal, point.n).sign();
       if (place == 0 || slope == 0)
-        told = Side::unknown;
+        side = Side::unknown;
       else if (slope < 0)
-        told = Side::in;
-      if (told) return false;
+        side = Side::in;
+      if (side) return false;
       is_in_front = true;
     }
     const int orientations = orientation(c[0], c[1], p) + orientation(c[1], c[2], p) + orientation(c[2], c[0], p);
@@ -101,7 +101,7 @@ Side side_of_solid(const ExactMesh& solid, const TriangleBoxes& triangles, const
     if (orientations == -3 && height > 0) --above;
     return true;
   });
-  if (told) return *told;
+  if (side) return *side;
   return above > 0 && !is_in_front ? Side::in : Side::out;
 }
 

@@ -65,7 +65,7 @@ Solid uncovered(Mesh room, const Solid& covered, const Options& options) {
   return combine_solids(Operation::difference, both, options);
 }
 
-ExactMesh turned_about_origin(ExactMesh mesh) {
+ExactMesh reflected_in_origin(ExactMesh mesh) {
   for (Vertex& v : mesh.mesh.vertices)
     for (double& x : v) x = -x;
   for (ExactVertex& e : mesh.exact)
@@ -85,8 +85,8 @@ Polytope reflected(const Polytope& polytope) {
   for (auto e = polytope.exact.rbegin(); e != polytope.exact.rend(); ++e)
     result.exact.push_back({last - e->vertex, {-e->position[0], -e->position[1], -e->position[2]}});
   for (const auto& loop : polytope.facets) {
-    auto& turned = result.facets.emplace_back(loop.rbegin(), loop.rend());
-    for (std::uint32_t& v : turned) v = last - v;
+    auto& reversed = result.facets.emplace_back(loop.rbegin(), loop.rend());
+    for (std::uint32_t& v : reversed) v = last - v;
   }
   return result;
 }
@@ -134,7 +134,7 @@ Solid erosion(const Solid& a, const Solid& b, const Options& options) {
   if (a.is_empty()) return {};
   const Mesh room = room_around(a, b.bounding_box());
   const Solid rest = Solid::trusted(rest_of(room, a, options));
-  return uncovered(room, minkowski_sum(rest, Solid::trusted(turned_about_origin(b.exact_mesh())), options), options);
+  return uncovered(room, minkowski_sum(rest, Solid::trusted(reflected_in_origin(b.exact_mesh())), options), options);
 }
 
 }  // namespace strata::convex

@@ -9,6 +9,7 @@
 #include "core/kernel/box.h"
 #include "core/kernel/filtered_orientation.h"
 #include "core/kernel/filters.h"
+#include "core/kernel/rational_point.h"
 
 namespace strata::convex {
 namespace {
@@ -25,16 +26,6 @@ bool is_double(const RationalPoint& place, const Vertex& at) {
   for (std::size_t i = 0; i < 3; ++i)
     if (place[i] != to_rational(at[i])) return false;
   return true;
-}
-
-/// Over the least common denominator.
-HPoint<Integer> homogeneous(const RationalPoint& p) {
-  Integer w = 1;
-  for (const Rational& x : p) w = lcm(w, denominator(x));
-  const auto over = [&](std::size_t i) { return Integer(numerator(p[i]) * (w / denominator(p[i]))); };
-  HPoint<Integer> r{over(0), over(1), over(2), w, false};
-  r.unit = r.w == 1;
-  return r;
 }
 
 /// Converts a point in units of 1 to units of 2^unit.

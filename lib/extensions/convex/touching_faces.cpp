@@ -119,17 +119,17 @@ class TouchingFaces {
   /// Side of a normal of A with respect to an edge of B: the scalar product with the transformed edge.
   [[nodiscard]] bool face_of_a_beyond(std::uint32_t face, std::uint32_t edge) const {
     const int sign = product_sign(a_directions_.normals, face, b_directions_.edges, edge);
-    return (sign != 0
-                ? sign
-                : turned_sign(a_directions_.normals.approximate[face], b_directions_.edges.approximate[edge])) > 0;
+    return (sign != 0 ? sign
+                      : infinitesimal_sign(a_directions_.normals.approximate[face],
+                                           b_directions_.edges.approximate[edge])) > 0;
   }
   /// Side of a normal of B with respect to an edge of A: transforming normals by the inverse transpose of I + E equals
   /// transforming the edge by I - E.
   [[nodiscard]] bool face_of_b_beyond(std::uint32_t face, std::uint32_t edge) const {
     const int sign = product_sign(b_directions_.normals, face, a_directions_.edges, edge);
-    return (sign != 0
-                ? sign
-                : -turned_sign(b_directions_.normals.approximate[face], a_directions_.edges.approximate[edge])) > 0;
+    return (sign != 0 ? sign
+                      : -infinitesimal_sign(b_directions_.normals.approximate[face],
+                                            a_directions_.edges.approximate[edge])) > 0;
   }
 
   /// Adds the parallelogram of two convex edges, if both are extreme in a common direction: the normals of the faces

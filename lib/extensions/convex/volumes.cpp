@@ -14,7 +14,7 @@ namespace strata::convex {
 namespace {
 
 /// The boundary of the complement of a solid: triangles with opposite orientation.
-ExactMesh turned(const ExactMesh& mesh) {
+ExactMesh reversed(const ExactMesh& mesh) {
   ExactMesh result = mesh;
   for (Triangle& t : result.mesh.triangles) std::swap(t[1], t[2]);
   return result;
@@ -159,7 +159,7 @@ VolumeComplex volumes_of(const Solid& solid, const Decomposition& decomposition)
   VolumeComplex complex;
   complex.points = decomposition.points;
   complex.exact = decomposition.exact();
-  std::vector<OuterShell> shells = outer_shells(turned(solid.exact_mesh()));
+  std::vector<OuterShell> shells = outer_shells(reversed(solid.exact_mesh()));
   complex.first_piece = assign_volumes(shells);
   complex.volumes.resize(complex.first_piece + decomposition.pieces.size());
   for (std::uint32_t v = 1; v < complex.volumes.size(); ++v)

@@ -19,12 +19,12 @@ PlanePointer plane_through_corners(const InputComplex& input, std::uint32_t face
 
 }  // namespace
 
-const PlanePointer& FacePlanes::of(std::uint32_t face, bool turned) {
+const PlanePointer& FacePlanes::of(std::uint32_t face, bool reversed) {
   PlanePointer& plane = planes_[std::size_t{2} * face];
   if (plane == nullptr) plane = plane_through_corners(input_, face);
-  if (!turned) return plane;
+  if (!reversed) return plane;
   PlanePointer& other = planes_[std::size_t{2} * face + 1];
-  if (other == nullptr) other = std::make_shared<const SourcePlane>(plane->turned());
+  if (other == nullptr) other = std::make_shared<const SourcePlane>(plane->reversed());
   return other;
 }
 

@@ -15,8 +15,8 @@ class FacePlanes {
 
   /// Sets the known plane of a face.
   void know(std::uint32_t face, const PlanePointer& plane) { planes_[std::size_t{2} * face] = plane; }
-  /// The plane of a face; `turned`: with opposite orientation.
-  [[nodiscard]] const PlanePointer& of(std::uint32_t face, bool turned);
+  /// The plane of a face; `reversed`: with opposite orientation.
+  [[nodiscard]] const PlanePointer& of(std::uint32_t face, bool reversed);
 
  private:
   const InputComplex& input_;

@@ -60,7 +60,7 @@ class CornerRemover {
     for (const Index t : around_[corner]) {
       const ResultTriangle& triangle = triangles_[t];
       if (triangle.face == none) continue;
-      const PlanePointer& plane = planes_.of(triangle.face, triangle.turned);
+      const PlanePointer& plane = planes_.of(triangle.face, triangle.reversed);
       auto at = std::find_if(sheets_.begin(), sheets_.end(), [&](const Sheet& s) { return s.plane == plane; });
       if (at == sheets_.end())
         at = std::find_if(sheets_.begin(), sheets_.end(), [&](const Sheet& s) {
@@ -103,7 +103,7 @@ class CornerRemover {
       const auto triangulated = triangulate_star(input_, points_, *sheets_[fan.sheet].plane, fan.loop);
       if (!triangulated) return false;
       const ResultTriangle& like = triangles_[sheets_[fan.sheet].triangles.front()];
-      for (const auto& v : *triangulated) replacing.push_back({v, like.face, like.turned, false});
+      for (const auto& v : *triangulated) replacing.push_back({v, like.face, like.reversed, false});
     }
     for (const Sheet& sheet : sheets_)
       for (const Index t : sheet.triangles) triangles_[t].face = none;

@@ -12,7 +12,7 @@ namespace strata {
 struct ResultTriangle {
   std::array<PointId, 3> v{};
   std::uint32_t face = 0;
-  bool turned = false;     ///< it has the opposite orientation of its face
+  bool reversed = false;   ///< it has the opposite orientation of its face
   bool untouched = false;  ///< it is its face
 };
 

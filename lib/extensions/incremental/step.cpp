@@ -88,14 +88,14 @@ class Step {
       if (verdict == Verdict::drop) continue;
       InputComplex::Indices v = input_.face(f);
       for (std::uint32_t& x : v) x = points().representative(x);
-      const bool turned = verdict == Verdict::keep_reversed;
-      if (turned) std::swap(v[0], v[2]);
-      triangles_.push_back({v, f, turned, f < patch_.face_count() && !turned});
+      const bool reversed = verdict == Verdict::keep_reversed;
+      if (reversed) std::swap(v[0], v[2]);
+      triangles_.push_back({v, f, reversed, f < patch_.face_count() && !reversed});
     }
     for (const SubdividedFace& face : subdivision_.faces)
       for (const PieceTriangle& t : face.triangles)
         triangles_.push_back(
-            {{face.points[t.v[0]], face.points[t.v[1]], face.points[t.v[2]]}, face.face, t.turned, false});
+            {{face.points[t.v[0]], face.points[t.v[1]], face.points[t.v[2]]}, face.face, t.reversed, false});
   }
 
   /// Corners that were constructed, now or before, where something has changed. Nothing changes outside the region.
@@ -192,7 +192,7 @@ class Step {
       return c->is_given && c->has_doubles();
     });
     const bool has_plane = t.face < patch_.face_count() && patch_.face(t.face).plane() != nullptr;
-    return {corners, are_given && !has_plane ? nullptr : planes.of(t.face, t.turned)};
+    return {corners, are_given && !has_plane ? nullptr : planes.of(t.face, t.reversed)};
   }
 
   /// Checks that each side of the removed faces occurs in the new ones, equally often, or cancels with its opposite.

@@ -31,7 +31,7 @@ class NotedIterator {
   const char** note_;
 };
 
-/// Makes a tree of what nlohmann's parser tells, with the places that it does not keep.
+/// Makes a tree of what nlohmann's parser reports, with the places that it does not keep.
 class TreeMaker {
  public:
   explicit TreeMaker(std::string_view text) : begin_(text.data()), read_(text.data()), end_(begin_ + text.size()) {}
