@@ -96,7 +96,7 @@ TEST_CASE("what is wrong with pieces of faces is listed", "[select]") {
     CHECK(reports(p.violations(), "is boundary and not marked"));
   }
   SECTION("a piece that turns the wrong way") {
-    for (auto& t : p.triangles) t.turned = true;
+    for (auto& t : p.triangles) t.reversed = true;
     CHECK(reports(p.violations(), "face 0: piece 0 turns the wrong way"));
   }
   SECTION("a piece of no area") {

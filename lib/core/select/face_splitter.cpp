@@ -104,10 +104,10 @@ void FaceSplitter::collect_whole() {
   const Verdict verdict = verdict_on(region);
   if (verdict == Verdict::drop) return;
   PieceTriangle piece;
-  piece.turned = verdict == Verdict::keep_reversed;
+  piece.reversed = verdict == Verdict::keep_reversed;
   piece.boundary = 7;
   for (const std::uint32_t v : corners_) kept_.points.push_back(v);
-  piece.v = piece.turned ? std::array<std::uint32_t, 3>{2, 1, 0} : std::array<std::uint32_t, 3>{0, 1, 2};
+  piece.v = piece.reversed ? std::array<std::uint32_t, 3>{2, 1, 0} : std::array<std::uint32_t, 3>{0, 1, 2};
   kept_.triangles.push_back(piece);
 }
 
@@ -274,10 +274,10 @@ void FaceSplitter::collect() {
     const Verdict verdict = verdict_of(static_cast<std::int32_t>(t));
     if (verdict == Verdict::drop) continue;
     PieceTriangle piece;
-    piece.turned = verdict == Verdict::keep_reversed;
+    piece.reversed = verdict == Verdict::keep_reversed;
     for (std::size_t i = 0; i < 3; ++i) {
       // Reversed triangles run c, b, a: side i of the result is side 1 - i (mod 3) of the triangle.
-      const std::size_t vertex = piece.turned ? 2 - i : i, side = piece.turned ? (4 - i) % 3 : i;
+      const std::size_t vertex = piece.reversed ? 2 - i : i, side = piece.reversed ? (4 - i) % 3 : i;
       const std::int32_t v = triangles[t].v[vertex];
       if (kept_index_[at(v)] < 0) {
         kept_index_[at(v)] = static_cast<std::int32_t>(kept_.points.size());

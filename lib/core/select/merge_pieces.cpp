@@ -120,9 +120,9 @@ class FaceMerger {
     for (const PieceTriangle& t : face.triangles)
       for (std::size_t i = 0; i < 3; ++i) {
         Id a = face.points[t.v[i]], b = face.points[t.v[(i + 1) % 3]];
-        if (t.turned) std::swap(a, b);
+        if (t.reversed) std::swap(a, b);
         if (!is_bare(t, i)) {
-          sides.push_back({a, b, t.turned ? Verdict::keep_reversed : Verdict::keep});
+          sides.push_back({a, b, t.reversed ? Verdict::keep_reversed : Verdict::keep});
         } else if ((t.carried >> i & 1) != 0 && edges_.has(a, b)) {
           sides.push_back({a, b, Verdict::drop});
         }
@@ -201,9 +201,9 @@ class FaceMerger {
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       if (verdicts[t] == Verdict::drop) continue;
       PieceTriangle piece;
-      piece.turned = verdicts[t] == Verdict::keep_reversed;
+      piece.reversed = verdicts[t] == Verdict::keep_reversed;
       for (std::size_t i = 0; i < 3; ++i) {
-        const auto v = static_cast<std::size_t>(triangles[t].v[piece.turned ? 2 - i : i]);
+        const auto v = static_cast<std::size_t>(triangles[t].v[piece.reversed ? 2 - i : i]);
         if (index[v] == none) {
           index[v] = static_cast<std::uint32_t>(points_.size());
           points_.push_back(ids_[v]);

@@ -21,7 +21,7 @@ struct PieceTriangle {
   /// Bit i: beyond side i (v[i] to v[i + 1]) no triangle of this face bounds the result with the same orientation.
   std::uint8_t boundary = 0;
   std::uint8_t carried = 0;  ///< bit i: side i lies on a constraint
-  bool turned = false;       ///< its orientation is opposite to that of its face
+  bool reversed = false;     ///< its orientation is opposite to that of its face
 };
 
 /// The pieces of one face with intersections that bound the result. The arrays are in pools.

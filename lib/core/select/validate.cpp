@@ -46,11 +46,11 @@ class PieceCheck {
     using Side = std::pair<std::pair<std::uint32_t, std::uint32_t>, bool>;
     std::vector<Side> sides;
     for (const PieceTriangle& t : face.triangles)
-      for (std::size_t i = 0; i < 3; ++i) sides.push_back({{t.v[i], t.v[(i + 1) % 3]}, t.turned});
+      for (std::size_t i = 0; i < 3; ++i) sides.push_back({{t.v[i], t.v[(i + 1) % 3]}, t.reversed});
     std::sort(sides.begin(), sides.end());
     for (const PieceTriangle& t : face.triangles)
       for (std::size_t i = 0; i < 3; ++i) {
-        const Side across{{t.v[(i + 1) % 3], t.v[i]}, t.turned};
+        const Side across{{t.v[(i + 1) % 3], t.v[i]}, t.reversed};
         const bool is_boundary = (t.boundary >> i & 1) != 0;
         if (std::binary_search(sides.begin(), sides.end(), across) == is_boundary)
           violations_.add("face ", face.face, ": the side from point ", face.points[t.v[i]], " is ",
@@ -64,7 +64,7 @@ class PieceCheck {
       const PieceTriangle& t = face.triangles[n];
       const auto corner = [&](std::size_t i) { return points_.point(face.points[t.v[i]]); };
       const Sign turn = orient2d(input_, projection, corner(0), corner(1), corner(2));
-      if (turn != (t.turned ? Sign::negative : Sign::positive))
+      if (turn != (t.reversed ? Sign::negative : Sign::positive))
         violations_.add("face ", face.face, ": piece ", n,
                         turn == Sign::zero ? " has no area" : " turns the wrong way");
       for (std::size_t i = 0; i < 3; ++i)
