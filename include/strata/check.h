@@ -19,8 +19,9 @@ namespace strata {
 [[nodiscard]] std::vector<Defect> diagnose(ExactMeshView mesh);
 
 /// What happens to a mesh that becomes an operand of this class: the notes on what is resolved, or the defects of the
-/// InputError by which it is refused. Self-intersections are not searched. O(n log n).
-[[nodiscard]] std::vector<Defect> defects_as_operand(const ExactMesh& mesh, InputClass input);
+/// InputError by which it is refused. Self-intersections are searched for class `automatic` only. O(n log n).
+[[nodiscard]] std::vector<Defect> defects_as_operand(const ExactMesh& mesh, InputClass input,
+                                                     const Options& options = {});
 
 /// Complete diagnosis: coordinates are finite, indices in range, no triangle is degenerate or doubled, every edge is
 /// closed and consistently oriented, no two triangles meet other than in common edges and vertices (equal coordinates

@@ -48,9 +48,15 @@ inline constexpr std::array all_operations{Operation::union_, Operation::interse
 /// What the caller declares about the operands. The winding number of a point is how often the oriented surface goes
 /// round it: 1 inside a simple closed surface that is oriented outwards.
 enum class InputClass {
-  /// Closed, with winding numbers 0 and 1 only. Checked: every edge is used as often in one direction as in the other,
-  /// the volume is not negative. Not searched: self-intersection; where two operands cross in a place in which one of
-  /// them crosses itself, it is found and refused.
+  /// Closed. Intersections of each operand with itself are searched, and winding numbers are computed: what bounds a
+  /// solid is taken as `solid`, and else all operands as `overlapping`, with a note that says where. No result is other
+  /// than the resolved one. The search takes some streaming passes over the faces, in parallel.
+  automatic,
+  /// Closed, with winding numbers 0 and 1 only: the caller's promise. Checked: every edge is used as often in one
+  /// direction as in the other, the volume is not negative. Not searched: self-intersection. Where two operands cross
+  /// in a place in which one of them crosses itself, it is found and refused; elsewhere faces of an operand that
+  /// crosses
+  /// itself stay as they are, so the result crosses itself, too, and its volume counts some points twice.
   solid,
   /// Closed, may cross and overlap itself: resolved completely; inside is where the winding number is positive.
   overlapping,
@@ -59,19 +65,35 @@ enum class InputClass {
   repair,
 };
 
-inline constexpr std::array all_input_classes{InputClass::solid, InputClass::overlapping, InputClass::repair};
+inline constexpr std::array all_input_classes{InputClass::automatic, InputClass::solid, InputClass::overlapping,
+                                              InputClass::repair};
 
-/// As it is written in files and on the command line: solid, overlapping, repair.
+/// As it is written in files and on the command line: automatic, solid, overlapping, repair.
 [[nodiscard]] constexpr const char* name(InputClass input) {
-  constexpr std::array names{"solid", "overlapping", "repair"};
+  constexpr std::array names{"automatic", "solid", "overlapping", "repair"};
   return names[static_cast<std::size_t>(input)];
+}
+
+/// Where the inside of a closed mesh is. All three agree on the boundary of a solid.
+enum class Inside {
+  winding,   ///< where the winding number is positive: what is covered twice is inside, what is turned round is not
+  even_odd,  ///< where the winding number is odd: what is covered twice is a cavity; orientation does not matter
+  outer      ///< all that the mesh closes off from infinity: without cavities; orientation does not matter
+};
+
+inline constexpr std::array all_insides{Inside::winding, Inside::even_odd, Inside::outer};
+
+/// As it is written on the command line: winding, even-odd, outer.
+[[nodiscard]] constexpr const char* name(Inside inside) {
+  constexpr std::array names{"winding", "even-odd", "outer"};
+  return names[static_cast<std::size_t>(inside)];
 }
 
 struct Engine;  // combine.h
 
 /// How an operation is computed. Every field has a default: `{.threads = 1}` is enough.
 struct Options {
-  InputClass input = InputClass::solid;
+  InputClass input = InputClass::automatic;
   const Engine* engine = nullptr;       ///< null: the arrangement, which also evaluates every formula
   unsigned threads = 0;                 ///< 0: all cores. The result does not depend on it.
   bool exact_vertices = false;          ///< fill BooleanResult::exact (rationals; costs time per new vertex)

@@ -35,13 +35,12 @@ struct BoundingBox {
 class Solid {
  public:
   Solid();  ///< the empty solid
-  /// The solid that a mesh bounds, as InputClass says what is expected of it and what is resolved. Of class `solid` it
-  /// is checked that the mesh is closed and outside is outside; that it does not cross itself is not searched (`check`
-  /// does). Throws InputError with all defects where the mesh is not what it should be.
-  /// O(n) for class `solid`; that of a union for the others.
-  explicit Solid(Mesh mesh, InputClass input = InputClass::solid);
+  /// The solid that a mesh bounds, as InputClass says what is expected of it and what is resolved. Throws InputError
+  /// with all defects where the mesh is not what it should be.
+  /// O(n) for class `solid`; that of `check` for a solid of class `automatic`; that of a union for the others.
+  explicit Solid(Mesh mesh, InputClass input = InputClass::automatic);
   /// The same for rational vertices, which are taken as they are: nothing is repaired.
-  explicit Solid(ExactMesh mesh, InputClass input = InputClass::solid);
+  explicit Solid(ExactMesh mesh, InputClass input = InputClass::automatic);
 
   /// Of a mesh that is known to bound a solid, such as a result of Strata: nothing is checked. If it does not bound
   /// one, results are unspecified. O(n).
@@ -100,6 +99,11 @@ class Solid {
   /// that a line through it meets.
   [[nodiscard]] std::vector<Solid> components() const;
 
+  /// This solid and its cavities, with what is inside them: all that it closes off from infinity. Sources are those of
+  /// this solid. Laws: it contains this solid; it is its own; each of its components has one shell. The same
+  /// requirement as `components`. Exact. O(n log n); where there is a solid within a cavity, that of a union.
+  [[nodiscard]] Solid without_cavities(const Options& options = {}) const;
+
   /// Equal as point sets, exactly; triangulations do not matter. O(1) for copies, else O(n log n).
   friend bool operator==(const Solid& a, const Solid& b);
 
@@ -109,6 +113,7 @@ class Solid {
   explicit Solid(Shared<Data> data);
   friend Solid combine_solids(Operation, std::span<const Solid>, const Options&);
   friend Solid combine_solids(const Formula&, std::span<const Operand>, const Options&);
+  friend Solid resolve(ExactMesh, Inside, const Options&);
   Shared<Data> data_;
 };
 

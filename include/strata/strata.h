@@ -17,6 +17,7 @@
 #include "strata/plane.h"
 #include "strata/primitives.h"
 #include "strata/rational.h"
+#include "strata/resolve.h"
 #include "strata/shared.h"
 #include "strata/solid.h"
 #include "strata/transform.h"

@@ -13,6 +13,7 @@
 #include "judge.h"
 #include "measure.h"
 #include "request.h"
+#include "strata/check.h"
 #include "strata/combine.h"
 #include "strata/incremental.h"
 #include "strata/solid.h"
@@ -54,7 +55,7 @@ struct Outcome {
 };
 
 Subject all_at_once(const Request& request, std::span<const MeshView> operands, Outcome& outcome) {
-  const strata::Options options{.threads = request.threads};
+  const strata::Options options{.input = request.input, .threads = request.threads};
   return {[&outcome] { outcome = {}; },
           [&outcome, &request, operands, options] {
             outcome.result = strata::combine(request.operation, operands, options);
@@ -63,14 +64,27 @@ Subject all_at_once(const Request& request, std::span<const MeshView> operands, 
 
 /// Arrays are copied into solids, the result stays exact from step to step.
 Subject one_by_one(const Request& request, std::span<const Mesh> operands, Outcome& outcome) {
-  const strata::Options options{.threads = request.threads};
+  const strata::Options options{.input = request.input, .threads = request.threads};
   return {[&outcome] { outcome = {}; },
           [&outcome, &request, operands, options] {
-            strata::IncrementalSolid whole{strata::Solid(operands.front())};
+            strata::IncrementalSolid whole{strata::Solid(operands.front(), request.input)};
             for (const Mesh& mesh : operands.subspan(1))
-              whole = whole.with(request.operation, strata::Solid(mesh), options);
+              whole = whole.with(request.operation, strata::Solid(mesh, request.input), options);
             outcome.solid = whole.solid();
           }};
+}
+
+/// Does the first mesh intersect itself? Arrays in, answer out.
+void test_embedding(const Request& request) {
+  const Mesh mesh = read_case(request.case_file).front();
+  const strata::Options options{.threads = request.threads};
+  bool embedded = false;
+  const Measurement measurement = measure({[] {}, [&] { embedded = strata::is_embedded(mesh, options); }}, request);
+  json answer = to_json(measurement);
+  answer["threads"] = request.threads;
+  answer["triangles"] = mesh.triangles.size();
+  answer["embedded"] = embedded;
+  std::cout << answer.dump() << '\n';
 }
 
 json stages_of(const strata::Profile& profile) {
@@ -127,7 +141,7 @@ void judge_file(const std::string& file) {
 extern "C" [[gnu::noinline]] void strata_bench_counted(strata::Operation operation,
                                                        const std::vector<strata::MeshView>& operands,
                                                        strata::BooleanResult& result) {
-  result = strata::combine(operation, operands, {.threads = 1});
+  result = strata::combine(operation, operands, {.input = strata::InputClass::solid, .threads = 1});
 }
 
 namespace bench {
@@ -138,7 +152,8 @@ void count_case(const std::string& name) {
   const Case& c = case_named(name);
   const std::vector<Mesh> meshes = c.make(Corpus());
   const std::vector<MeshView> operands(meshes.begin(), meshes.end());
-  strata::BooleanResult result = strata::combine(c.operation, operands, {.threads = 1});
+  strata::BooleanResult result =
+      strata::combine(c.operation, operands, {.input = strata::InputClass::solid, .threads = 1});
   strata_bench_counted(c.operation, operands, result);
   std::cout << json{{"triangles", result.mesh.triangles.size()}, {"closed", judge(result.mesh).closed}}.dump() << '\n';
 }
@@ -159,6 +174,10 @@ int work(int argc, char** argv) {
   CLI::App* run = app.add_subcommand("run", "Measures one operation on a case file; prints JSON");
   add_options(*run, request);
   run->callback([&] { run_case(request); });
+
+  CLI::App* embedding = app.add_subcommand("embedded", "Measures the test of one mesh for self-intersections");
+  add_options(*embedding, request);
+  embedding->callback([&] { test_embedding(request); });
 
   CLI::App* judging = app.add_subcommand("judge", "Volume and closedness of a result; prints JSON");
   judging->add_option("FILE", file)->required();

@@ -10,6 +10,7 @@ namespace bench {
 struct Request {
   std::string case_file;
   strata::Operation operation = strata::Operation::union_;
+  strata::InputClass input = strata::InputClass::solid;
   bool one_by_one = false;  ///< operand after operand is joined to the result so far, instead of all at once
   unsigned threads = 1;
   unsigned repetitions = 5;

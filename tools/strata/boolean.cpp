@@ -47,11 +47,6 @@ void report_refusal(const char* name, std::span<const LoadedMesh> operands, cons
   write_report(settings.report, std::move(report));
 }
 
-void print_notes(std::span<const strata::Defect> notes, const Settings& settings) {
-  if (settings.quiet) return;
-  for (const strata::Defect& note : notes) fmt::print(stderr, "strata: {}\n", strata::describe(note));
-}
-
 // What the report says about time and counts, in the order of the stages.
 void add_profile(Json& report, const strata::Profile& profile) {
   Json stages = Json::object();

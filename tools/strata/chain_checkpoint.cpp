@@ -75,7 +75,8 @@ ChainCheckpoint read_checkpoint(const std::string& path, const std::vector<Chain
   if (sha256(text.substr(end + 1)) != header.digest) fail(path, "was changed since it was written");
   return on_threads(settings, [&] {
     strata::MeshFile file = strata::read_mesh(text, Format::xoff, path);
-    return ChainCheckpoint{header.done, strata::Solid(strata::ExactMesh{std::move(file.mesh), std::move(file.exact)})};
+    return ChainCheckpoint{header.done, strata::Solid(strata::ExactMesh{std::move(file.mesh), std::move(file.exact)},
+                                                      strata::InputClass::solid)};
   });
 }
 

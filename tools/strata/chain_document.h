@@ -14,7 +14,7 @@ struct ChainOperand {
   std::string label;  ///< as its user calls it; may be empty
   std::string file;   ///< as the document has it
   std::string path;   ///< the same as seen from the current directory; "-" is standard input
-  strata::InputClass input = strata::InputClass::solid;
+  strata::InputClass input = strata::InputClass::automatic;
   strata::Transform transform;
   strata::Placement placement = strata::Placement::exact;
 

@@ -64,6 +64,17 @@ strata::ExactMesh ChainOperands::moved(const strata::Solid& solid, const ChainOp
   }
 }
 
+namespace {
+
+/// What rounding folds over is resolved where that was asked for; it is no soup any more.
+strata::InputClass class_of_image(const ChainOperand& operand) {
+  using strata::InputClass;
+  if (operand.placement == strata::Placement::exact) return InputClass::solid;
+  return operand.input == InputClass::repair ? InputClass::overlapping : operand.input;
+}
+
+}  // namespace
+
 strata::Solid ChainOperands::take(const ChainOperand& operand) {
   settings_.operands = {fmt::format("{}: the solid before {}", document_.name, operand.place),
                         fmt::format("{}: {}: {}", document_.name, operand.title(), operand.path)};
@@ -72,8 +83,5 @@ strata::Solid ChainOperands::take(const ChainOperand& operand) {
   if (--found->second.uses == 0) solids_.erase(found);
   if (operand.transform.is_identity()) return solid;
   const LoadedMesh image{operand.path + ", transformed", moved(solid, operand)};
-  // What rounding folds over is resolved where that was asked for; it is no soup any more.
-  const bool may_overlap =
-      operand.placement == strata::Placement::rounded && operand.input != strata::InputClass::solid;
-  return make(image, operand, may_overlap ? strata::InputClass::overlapping : strata::InputClass::solid);
+  return make(image, operand, class_of_image(operand));
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <string>
 
 #include "command_line.h"
@@ -15,12 +16,36 @@ void add_boolean(CommandLine& line, strata::Operation operation, const std::stri
   const char* name = strata::name(operation);
   CLI::App* verb = line.app.add_subcommand(name, what);
   if (operation == strata::Operation::symmetric_difference) verb->alias("xor");
-  add_common_options(*verb, settings, 2, 0);
+  add_common_options(*verb, settings, 1, 0);
   add_input_class(*verb, settings);
   add_engine(*verb, settings, boolean_engines());
   add_output_options(*verb, settings);
   verb->footer(fmt::format("Example:\n  strata {} A.stl B.stl -o OUT.stl\n\n{}", name, exit_codes));
   line.on(*verb, [&settings, operation, name] { return run_boolean(operation, name, settings); });
+}
+
+void add_resolve(CommandLine& line) {
+  Settings& settings = line.settings;
+  CLI::App* verb = line.app.add_subcommand("resolve", "A mesh that crosses and overlaps itself, made a solid");
+  add_common_options(*verb, settings, 1, 1);
+  add_input_class(*verb, settings);
+  std::map<std::string, strata::Inside> insides;
+  for (const strata::Inside inside : strata::all_insides) insides.emplace(strata::name(inside), inside);
+  verb->add_option(
+          "--keep", settings.inside,
+          "What is inside: winding (where the winding number is positive), even-odd (where it is odd) or outer "
+          "(all that the mesh closes off, without cavities)")
+      ->transform(CLI::CheckedTransformer(insides))
+      ->type_name("RULE")
+      ->default_str("winding");
+  add_output_options(*verb, settings);
+  verb->footer(fmt::format(R"(Examples:
+  strata resolve crossing.stl -o solid.stl
+  strata resolve shells.obj --keep outer -o hull.obj --report -
+
+{})",
+                           exit_codes));
+  line.on(*verb, [&settings] { return run_resolve(settings); });
 }
 
 void add_eval(CommandLine& line) {
@@ -85,6 +110,7 @@ void add_boolean_verbs(CommandLine& line) {
   add_boolean(line, Operation::intersection, "What is in all of the meshes");
   add_boolean(line, Operation::difference, "What is in the first mesh and in no other");
   add_boolean(line, Operation::symmetric_difference, "What is in an odd number of the meshes");
+  add_resolve(line);
   add_eval(line);
   add_check(line);
   add_info(line);

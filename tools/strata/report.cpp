@@ -1,5 +1,7 @@
 #include "report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,6 +22,11 @@ bool measurable(const ExactMesh& mesh) {
 }
 
 }  // namespace
+
+void print_notes(std::span<const Defect> notes, const Settings& settings) {
+  if (settings.quiet) return;
+  for (const Defect& note : notes) fmt::print(stderr, "strata: {}\n", strata::describe(note));
+}
 
 Json to_json(const Defect& defect) {
   return {{"kind", strata::name(defect.kind)},

@@ -5,6 +5,7 @@
 
 #include "common/json_report.h"
 #include "files.h"
+#include "settings.h"
 #include "strata/combine.h"
 #include "strata/errors.h"
 #include "strata/mesh.h"
@@ -13,6 +14,9 @@
 /// {kind, severity, where, faces, count, message, remedy}; where is null or [x, y, z].
 [[nodiscard]] Json to_json(const strata::Defect& defect);
 [[nodiscard]] Json to_json(std::span<const strata::Defect> defects);
+
+/// One line each to the standard error, unless `--quiet`.
+void print_notes(std::span<const strata::Defect> notes, const Settings& settings);
 
 /// {vertices, triangles, volume, area, components, euler, closed}. Volume is null for a mesh that is not closed; all
 /// measures are for one with bad indices or coordinates that are not finite. Costs a sort of the edges.

@@ -40,17 +40,18 @@ void add_engine(CLI::App& verb, Settings& settings, const std::vector<const stra
 
 void add_input_class(CLI::App& verb, Settings& settings) {
   const std::map<std::string, strata::InputClass> classes = {
+      {"automatic", strata::InputClass::automatic},
       {"solid", strata::InputClass::solid},
       {"overlapping", strata::InputClass::overlapping},
       {"repair", strata::InputClass::repair},
   };
   verb.add_option_function<std::string>(
           "--input", [&settings, classes](const std::string& word) { settings.input = classes.at(word); },
-          "What the operands are: solid (closed, not crossing itself), overlapping (closed, may cross itself) or "
-          "repair (a soup)")
+          "What the operands are: automatic (closed; what crosses itself is found and resolved), solid (closed, and a "
+          "promise that it does not cross itself), overlapping (closed, may cross itself) or repair (a soup)")
       ->type_name("CLASS")
       ->check(CLI::IsMember(classes))
-      ->default_str("solid");
+      ->default_str("automatic");
 }
 
 void add_output_options(CLI::App& verb, Settings& settings) {

@@ -20,7 +20,8 @@ struct Settings {
   std::vector<std::string> bindings;                       ///< NAME=FILE, for names of the expression
   strata::Placement placement = strata::Placement::exact;  ///< of what a model transforms
   std::string input_format;                                ///< of all operands; empty: by extension
-  strata::InputClass input = strata::InputClass::solid;
+  strata::InputClass input = strata::InputClass::automatic;
+  strata::Inside inside = strata::Inside::winding;
   const strata::Engine* engine = nullptr;  ///< none: the arrangement
   std::string output;                      ///< path; "-" is stdout
   std::string output_format;               ///< empty: by extension

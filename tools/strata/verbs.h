@@ -6,6 +6,9 @@
 /// union, intersection, difference, symmetric-difference. `name` is the verb, as it stands in the report.
 [[nodiscard]] ExitCode run_boolean(strata::Operation operation, const char* name, const Settings& settings);
 
+/// A mesh that crosses itself, made a solid.
+[[nodiscard]] ExitCode run_resolve(const Settings& settings);
+
 /// An expression over meshes, evaluated at once.
 [[nodiscard]] ExitCode run_eval(Settings& settings);
 

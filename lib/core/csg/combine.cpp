@@ -7,6 +7,7 @@
 #include "core/csg/arena.h"
 #include "core/csg/boolean.h"
 #include "core/csg/early_unions.h"
+#include "core/csg/found_class.h"
 #include "core/csg/stopwatch.h"
 
 namespace strata {
@@ -33,6 +34,25 @@ std::size_t worth_in_faces(std::span<const Operand> operands, InputClass input) 
   return worth;
 }
 
+/// Evaluates with the class that operands of class `automatic` turn out to have.
+template <class Evaluate>
+BooleanResult with_found_class(std::span<const Operand> operands, const Options& options, const Evaluate& evaluate) {
+  if (options.input != InputClass::automatic) return evaluate(options);
+  Profile profile;
+  FoundClass found;
+  Options now = options;
+  arena_for(options, worth_in_faces(operands, InputClass::solid)).execute([&] {
+    Stopwatch watch(profile);
+    found = find_class(operands, Monitor(options.cancel));
+    watch.lap("inspect");
+  });
+  now.input = found.input;
+  BooleanResult result = evaluate(now);
+  result.notes.insert(result.notes.begin(), found.notes.begin(), found.notes.end());
+  result.profile.seconds.insert(result.profile.seconds.begin(), profile.seconds.begin(), profile.seconds.end());
+  return result;
+}
+
 BooleanResult combine(const Rule& rule, std::span<const Operand> operands, const Options& options) {
   tbb::task_arena arena = arena_for(options, worth_in_faces(operands, options.input));
   BooleanResult result;
@@ -43,8 +63,10 @@ BooleanResult combine(const Rule& rule, std::span<const Operand> operands, const
 }  // namespace
 
 BooleanResult combine(Operation operation, std::span<const Operand> operands, const Options& options) {
-  if (options.engine != nullptr) return options.engine->combine(operation, operands, options);
-  return combine(Rule(operation, static_cast<std::uint32_t>(operands.size())), operands, options);
+  return with_found_class(operands, options, [&](const Options& found) {
+    if (found.engine != nullptr) return found.engine->combine(operation, operands, found);
+    return combine(Rule(operation, static_cast<std::uint32_t>(operands.size())), operands, found);
+  });
 }
 
 BooleanResult combine(const Formula& formula, std::span<const Operand> operands, const Options& options) {
@@ -52,12 +74,12 @@ BooleanResult combine(const Formula& formula, std::span<const Operand> operands,
     throw std::invalid_argument("the formula is about " + std::to_string(formula.operands()) + " operands, not " +
                                 std::to_string(operands.size()));
   if (formula.holds({})) throw std::invalid_argument("the result is not bounded");
-  if (options.engine != nullptr) {
-    if (options.engine->evaluate == nullptr)
-      throw std::invalid_argument(std::string("the engine ") + options.engine->name + " evaluates no formulas");
-    return options.engine->evaluate(formula, operands, options);
-  }
-  return combine(Rule(formula), operands, options);
+  if (options.engine != nullptr && options.engine->evaluate == nullptr)
+    throw std::invalid_argument(std::string("the engine ") + options.engine->name + " evaluates no formulas");
+  return with_found_class(operands, options, [&](const Options& found) {
+    if (found.engine != nullptr) return found.engine->evaluate(formula, operands, found);
+    return combine(Rule(formula), operands, found);
+  });
 }
 
 BooleanResult combine(Operation operation, std::span<const MeshView> operands, const Options& options) {

@@ -219,4 +219,20 @@ std::vector<Solid> Solid::components() const {
   return components;
 }
 
+Solid Solid::without_cavities(const Options& options) const {
+  if (is_empty()) return *this;
+  const Boundary boundary(exact_mesh());
+  const std::vector<Shell> shells = boundary.shells();
+  if (std::all_of(shells.begin(), shells.end(), [](const Shell& s) { return s.is_outer; })) return *this;
+  std::vector<Solid> parts;
+  std::vector<std::uint32_t> number(mesh().vertices.size());
+  for (const Shell& s : shells)
+    if (s.is_outer) parts.push_back(Solid(Shared<Data>::make(part_of(*this, s.faces, number))));
+  if (parts.size() == 1) return parts.front();
+  const Solid all = combine_solids(Operation::union_, parts, options);
+  Data data = *all.data_;
+  for (Source& source : data.sources) source = parts[source.operand].sources()[source.face];
+  return Solid(Shared<Data>::make(std::move(data)));
+}
+
 }  // namespace strata

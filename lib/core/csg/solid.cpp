@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/csg/arena.h"
+#include "core/csg/found_class.h"
 #include "core/csg/solid_data.h"
 #include "core/mesh/prepare.h"
 #include "strata/measure.h"
@@ -21,8 +23,25 @@ Solid::Data data_of(BooleanResult result) {
   return {{std::move(result.mesh), std::move(result.exact)}, std::move(result.sources), std::move(result.notes)};
 }
 
+Solid::Data accept(Mesh mesh, InputClass input);
+Solid::Data accept(ExactMesh mesh, InputClass input);
+
+/// A mesh of class `automatic`; `operand` refers to it.
+template <class AnyMesh>
+Solid::Data accept_inspected(AnyMesh& mesh, const Operand& operand) {
+  FoundClass found;
+  arena_for({}, operand.mesh.triangles.size()).execute([&] { found = find_class({&operand, 1}, {}); });
+  Solid::Data data = accept(std::move(mesh), found.input);
+  data.notes.insert(data.notes.begin(), found.notes.begin(), found.notes.end());
+  return data;
+}
+
 Solid::Data accept(Mesh mesh, InputClass input) {
   switch (input) {
+    case InputClass::automatic: {
+      const Operand operand{mesh, {}};
+      return accept_inspected(mesh, operand);
+    }
     case InputClass::solid: {
       Prepared p = prepare({MeshView(mesh), {}}, input);
       if (!p.mesh) {
@@ -46,6 +65,10 @@ Solid::Data accept(Mesh mesh, InputClass input) {
 Solid::Data accept(ExactMesh mesh, InputClass input) {
   if (mesh.exact.empty()) return accept(std::move(mesh.mesh), input);
   switch (input) {
+    case InputClass::automatic: {
+      const Operand operand{mesh.mesh, mesh.exact};
+      return accept_inspected(mesh, operand);
+    }
     case InputClass::solid: {
       Prepared p = prepare(mesh, input);
       if (p.mesh) mesh.mesh = std::move(*p.mesh);

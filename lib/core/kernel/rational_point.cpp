@@ -14,6 +14,8 @@ HPoint<Integer> homogeneous(const RationalPoint& p) {
   return {n[0], n[1], n[2], w, w == 1};
 }
 
-RationalPoint rational(const HPoint<Integer>& p) { return {Rational(p.x, p.w), Rational(p.y, p.w), Rational(p.z, p.w)}; }
+RationalPoint rational(const HPoint<Integer>& p) {
+  return {Rational(p.x, p.w), Rational(p.y, p.w), Rational(p.z, p.w)};
+}
 
 }  // namespace strata

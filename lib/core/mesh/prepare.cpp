@@ -5,6 +5,7 @@ namespace strata {
 Prepared prepare(ExactMeshView mesh, InputClass input, std::size_t operand) {
   if (!mesh.exact.empty()) return prepare_exact(mesh, operand);
   switch (input) {
+    case InputClass::automatic:
     case InputClass::solid:
     case InputClass::overlapping:
       return prepare_closed(mesh.mesh, false, operand);

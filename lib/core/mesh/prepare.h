@@ -61,8 +61,8 @@ struct Prepared {
 [[nodiscard]] Prepared prepare_soup(MeshView mesh, std::size_t operand = 0);
 
 /// Accepts a mesh as what the caller declares it to be, by the function above that is meant for it: `prepare_exact` if
-/// it has vertices that are not doubles, whatever its class; else `prepare_closed` for `solid` and `overlapping`, and
-/// `prepare_soup` for `repair`. Throws as these do.
+/// it has vertices that are not doubles, whatever its class; else `prepare_closed` for `automatic`, `solid` and
+/// `overlapping`, and `prepare_soup` for `repair`. Throws as these do.
 [[nodiscard]] Prepared prepare(ExactMeshView mesh, InputClass input, std::size_t operand = 0);
 
 }  // namespace strata

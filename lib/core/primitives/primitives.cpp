@@ -52,7 +52,7 @@ Solid make_box(const Vertex& lower, const Vertex& upper) {
   add_quadrilateral(mesh, 0, 3, 2, 1);
   add_quadrilateral(mesh, 4, 5, 6, 7);
   for (std::uint32_t i = 0; i < 4; ++i) add_quadrilateral(mesh, i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4);
-  return Solid(std::move(mesh));
+  return Solid(std::move(mesh), InputClass::solid);
 }
 
 Solid make_tetrahedron(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) {
@@ -62,7 +62,7 @@ Solid make_tetrahedron(const Vertex& a, const Vertex& b, const Vertex& c, const 
   Mesh mesh{{a, b, c, d}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
   if (side == Sign::negative)
     for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
-  return Solid(std::move(mesh));
+  return Solid(std::move(mesh), InputClass::solid);
 }
 
 Solid make_cylinder(double radius, double height, std::uint32_t sides) {
@@ -75,7 +75,7 @@ Solid make_cone(double lower_radius, double upper_radius, double height, std::ui
   require(is_radius(lower_radius) && is_radius(upper_radius), "a radius is negative or too small");
   require(lower_radius > 0 || upper_radius > 0, "a cone needs a positive radius");
   require_sides(sides, 2);
-  return Solid(stack(std::array{Ring{lower_radius, 0}, Ring{upper_radius, height}}, sides));
+  return Solid(stack(std::array{Ring{lower_radius, 0}, Ring{upper_radius, height}}, sides), InputClass::solid);
 }
 
 Solid make_sphere(double radius, std::uint32_t sides) {
@@ -88,7 +88,7 @@ Solid make_sphere(double radius, std::uint32_t sides) {
     const CosineSine angle = cosine_sine(180.0 * (steps - i) / steps);  // from the upper pole
     rings.push_back({radius * angle.sine, radius * angle.cosine});
   }
-  return Solid(stack(rings, sides));
+  return Solid(stack(rings, sides), InputClass::solid);
 }
 
 Solid make_torus(double radius, double tube_radius, std::uint32_t sides, std::uint32_t tube_sides) {
@@ -110,7 +110,7 @@ Solid make_torus(double radius, double tube_radius, std::uint32_t sides, std::ui
     for (std::uint32_t j = 0; j < tube_sides; ++j)
       add_quadrilateral(mesh, number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1));
   require(std::isfinite(radius + tube_radius) && check(mesh).empty(), "a torus that crosses itself in doubles");
-  return Solid(std::move(mesh));
+  return Solid(std::move(mesh), InputClass::solid);
 }
 
 Solid make_prism(std::span<const std::array<double, 2>> polygon, double lower, double upper) {
@@ -139,7 +139,7 @@ Solid make_prism(std::span<const std::array<double, 2>> polygon, double lower, d
   }
   std::vector<Defect> defects = check(mesh);
   if (!defects.empty()) throw InputError(std::move(defects));
-  return Solid(std::move(mesh));
+  return Solid(std::move(mesh), InputClass::solid);
 }
 
 }  // namespace strata

@@ -12,7 +12,7 @@
 namespace strata {
 
 /// Decides from the winding numbers at a point whether it is in the result. A point is in an operand where its winding
-/// number is positive.
+/// number is positive; of a single operand, other rules are possible.
 class Rule {
  public:
   Rule(Operation operation, std::uint32_t operands) : operation_(operation), operands_(operands) {}
@@ -30,8 +30,16 @@ class Rule {
   /// False when winding numbers do not matter.
   [[nodiscard]] bool looks_around() const { return looks_around_; }
 
+  /// One operand, and another rule than that its winding number is positive.
+  [[nodiscard]] static Rule of_one(Inside inside) {
+    Rule rule(Operation::union_, 1);
+    rule.inside_ = inside;
+    return rule;
+  }
+
   /// True when this winding number of one operand alone decides the rule, whatever the others are.
   [[nodiscard]] bool settles(std::uint32_t operand, std::int32_t winding) const {
+    if (inside_ != Inside::winding) return false;
     if (formula_) return formula_->settles(operand, winding > 0);
     switch (operation_) {
       case Operation::union_:
@@ -62,6 +70,8 @@ class Rule {
   }
 
   [[nodiscard]] bool inside(const Windings& windings) const {
+    if (inside_ == Inside::even_odd) return windings[0] % 2 != 0;
+    if (inside_ == Inside::outer) return windings[0] != 0;
     if (formula_) return formula_->holds(windings);
     std::uint32_t in = 0;
     bool in_first = false;
@@ -96,6 +106,7 @@ class Rule {
   std::uint32_t operands_;
   std::optional<Formula> formula_;  ///< instead of the operation
   bool looks_around_ = true;
+  Inside inside_ = Inside::winding;  ///< `outer`: where the winding number is not 0
 };
 
 /// The decision about a piece of surface.

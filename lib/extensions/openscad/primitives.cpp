@@ -92,7 +92,8 @@ void Primitives::require_corners(const SyntaxNode& node, std::size_t sides, std:
 template <class Make>
 Solid Primitives::shared(std::vector<double> key, const Make& make) {
   const auto known = solids_.find(key);
-  return known != solids_.end() ? known->second : solids_.emplace(std::move(key), Solid(make())).first->second;
+  return known != solids_.end() ? known->second
+                                : solids_.emplace(std::move(key), Solid(make(), InputClass::solid)).first->second;
 }
 
 std::optional<Solid> Primitives::cube(const SyntaxNode& node) {

@@ -1,0 +1,94 @@
+#include "core/csg/inspection.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "core/csg/shell_windings.h"
+#include "core/mesh/defect_list.h"
+#include "core/mesh/equal_vertices.h"
+#include "core/mesh/prepare.h"
+#include "core/overlap/embedded_stars.h"
+
+namespace strata {
+namespace {
+
+InputComplex complex_of(ExactMeshView mesh) {
+  InputComplex complex(SelfIntersections::possible);
+  complex.add(mesh.mesh.vertices, mesh.mesh.triangles, mesh.exact);
+  return complex;
+}
+
+std::string sentence(const SelfIntersection& s, std::uint32_t face, std::uint32_t other) {
+  return "faces " + std::to_string(face) + " and " + std::to_string(other) +
+         (s.is_coplanar ? " overlap in one plane" : " meet away from shared edges and vertices");
+}
+
+std::string sentence(std::uint32_t face, std::int32_t above) {
+  return "the outer side of face " + std::to_string(face) + " has winding number " + std::to_string(above) +
+         " and the inner side " + std::to_string(above + 1) + "; a solid has 0 and 1";
+}
+
+}  // namespace
+
+Inspection::Inspection(ExactMeshView mesh, const Monitor& monitor, std::size_t enough) : mesh_(mesh) {
+  const InputComplex complex = complex_of(mesh);
+  const EmbeddedStars stars(complex, monitor);
+  intersections_ = find_self_intersections(complex, &stars, monitor, enough);
+  if (!intersections_.empty()) return;
+  shells_ = find_shells(complex, stars);
+  above_ = windings_above(mesh, shells_, monitor);
+}
+
+bool Inspection::finds_nothing() const {
+  return intersections_.empty() && std::all_of(above_.begin(), above_.end(), [](int w) { return w == 0; });
+}
+
+std::vector<Defect> Inspection::defects(Severity severity, const std::vector<std::uint32_t>& source) const {
+  const bool is_note = severity == Severity::note;
+  const auto remedy = [&](const char* of_error) {
+    return is_note ? "nothing to do: inside is where the winding number is positive" : of_error;
+  };
+  const auto number = [&](std::uint32_t f) { return source.empty() ? f : source[f]; };
+  std::vector<Defect> defects;
+
+  DefectList crossings(DefectKind::self_intersection, severity,
+                       remedy("declare the input as overlapping, which resolves intersections exactly"));
+  for (const SelfIntersection& s : intersections_)
+    crossings.add(s.at, {number(s.face), number(s.other)},
+                  [&] { return sentence(s, number(s.face), number(s.other)); });
+  crossings.append_to(defects);
+
+  DefectList wrong(DefectKind::inside_out, severity,
+                   remedy("reverse the faces of the shell, or declare the input as repair"));
+  for (std::uint32_t f = 0; f < shells_.of_face.size(); ++f)
+    if (const std::int32_t above = above_[shells_.of_face[f]]; above != 0)
+      wrong.add(mesh_.mesh.vertices[mesh_.mesh.triangles[f][0]], {number(f)},
+                [&] { return sentence(number(f), above); });
+  wrong.append_to(defects);
+  return defects;
+}
+
+bool is_plainly_solid(MeshView mesh, const Monitor& monitor) {
+  if (mesh.triangles.empty()) return false;
+  const Screening facts = screen(mesh);
+  return facts.finite && facts.indices_valid && facts.chain_closed && !facts.degenerate && facts.orientation > 0 &&
+         Inspection(ExactMeshView(mesh, {}), monitor, 1).finds_nothing();
+}
+
+bool is_embedded_by_number(ExactMeshView mesh, const Monitor& monitor) {
+  const InputComplex complex = complex_of(mesh);
+  std::optional<EmbeddedStars> stars;
+  if (chain_is_closed(mesh.mesh)) stars.emplace(complex, monitor);
+  return find_self_intersections(complex, stars ? &*stars : nullptr, monitor, 1).empty();
+}
+
+std::vector<Triangle> on_first_vertices(ExactMeshView mesh) {
+  const auto first = equal_vertices(mesh);
+  std::vector<Triangle> triangles(mesh.mesh.triangles.begin(), mesh.mesh.triangles.end());
+  for (Triangle& t : triangles)
+    for (std::uint32_t& v : t) v = first[v];
+  return triangles;
+}
+
+}  // namespace strata

@@ -1,0 +1,49 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/overlap/self_intersections.h"
+#include "core/overlap/shells.h"
+#include "strata/errors.h"
+#include "strata/mesh.h"
+#include "strata/monitor.h"
+
+namespace strata {
+
+/// What keeps a closed mesh from being the boundary of a solid: faces that intersect, and shells that do not enclose
+/// what is inside them. Requires finite coordinates, valid indices, faces of positive area, and a closed chain. Vertices
+/// are equal where their numbers are. Runs in the current task arena. The mesh must outlive it. Throws Cancelled.
+class Inspection {
+ public:
+  static constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+
+  /// Ends when at least `enough` intersecting pairs are found. O(n log n + pairs whose boxes overlap).
+  Inspection(ExactMeshView mesh, const Monitor& monitor, std::size_t enough = all);
+
+  /// True when the mesh bounds a solid.
+  [[nodiscard]] bool finds_nothing() const;
+
+  /// As errors, or as notes on what is resolved. `source` maps to the caller's face numbers; empty: the same numbers.
+  [[nodiscard]] std::vector<Defect> defects(Severity severity, const std::vector<std::uint32_t>& source) const;
+
+ private:
+  ExactMeshView mesh_;
+  std::vector<SelfIntersection> intersections_;
+  Shells shells_;                    ///< if there are no intersections
+  std::vector<std::int32_t> above_;  ///< per shell
+};
+
+/// True when the mesh bounds a solid and has none of the defects that preparation resolves. Any mesh. A few streaming
+/// passes, and the search for intersections. False as soon as one is found.
+[[nodiscard]] bool is_plainly_solid(MeshView mesh, const Monitor& monitor);
+
+/// True when no faces share a point other than vertices of the same number and their edges. The mesh need not be
+/// closed; else the requirements of an Inspection.
+[[nodiscard]] bool is_embedded_by_number(ExactMeshView mesh, const Monitor& monitor);
+
+/// The triangles of a mesh, each on the first of its equal vertices. Sheets that touch in a vertex then share it.
+[[nodiscard]] std::vector<Triangle> on_first_vertices(ExactMeshView mesh);
+
+}  // namespace strata

@@ -1,0 +1,49 @@
+"""One mesh that crosses itself: verified by default, resolved by rules, and what is refused."""
+import json
+import unittest
+
+from tool import INVALID, USAGE, ToolTest, cube, open_cube, two_cubes
+
+
+class Resolve(ToolTest):
+    def volume_of(self, *arguments):
+        report = self.report(*arguments)
+        return report["result"]["volume_exact"], report
+
+    def test_what_crosses_itself_is_resolved_with_a_note(self):
+        crossing = self.file("crossing.off", two_cubes(0.5))
+        done = self.run_tool("union", crossing, "-o", "out.off", "--report", "report.json")
+        self.assertIn("self-intersection", done.stderr.decode())
+        report = json.loads(self.path("report.json").read_text())
+        self.assertEqual(report["result"]["volume_exact"], "15/8")
+        kinds = {defect["kind"] for defect in report["operands"][0]["defects"]}
+        self.assertEqual(kinds, {"self-intersection"})
+        self.run_tool("check", "out.off")
+
+    def test_a_solid_is_taken_as_it_is(self):
+        done = self.run_tool("union", self.file("a.off", cube()), "-o", "out.off")
+        self.assertEqual(done.stderr, b"")
+
+    def test_no_search_where_the_caller_promises(self):
+        crossing = self.file("crossing.off", two_cubes(0.5))
+        volume, report = self.volume_of("union", crossing, "-o", "out.off", "--input", "solid")
+        self.assertEqual(volume, "2")
+        self.assertEqual(report["operands"][0]["defects"], [])
+
+    def test_all_rules(self):
+        crossing = self.file("crossing.off", two_cubes(0.5))
+        for rule, volume in (("winding", "15/8"), ("even-odd", "7/4"), ("outer", "15/8")):
+            with self.subTest(rule=rule):
+                found, report = self.volume_of("resolve", crossing, "-o", "out.off", "--keep", rule)
+                self.assertEqual(found, volume)
+                self.assertEqual(report["inside"], rule)
+                self.run_tool("check", "out.off")
+        self.run_tool("resolve", crossing, "-o", "out.off", "--keep", "some", expect=USAGE)
+
+    def test_what_is_open_is_refused(self):
+        self.run_tool("resolve", self.file("open.off", open_cube()), "-o", "out.off", expect=INVALID)
+        self.assertFalse(self.path("out.off").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

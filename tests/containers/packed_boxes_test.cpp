@@ -1,0 +1,59 @@
+#include "core/containers/packed_boxes.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+#include <utility>
+
+using namespace strata;
+
+namespace {
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+std::vector<Pair> pairs_of(const std::vector<Box>& boxes) {
+  const PackedBoxes packed(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return boxes[i]; });
+  std::vector<Pair> pairs;
+  for (std::size_t pack = 0; pack < packed.pack_count(); ++pack)
+    packed.for_each_pair_of(pack, [&](std::uint32_t a, std::uint32_t b) { pairs.emplace_back(std::minmax(a, b)); });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::vector<Pair> pairs_by_comparison(const std::vector<Box>& boxes) {
+  std::vector<Pair> pairs;
+  for (std::uint32_t a = 0; a < boxes.size(); ++a)
+    for (std::uint32_t b = a + 1; b < boxes.size(); ++b)
+      if (boxes[a].overlaps(boxes[b])) pairs.emplace_back(a, b);
+  return pairs;
+}
+
+}  // namespace
+
+// Seen to fail: children of a node skipped when their first pack comes earlier; bits up to the own one kept in a pack.
+TEST_CASE("packed boxes find every pair that overlaps once", "[containers][property]") {
+  const unsigned seed = GENERATE(range(0u, 80u));
+  std::mt19937 random(seed);
+  const std::size_t count = seed < 20 ? seed : random() % 1500;
+  const double scale = seed % 4 == 0 ? 1e300 : seed % 4 == 1 ? 1e-300 : 1;
+  std::vector<Box> boxes(count);
+  for (Box& b : boxes)
+    for (std::size_t i = 0; i < 3; ++i) {
+      // Crowds near the origin, within a few boxes far away.
+      const double size = random() % 50 == 0 ? 1e6 : random() % 3 == 0 ? 1e-6 : 10;
+      b.lower[i] = scale * size * (static_cast<double>(random() % 21) - 10);
+      b.upper[i] = b.lower[i] + scale * (random() % 40 == 0 ? 50 : size / 10) * static_cast<double>(random() % 5);
+    }
+  CHECK(pairs_of(boxes) == pairs_by_comparison(boxes));
+}
+
+TEST_CASE("packed boxes that all overlap, in one point or as one box", "[containers]") {
+  const std::vector<Box> points(300, Box{{1, 2, 3}, {1, 2, 3}});
+  CHECK(pairs_of(points).size() == 300 * 299 / 2);
+  CHECK(pairs_of({}).empty());
+  CHECK(pairs_of({Box{{0, 0, 0}, {1, 1, 1}}}).empty());
+  const double largest = std::numeric_limits<double>::max();
+  const Box all{{-largest, -largest, -largest}, {largest, largest, largest}};
+  CHECK(pairs_of({all, all, Box{{largest, largest, largest}, {largest, largest, largest}}}).size() == 3);
+}

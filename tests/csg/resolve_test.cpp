@@ -1,0 +1,103 @@
+#include "strata/resolve.h"
+
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "strata/check.h"
+#include "support/shapes.h"
+
+using namespace strata;
+
+namespace {
+
+void append(Mesh& mesh, const Mesh& other, bool is_reversed = false) {
+  const auto shift = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const Triangle& t : other.triangles) {
+    mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+    if (is_reversed) std::swap(mesh.triangles.back()[1], mesh.triangles.back()[2]);
+  }
+}
+
+Solid resolved(const Mesh& mesh, Inside inside, InputClass input = InputClass::automatic) {
+  return resolve({mesh, {}}, inside, {.input = input});
+}
+
+Mesh two_boxes(double shift, bool is_reversed = false) {
+  Mesh mesh = test::box({0, 0, 0}, {2, 2, 2});
+  append(mesh, test::box({shift, 0, 0}, {shift + 2, 2, 2}), is_reversed);
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("boxes that overlap by half, by all three rules", "[csg]") {
+  const Mesh crossing = two_boxes(1);
+  CHECK(resolved(crossing, Inside::winding).volume() == 12);
+  CHECK(resolved(crossing, Inside::even_odd).volume() == 8);
+  CHECK(resolved(crossing, Inside::outer).volume() == 12);
+  CHECK_FALSE(resolved(crossing, Inside::winding).notes().empty());
+
+  const Mesh opposite = two_boxes(1, true);
+  CHECK(resolved(opposite, Inside::even_odd).volume() == 8);
+}
+
+TEST_CASE("the orientation of the whole matters to winding numbers only", "[csg]") {
+  Mesh inside_out;
+  append(inside_out, test::box({0, 0, 0}, {3, 3, 3}), true);
+  append(inside_out, test::box({1, 1, 1}, {2, 2, 2}), false);
+  CHECK_THROWS_AS(resolved(inside_out, Inside::winding), InputError);
+  CHECK(resolved(inside_out, Inside::even_odd).volume() == 26);
+  CHECK(resolved(inside_out, Inside::outer).volume() == 27);
+}
+
+TEST_CASE("a box in a box in a box", "[csg]") {
+  Mesh nested = test::box({0, 0, 0}, {5, 5, 5});
+  append(nested, test::box({1, 1, 1}, {4, 4, 4}));
+  append(nested, test::box({2, 2, 2}, {3, 3, 3}));
+  const Solid winding = resolved(nested, Inside::winding);
+  CHECK(winding.volume() == 125);
+  CHECK_FALSE(winding.notes().empty());  // winding numbers up to 3
+  const Solid even_odd = resolved(nested, Inside::even_odd);
+  CHECK(even_odd.volume() == 125 - 27 + 1);
+  CHECK(even_odd.components().size() == 2);
+  CHECK(even_odd.without_cavities() == winding);
+  CHECK(resolved(nested, Inside::outer) == winding);
+}
+
+TEST_CASE("a solid stays as it is", "[csg]") {
+  const Mesh sphere = test::icosphere({0, 0, 0}, 1, 3);
+  for (const Inside inside : all_insides) {
+    const Solid solid = resolved(sphere, inside);
+    CHECK(solid.mesh().triangles == sphere.triangles);
+    CHECK(solid.notes().empty());
+  }
+  CHECK(resolved({}, Inside::outer).is_empty());
+}
+
+// Laws by random collections of boxes and tetrahedra on a small lattice, of any orientation.
+TEST_CASE("laws of resolved meshes", "[csg][property]") {
+  const unsigned seed = GENERATE(range(0u, 150u));
+  std::mt19937 random(seed);
+  const auto number = [&](unsigned n) { return static_cast<double>(random() % n); };
+  Mesh mesh;
+  for (unsigned i = 0; i < 1 + random() % 4; ++i) {
+    const Vertex lower{number(4), number(4), number(4)};
+    append(mesh, test::box(lower, {lower[0] + 1 + number(3), lower[1] + 1 + number(3), lower[2] + 1 + number(3)}),
+           random() % 3 == 0);
+  }
+  const Solid even_odd = resolved(mesh, Inside::even_odd), outer = resolved(mesh, Inside::outer);
+  CHECK(check(even_odd.exact_mesh()).empty() == true);
+  CHECK(even_odd - outer == Solid());
+  CHECK(outer.without_cavities() == outer);
+  CHECK(resolve(outer.exact_mesh(), Inside::even_odd) == outer);
+  CHECK(resolve(even_odd.exact_mesh()) == even_odd);
+  try {
+    const Solid winding = resolved(mesh, Inside::winding);
+    CHECK(winding - outer == Solid());
+    CHECK(winding == Solid(mesh, InputClass::overlapping));
+    CHECK(winding == Solid(mesh));
+  } catch (const InputError&) {
+    CHECK_THROWS_AS(Solid(mesh), InputError);
+  }
+}

@@ -1,0 +1,73 @@
+#include "strata/resolve.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "common/progress.h"
+#include "common/stopwatch.h"
+#include "common/watch.h"
+#include "files.h"
+#include "report.h"
+#include "reproduction.h"
+#include "result_file.h"
+#include "verbs.h"
+
+namespace {
+
+/// What was asked, as a case: cases say so for the rule of winding numbers only.
+verify::NewCase asked(const LoadedMesh& mesh, const Settings& settings) {
+  verify::NewCase c;
+  c.expression = "s0";
+  c.input = settings.input;
+  c.operands.emplace_back("s0", &mesh.mesh);
+  return c;
+}
+
+strata::Solid evaluate(const LoadedMesh& mesh, const Settings& settings, const Watch& watch) {
+  ProgressBar bar(settings.progress, settings.quiet);
+  strata::Options options;
+  options.input = settings.input;
+  options.threads = settings.threads;
+  options.progress = [&bar](double fraction) { bar.show(fraction); };
+  options.cancel = &watch.token();
+  return strata::resolve(mesh.mesh, settings.inside, options);
+}
+
+}  // namespace
+
+ExitCode run_resolve(const Settings& settings) {
+  Watch watch(settings.timeout);
+  Stopwatch stopwatch;
+  Json report = {{"operation", "resolve"},
+                 {"inside", name(settings.inside)},
+                 {"operands", nullptr},
+                 {"result", nullptr},
+                 {"seconds", Json::object()}};
+  const strata::Format format = output_format(settings);
+  const std::vector<LoadedMesh> operands = read_operands(settings);
+  report["seconds"]["read"] = stopwatch.lap();
+
+  watch.on_stop(OnStop::ask);
+  const Asked question = [&] { return asked(operands.front(), settings); };
+  strata::Solid solid;
+  try {
+    solid = with_reproduction(question, "resolve", settings,
+                              [&] { return evaluate(operands.front(), settings, watch); });
+  } catch (const strata::InputError& error) {
+    report["operands"] = Json::array({operand_report(operands.front(), error.defects())});
+    if (!settings.report.empty()) write_report(settings.report, std::move(report));
+    throw;
+  } catch (const strata::Cancelled&) {
+    watch.on_stop(OnStop::leave);  // says why
+    throw;
+  }
+  report["seconds"]["evaluate"] = stopwatch.lap();
+  print_notes(solid.notes(), settings);
+  report["peak_bytes"] = peak_bytes();
+
+  watch.on_stop(OnStop::leave);
+  if (!settings.report.empty()) report["operands"] = Json::array({operand_report(operands.front(), solid.notes())});
+  return write_result(solid.exact_mesh(), format, std::move(report), settings, watch, "resolve", question);
+}
