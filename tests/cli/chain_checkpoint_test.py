@@ -88,7 +88,7 @@ class Checkpoint(ChainTest):
         changed(2, operation="union")
         self.refused("save", "save: belongs to other steps: steps[2].operation is union, was difference")
         changed(3, input="overlapping")
-        self.refused("save", "steps[3].input is overlapping, was solid")
+        self.refused("save", "steps[3].input is overlapping, was automatic")
         changed(1, file="block.off")
         self.refused("save", "steps[1].file has other content than then")
         changed(1, transform=matrix())

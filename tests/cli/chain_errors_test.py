@@ -50,7 +50,7 @@ class Errors(ChainTest):
                 ([{**STEP, "colour": "red"}],
                  "steps[0].colour: no such key; known are operation, file, transform, input, label"),
                 ([{**STEP, "input": "soup"}],
-                 "steps[0].input: 'soup' is no input class; one of solid, overlapping, repair"),
+                 "steps[0].input: 'soup' is no input class; one of automatic, solid, overlapping, repair"),
                 ([{**STEP, "label": [1]}], "steps[0].label: expected a string, found [1]"),
                 ({}, "steps: expected an array, found an object")):
             with self.subTest(message=message):

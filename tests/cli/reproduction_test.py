@@ -72,7 +72,7 @@ class Reproduction(ToolTest):
 
     def test_an_exact_result_that_crosses_itself_is_kept(self):
         self.file("crossing.off", two_cubes(0.5))
-        said = self.run_tool("union", "crossing.off", self.file("far.off", cube(9)), "-o", "out.xoff", "--certify",
+        said = self.run_tool("union", "crossing.off", self.file("far.off", cube(9)), "-o", "out.xoff", "--input", "solid", "--certify",
                              expect=NOT_CERTIFIED).stderr.decode()
         self.assertIn("an operand crosses itself (`strata check` tells)", said)
         self.assertIn("strata-reproduction-1", said)

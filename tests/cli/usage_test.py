@@ -11,7 +11,7 @@ class Usage(ToolTest):
         self.assertIn("Exit codes:", out)
 
     def test_every_verb_has_help(self):
-        for verb in ("union", "intersection", "difference", "symmetric-difference", "check", "info", "compare", "layers", "locate",
+        for verb in ("union", "intersection", "difference", "symmetric-difference", "resolve", "check", "info", "compare", "layers", "locate",
                      "ray", "eval", "chain", "draw"):
             self.assertIn("Exit codes:", self.run_tool(verb, "--help").stdout.decode())
 
@@ -20,7 +20,7 @@ class Usage(ToolTest):
 
     def test_misuse_ends_with_two_and_says_why_on_stderr(self):
         a = self.file("a.off", cube())
-        for arguments in ((), ("weld", a), ("union", a, "-o", "out.stl"), ("union", a, a), ("check",), ("check", a, a),
+        for arguments in ((), ("weld", a), ("union", "-o", "out.stl"), ("union", a, a), ("check",), ("check", a, a),
                           ("compare", a), ("union", a, a, "-o", "out.stl", "--input", "wrong"),
                           ("union", a, a, "-o", "out.stl", "--no-such-option"),
                           ("union", a, a, "-o", "out.stl", "--timeout", "soon"),

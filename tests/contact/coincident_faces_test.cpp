@@ -15,7 +15,7 @@ Parts parts_with(const Vertex& v, const Vertex& w) {
              {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
   for (const Triangle& t : {Triangle{0, 4, 5}, Triangle{0, 5, 6}, Triangle{0, 6, 4}, Triangle{5, 4, 6}})
     above.triangles.push_back(t);
-  const Solid both[] = {Solid(below), Solid(above)};
+  const Solid both[] = {Solid(below, InputClass::solid), Solid(above, InputClass::solid)};
   return Parts(both);
 }
 

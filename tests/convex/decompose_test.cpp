@@ -230,9 +230,9 @@ TEST_CASE("a solid that touches itself away from its vertices is not divided in 
                    {10, 12, 13},
                    {10, 13, 11},
                    {12, 11, 13}}};
-  const Solid solid(mesh);
+  const Solid solid(mesh, InputClass::solid);
   CHECK_THROWS_AS(decompose(solid), std::invalid_argument);
-  const Solid resolved(mesh, InputClass::overlapping);
+  const Solid resolved(mesh);
   CHECK(resolved.volume() == solid.volume());
   checked(resolved);
 }

@@ -118,7 +118,7 @@ TEST_CASE("an operand that crosses itself where the other one cuts it is refused
   const Mesh cutter = box({1.5, 1.5, -1}, {1.75, 1.75, 4});
   const std::vector<MeshView> operands{cutter, two};
   try {
-    (void)combine(Operation::difference, std::span<const MeshView>(operands));
+    (void)combine(Operation::difference, std::span<const MeshView>(operands), {.input = InputClass::solid});
     FAIL("accepted");
   } catch (const InputError& e) {
     CHECK(e.operand() == 1);

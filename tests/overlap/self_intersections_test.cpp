@@ -128,8 +128,7 @@ TEST_CASE("intersections of many faces: one list for any number of threads, some
   const InputComplex input = complex_of(mesh);
   const EmbeddedStars stars(input, Monitor());
   const auto find = [&](int threads, std::size_t enough) {
-    return tbb::task_arena(threads).execute(
-        [&] { return find_self_intersections(input, &stars, Monitor(), enough); });
+    return tbb::task_arena(threads).execute([&] { return find_self_intersections(input, &stars, Monitor(), enough); });
   };
   const auto pairs = [](const std::vector<SelfIntersection>& found) {
     std::vector<Pair> list;
@@ -155,8 +154,7 @@ TEST_CASE("vertices that are no doubles decide as they are", "[overlap]") {
     const Mesh spike = test::tetrahedron({1, 1, 3}, {2, 1, 3}, {1, 2, 3}, {1, 1, 1});
     const auto shift = static_cast<std::uint32_t>(mesh.mesh.vertices.size());
     mesh.mesh.vertices.insert(mesh.mesh.vertices.end(), spike.vertices.begin(), spike.vertices.end());
-    for (const Triangle& t : spike.triangles)
-      mesh.mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+    for (const Triangle& t : spike.triangles) mesh.mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
     const Rational tip = Rational(1) + Rational(sign, Integer(1) << 80);
     for (std::uint32_t v = shift; v < mesh.mesh.vertices.size(); ++v)
       if (mesh.mesh.vertices[v] == Vertex{1, 1, 1}) mesh.exact.push_back({v, {1, 1, tip}});

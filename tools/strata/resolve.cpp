@@ -53,8 +53,8 @@ ExitCode run_resolve(const Settings& settings) {
   const Asked question = [&] { return asked(operands.front(), settings); };
   strata::Solid solid;
   try {
-    solid = with_reproduction(question, "resolve", settings,
-                              [&] { return evaluate(operands.front(), settings, watch); });
+    solid =
+        with_reproduction(question, "resolve", settings, [&] { return evaluate(operands.front(), settings, watch); });
   } catch (const strata::InputError& error) {
     report["operands"] = Json::array({operand_report(operands.front(), error.defects())});
     if (!settings.report.empty()) write_report(settings.report, std::move(report));

@@ -47,7 +47,7 @@ bool Inspection::finds_nothing() const {
 std::vector<Defect> Inspection::defects(Severity severity, const std::vector<std::uint32_t>& source) const {
   const bool is_note = severity == Severity::note;
   const auto remedy = [&](const char* of_error) {
-    return is_note ? "nothing to do: inside is where the winding number is positive" : of_error;
+    return is_note ? "resolved: inside is where the winding number is positive" : of_error;
   };
   const auto number = [&](std::uint32_t f) { return source.empty() ? f : source[f]; };
   std::vector<Defect> defects;

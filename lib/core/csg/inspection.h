@@ -13,8 +13,9 @@
 namespace strata {
 
 /// What keeps a closed mesh from being the boundary of a solid: faces that intersect, and shells that do not enclose
-/// what is inside them. Requires finite coordinates, valid indices, faces of positive area, and a closed chain. Vertices
-/// are equal where their numbers are. Runs in the current task arena. The mesh must outlive it. Throws Cancelled.
+/// what is inside them. Requires finite coordinates, valid indices, faces of positive area, and a closed chain.
+/// Vertices are equal where their numbers are. Runs in the current task arena. The mesh must outlive it. Throws
+/// Cancelled.
 class Inspection {
  public:
   static constexpr std::size_t all = std::numeric_limits<std::size_t>::max();

@@ -39,8 +39,8 @@ Solid resolve(ExactMesh mesh, Inside inside, const Options& options) {
     result = boolean(Rule::of_one(inside), {&operand, 1}, now);
     result.notes.insert(result.notes.begin(), found.notes.begin(), found.notes.end());
   });
-  Solid solid(Shared<Solid::Data>::make(
-      Solid::Data{{std::move(result.mesh), std::move(result.exact)}, std::move(result.sources), std::move(result.notes)}));
+  Solid solid(Shared<Solid::Data>::make(Solid::Data{
+      {std::move(result.mesh), std::move(result.exact)}, std::move(result.sources), std::move(result.notes)}));
   return inside == Inside::outer ? solid.without_cavities(options) : solid;
 }
 

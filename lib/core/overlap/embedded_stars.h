@@ -12,9 +12,9 @@ namespace strata {
 ///
 /// The proof is a projection along an axis. If all faces around a vertex are seen from the same side, their angles
 /// there are positive and below 180 degrees. The mesh is closed, so each ray that starts at the vertex is met equally
-/// often; if one is met once, all are, and the faces lie side by side. Signs of normals are decided in doubles: a vertex
-/// is left out where these are not certain, where a face has a vertex that is rational, or where no axis serves, as at
-/// the corners of a cube.
+/// often; if one is met once, all are, and the faces lie side by side. Signs of normals are decided in doubles: a
+/// vertex is left out where these are not certain, where a face has a vertex that is rational, or where no axis serves,
+/// as at the corners of a cube.
 class EmbeddedStars {
  public:
   /// Of the first operand. Requires a closed chain of faces with valid indices. O(n), in parallel.

@@ -57,8 +57,8 @@ class PairTest {
   }
 
   [[nodiscard]] Vertex position(PointId id) const {
-    const SymbolicPoint name = id < input_.vertex_count() ? SymbolicPoint::input(id)
-                                                          : intersections_.constructed[id - input_.vertex_count()];
+    const SymbolicPoint name =
+        id < input_.vertex_count() ? SymbolicPoint::input(id) : intersections_.constructed[id - input_.vertex_count()];
     const Point p = make_point(input_, name);
     return {p.at[0].value, p.at[1].value, p.at[2].value};
   }
@@ -70,8 +70,8 @@ class PairTest {
 
 }  // namespace
 
-std::vector<SelfIntersection> find_self_intersections(const InputComplex& input, const EmbeddedStars* stars, const Monitor& monitor,
-                                                      std::size_t enough) {
+std::vector<SelfIntersection> find_self_intersections(const InputComplex& input, const EmbeddedStars* stars,
+                                                      const Monitor& monitor, std::size_t enough) {
   const PackedBoxes boxes(input.face_count(0), [&](std::uint32_t face) { return box_of(input, face); });
   tbb::enumerable_thread_specific<PairTest> tests([&] { return PairTest(input, stars); });
 

@@ -20,8 +20,9 @@ struct SelfIntersection {
 
 /// The pairs of faces of the first operand that intersect, by their numbers. Requires finite coordinates, valid indices
 /// and faces of positive area. Vertices are equal where their numbers are: `identify` has no effect here. `stars`: of
-/// this mesh, if it is closed, else null; the result is the same, and found sooner. Exact: a pair is found if and only if it is one. Ends when at least `enough` pairs are found, the same ones for any number of
-/// threads. O(n log n + pairs whose boxes overlap), in parallel. Throws Cancelled.
+/// this mesh, if it is closed, else null; the result is the same, and found sooner. Exact: a pair is found if and only
+/// if it is one. Ends when at least `enough` pairs are found, the same ones for any number of threads. O(n log n +
+/// pairs whose boxes overlap), in parallel. Throws Cancelled.
 [[nodiscard]] std::vector<SelfIntersection> find_self_intersections(
     const InputComplex& input, const EmbeddedStars* stars, const Monitor& monitor,
     std::size_t enough = std::numeric_limits<std::size_t>::max());

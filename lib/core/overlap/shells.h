@@ -15,8 +15,8 @@ struct Shells {
   bool share_edges = false;  ///< two of them, or two sheets of one, have an edge in common
 };
 
-/// Of the first operand, by the numbers of vertices. Requires a closed chain of faces. O(n log d) for vertices of degree
-/// d, near O(n) where stars are embedded.
+/// Of the first operand, by the numbers of vertices. Requires a closed chain of faces. O(n log d) for vertices of
+/// degree d, near O(n) where stars are embedded.
 [[nodiscard]] Shells find_shells(const InputComplex& input, const EmbeddedStars& stars);
 
 }  // namespace strata

@@ -184,7 +184,7 @@ class Laws {
     if (!engine_.is_exact() || faces > most_faces) return;
     std::vector<Partition> values;
     for (const std::string& operand_name : case_.steps.names)
-      values.push_back(strata::bsp::partition_of(operand(operand_name)));
+      values.push_back(strata::bsp::partition_of(strata::Solid(operand(operand_name)).exact_mesh()));
     for (const verify::Step& s : case_.steps.steps)
       values.push_back(strata::bsp::combined(s.operation, values[s.first], values[s.second]));
     const Partition& merged = values[case_.steps.result];
