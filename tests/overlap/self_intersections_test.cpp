@@ -106,6 +106,14 @@ TEST_CASE("stars of a sphere are embedded, of a cube's corners not proven to be,
   for (std::uint32_t v = 0; v < cube.vertices.size(); ++v) CHECK_FALSE(corners.at(v));
   CHECK(found_in(cube, Chain::closed).empty());
 
+  const Mesh fine = test::cube_grid(3);
+  const EmbeddedStars sides(complex_of(fine), Monitor());
+  for (std::uint32_t v = 0; v < fine.vertices.size(); ++v) {
+    const Vertex& p = fine.vertices[v];
+    const auto is_at_end = [](double x) { return x == 0 || x == 3; };
+    CHECK(sides.at(v) == !(is_at_end(p[0]) && is_at_end(p[1]) && is_at_end(p[2])));
+  }
+
   Mesh wound{{{2, 0, 0}, {-1, 2, 0}, {-1, -2, 0}, {3, 0, 0}, {-1, 3, 0}, {-1, -3, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
   for (std::uint32_t i = 0; i < 6; ++i) {
     wound.triangles.push_back({i, (i + 1) % 6, 6});
