@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <utility>
 
@@ -12,20 +13,37 @@ namespace {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-std::vector<Pair> pairs_of(const std::vector<Box>& boxes) {
-  const PackedBoxes packed(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return boxes[i]; });
+using Keys = PackedBoxes::Keys;
+
+constexpr Keys no_keys{PackedBoxes::no_key, PackedBoxes::no_key, PackedBoxes::no_key};
+
+std::vector<Pair> pairs_of(const std::vector<Box>& boxes, const std::vector<Keys>& keys) {
+  const PackedBoxes packed(
+      static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return boxes[i]; },
+      [&](std::uint32_t i) { return keys[i]; });
+  std::vector<PackedBoxes::Pair> found;
+  for (std::size_t pack = 0; pack < packed.pack_count(); ++pack) packed.append_pairs_of(pack, found);
   std::vector<Pair> pairs;
-  for (std::size_t pack = 0; pack < packed.pack_count(); ++pack)
-    packed.for_each_pair_of(pack, [&](std::uint32_t a, std::uint32_t b) { pairs.emplace_back(std::minmax(a, b)); });
+  for (const auto& [a, b] : found) pairs.emplace_back(std::minmax(a, b));
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
-std::vector<Pair> pairs_by_comparison(const std::vector<Box>& boxes) {
+std::vector<Pair> pairs_of(const std::vector<Box>& boxes) {
+  return pairs_of(boxes, std::vector<Keys>(boxes.size(), no_keys));
+}
+
+bool have_common_key(const Keys& a, const Keys& b) {
+  return std::any_of(a.begin(), a.end(), [&](std::uint32_t k) {
+    return k != PackedBoxes::no_key && std::find(b.begin(), b.end(), k) != b.end();
+  });
+}
+
+std::vector<Pair> pairs_by_comparison(const std::vector<Box>& boxes, const std::vector<Keys>& keys) {
   std::vector<Pair> pairs;
   for (std::uint32_t a = 0; a < boxes.size(); ++a)
     for (std::uint32_t b = a + 1; b < boxes.size(); ++b)
-      if (boxes[a].overlaps(boxes[b])) pairs.emplace_back(a, b);
+      if (boxes[a].overlaps(boxes[b]) && !have_common_key(keys[a], keys[b])) pairs.emplace_back(a, b);
   return pairs;
 }
 
@@ -45,7 +63,12 @@ TEST_CASE("packed boxes find every pair that overlaps once", "[containers][prope
       b.lower[i] = scale * size * (static_cast<double>(random() % 21) - 10);
       b.upper[i] = b.lower[i] + scale * (random() % 40 == 0 ? 50 : size / 10) * static_cast<double>(random() % 5);
     }
-  CHECK(pairs_of(boxes) == pairs_by_comparison(boxes));
+  std::vector<Keys> keys(count, no_keys);
+  for (Keys& k : keys)
+    for (std::uint32_t& key : k)
+      if (random() % 3 != 0) key = static_cast<std::uint32_t>(random() % (1 + count / 2));
+  CHECK(pairs_of(boxes, keys) == pairs_by_comparison(boxes, keys));
+  CHECK(pairs_of(boxes) == pairs_by_comparison(boxes, std::vector<Keys>(count, no_keys)));
 }
 
 TEST_CASE("packed boxes that all overlap, in one point or as one box", "[containers]") {

@@ -4,7 +4,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <span>
+#include <utility>
 
 #include "core/containers/huge_pages.h"
 #include "core/containers/z_order.h"
@@ -100,13 +103,119 @@ class Ordering {
   }
 
  private:
-  static constexpr std::size_t crowd = 4 * BoxPack::width;
+  static constexpr std::size_t crowd = 4 * PackedBoxes::width;
   PackedBoxes::BoxOf box_of_;
 };
 
+// Vectors that every processor has: compilers take wider ones apart, number by number.
+using TwoDoubles [[gnu::vector_size(16)]] = double;
+using TwoBits [[gnu::vector_size(16)]] = std::int64_t;
+using FourKeys [[gnu::vector_size(16)]] = std::uint32_t;
+using FourBits [[gnu::vector_size(16)]] = std::int32_t;
+
 }  // namespace
 
-PackedBoxes::PackedBoxes(std::uint32_t count, BoxOf box_of) {
+PackedBoxes::Pack::Pack() {
+  for (auto& axis : lower) axis.fill(Box::infinity);
+  for (auto& axis : upper) axis.fill(-Box::infinity);
+}
+
+void PackedBoxes::Pack::set(std::size_t k, const Box& box) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    lower[i][k] = box.lower[i];
+    upper[i][k] = box.upper[i];
+  }
+}
+
+inline Box PackedBoxes::Pack::box(std::size_t k) const {
+  return {{lower[0][k], lower[1][k], lower[2][k]}, {upper[0][k], upper[1][k], upper[2][k]}};
+}
+
+inline Box PackedBoxes::Pack::bounds() const {
+  Box all;
+  for (std::size_t k = 0; k < width; ++k) all.include(box(k));
+  return all;
+}
+
+/// Bit k: box k has a point in common with this one.
+inline std::uint32_t PackedBoxes::overlapping(const Pack& pack, const Box& box) {
+  TwoBits all{};
+  for (std::size_t k = 0; k < width; k += 2) {
+    TwoBits met{std::int64_t{1} << k, std::int64_t{2} << k};
+    for (std::size_t i = 0; i < 3; ++i) {
+      TwoDoubles low, high;
+      std::memcpy(&low, &pack.lower[i][k], sizeof low);
+      std::memcpy(&high, &pack.upper[i][k], sizeof high);
+      met &= (low <= box.upper[i]) & (high >= box.lower[i]);
+    }
+    all |= met;
+  }
+  return static_cast<std::uint32_t>(all[0] | all[1]);
+}
+
+/// Bit k: lane k has a key in common with a lane of other keys.
+inline std::uint32_t PackedBoxes::with_common_key(const PackKeys& keys, const PackKeys& of, std::size_t lane) {
+  FourBits low{}, high{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t own = of.key[i][lane];
+    if (own == no_key) continue;
+    for (std::size_t j = 0; j < 3; ++j) {
+      FourKeys first, second;
+      std::memcpy(&first, keys.key[j].data(), sizeof first);
+      std::memcpy(&second, keys.key[j].data() + 4, sizeof second);
+      low |= first == own;
+      high |= second == own;
+    }
+  }
+  const FourBits bits = (low & FourBits{1, 2, 4, 8}) | (high & FourBits{16, 32, 64, 128});
+  return static_cast<std::uint32_t>((bits[0] | bits[1]) | (bits[2] | bits[3]));
+}
+
+inline void PackedBoxes::append_pairs(std::size_t first, std::size_t second, const Box& bounds_of_second,
+                                      std::vector<Pair>& pairs) const {
+  const Pack &a = levels_.front()[first], &b = levels_.front()[second];
+  for (std::uint32_t own = overlapping(a, bounds_of_second); own != 0; own &= own - 1) {
+    const auto i = static_cast<std::uint32_t>(std::countr_zero(own));
+    std::uint32_t others = overlapping(b, a.box(i));
+    if (first == second) others &= ~((std::uint32_t{2} << i) - 1);
+    if (others != 0) others &= ~with_common_key(keys_[second], keys_[first], i);
+    for (; others != 0; others &= others - 1)
+      pairs.push_back(
+          {items_[first * width + i], items_[second * width + static_cast<std::size_t>(std::countr_zero(others))]});
+  }
+}
+
+void PackedBoxes::append_pairs_of(std::size_t pack, std::vector<Pair>& pairs) const {
+  constexpr std::size_t most_levels = 12;  // 8^11 packs
+  const Box bounds = levels_.front()[pack].bounds();
+  struct Branch {
+    std::size_t node = 0;
+    std::uint32_t children = 0;  ///< not yet visited
+  };
+  std::array<Branch, most_levels> path;
+  std::size_t level = levels_.size() - 1;
+  if (level == 0) return append_pairs(pack, pack, bounds, pairs);
+  path[level] = {0, overlapping(levels_[level].front(), bounds)};
+  while (true) {
+    Branch& branch = path[level];
+    if (branch.children == 0) {
+      if (++level == levels_.size()) return;
+      continue;
+    }
+    const auto k = static_cast<std::size_t>(std::countr_zero(branch.children));
+    branch.children &= branch.children - 1;
+    const std::size_t child = branch.node * width + k;
+    if (level == 1) {
+      if (child >= pack) append_pairs(pack, child, levels_[1][branch.node].box(k), pairs);
+      continue;
+    }
+    if (((child + 1) << (3 * (level - 1))) <= pack) continue;  // all of its packs come earlier
+    --level;
+    path[level] = {child, overlapping(levels_[level][child], bounds)};
+  }
+}
+
+PackedBoxes::PackedBoxes(std::uint32_t count, BoxOf box_of, KeysOf keys_of) {
   std::vector<Placed> placed;
   resize_fresh(placed, count);
   std::vector<Box> bounds_of_run((count + grain - 1) / grain);
@@ -129,14 +238,16 @@ PackedBoxes::PackedBoxes(std::uint32_t count, BoxOf box_of) {
     Ordering(box_of).order_within_cells(placed, 0);
   }
 
-  constexpr std::size_t width = BoxPack::width;
   resize_fresh(items_, count);
   Level& packs = levels_.emplace_back();
   resize_fresh(packs, (std::size_t{count} + width - 1) / width);
+  resize_fresh(keys_, packs.size());
   for_each_run(count, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       items_[i] = placed[i].item;
       packs[i / width].set(i % width, box_of(placed[i].item));
+      const Keys keys = keys_of(placed[i].item);
+      for (std::size_t k = 0; k < 3; ++k) keys_[i / width].key[k][i % width] = keys[k];
     }
   });
   while (levels_.back().size() > 1) {

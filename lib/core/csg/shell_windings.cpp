@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/containers/packed_boxes.h"
+#include "core/containers/box_sweep.h"
 #include "core/mesh/prepare.h"
 #include "core/overlap/candidates.h"
 #include "core/winding/local_windings.h"
@@ -63,10 +63,8 @@ std::vector<std::uint32_t> near_others(const std::vector<Part>& parts) {
   std::vector<Box> boxes(parts.size());
   for (std::size_t s = 0; s < parts.size(); ++s)
     for (const Vertex& v : parts[s].mesh.mesh.vertices) boxes[s].include(v);
-  const PackedBoxes packed(static_cast<std::uint32_t>(parts.size()), [&](std::uint32_t s) { return boxes[s]; });
   std::vector<std::uint32_t> found;
-  for (std::size_t pack = 0; pack < packed.pack_count(); ++pack)
-    packed.for_each_pair_of(pack, [&](std::uint32_t a, std::uint32_t b) { found.insert(found.end(), {a, b}); });
+  for_each_overlapping_pair(boxes, [&](std::uint32_t a, std::uint32_t b) { found.insert(found.end(), {a, b}); });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

@@ -29,10 +29,9 @@ Box box_of(const InputComplex& input, std::uint32_t face) {
 /// Tests pairs of faces. One per thread.
 class PairTest {
  public:
-  PairTest(const InputComplex& input, const EmbeddedStars* stars) : input_(input), stars_(stars) {}
+  explicit PairTest(const InputComplex& input) : input_(input) {}
 
   void operator()(std::uint32_t a, std::uint32_t b, std::vector<SelfIntersection>& found) {
-    if (are_side_by_side(a, b)) return;
     const std::uint32_t face = std::min(a, b), other = std::max(a, b);
     intersections_.constraints.clear();
     intersections_.constructed.clear();
@@ -46,16 +45,6 @@ class PairTest {
   }
 
  private:
-  /// True for faces around one vertex that are known not to meet elsewhere.
-  [[nodiscard]] bool are_side_by_side(std::uint32_t a, std::uint32_t b) const {
-    if (stars_ == nullptr) return false;
-    const auto& s = input_.faces(0)[a];
-    const auto& t = input_.faces(0)[b];
-    for (const std::uint32_t v : s)
-      if ((v == t[0] || v == t[1] || v == t[2]) && stars_->at(v)) return true;
-    return false;
-  }
-
   [[nodiscard]] Vertex position(PointId id) const {
     const SymbolicPoint name =
         id < input_.vertex_count() ? SymbolicPoint::input(id) : intersections_.constructed[id - input_.vertex_count()];
@@ -64,7 +53,6 @@ class PairTest {
   }
 
   const InputComplex& input_;
-  const EmbeddedStars* stars_;
   PairIntersections intersections_;
 };
 
@@ -72,8 +60,16 @@ class PairTest {
 
 std::vector<SelfIntersection> find_self_intersections(const InputComplex& input, const EmbeddedStars* stars,
                                                       const Monitor& monitor, std::size_t enough) {
-  const PackedBoxes boxes(input.face_count(0), [&](std::uint32_t face) { return box_of(input, face); });
-  tbb::enumerable_thread_specific<PairTest> tests([&] { return PairTest(input, stars); });
+  // Faces around a vertex where nothing crosses are no pairs.
+  const auto keys_of = [&](std::uint32_t face) {
+    PackedBoxes::Keys keys = input.faces(0)[face];
+    for (std::uint32_t& v : keys)
+      if (stars == nullptr || !stars->at(v)) v = PackedBoxes::no_key;
+    return keys;
+  };
+  const PackedBoxes boxes(
+      input.face_count(0), [&](std::uint32_t face) { return box_of(input, face); }, keys_of);
+  tbb::enumerable_thread_specific<PairTest> tests([&] { return PairTest(input); });
 
   // Rounds of packs, so that the end does not depend on threads.
   constexpr std::size_t packs_per_task = 64, tasks_per_round = 256;
@@ -84,9 +80,13 @@ std::vector<SelfIntersection> find_self_intersections(const InputComplex& input,
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
       monitor.check();
       PairTest& test = tests.local();
+      std::vector<PackedBoxes::Pair> pairs;
       const std::size_t begin = (first + n) * packs_per_task;
-      for (std::size_t pack = begin; pack < std::min(begin + packs_per_task, boxes.pack_count()); ++pack)
-        boxes.for_each_pair_of(pack, [&](std::uint32_t a, std::uint32_t b) { test(a, b, found[n]); });
+      for (std::size_t pack = begin; pack < std::min(begin + packs_per_task, boxes.pack_count()); ++pack) {
+        pairs.clear();
+        boxes.append_pairs_of(pack, pairs);
+        for (const auto& [a, b] : pairs) test(a, b, found[n]);
+      }
     });
     for (const auto& f : found) all.insert(all.end(), f.begin(), f.end());
   }
