@@ -40,6 +40,25 @@ class Resolve(ToolTest):
                 self.run_tool("check", "out.off")
         self.run_tool("resolve", crossing, "-o", "out.off", "--keep", "some", expect=USAGE)
 
+    def test_all_engines_resolve(self):
+        crossing, far = self.file("crossing.off", two_cubes(0.5)), self.file("far.off", cube(9))
+        for engine in ("arrangement", "bsp", "layers"):
+            with self.subTest(engine=engine):
+                self.assertEqual(self.volume_of("union", crossing, far, "-o", "out.off", "--engine", engine)[0], "23/8")
+
+    def test_every_verb_says_what_it_resolves(self):
+        """Catches verbs that make a solid in silence."""
+        crossing = self.file("crossing.off", two_cubes(0.5))
+        self.file("points.csv", "x,y,z\n0.75,0.75,0.75\n")
+        self.file("steps.json", json.dumps({"start": {"file": "crossing.off"}, "steps": []}))
+        for arguments in (("eval", "a", f"a={crossing}", "-o", "o.off"), ("compare", crossing, crossing),
+                          ("decompose", crossing), ("locate", crossing, "--points", "points.csv", "-o", "o.csv"),
+                          ("contacts", crossing, self.file("far.off", cube(9))), ("bsp", crossing),
+                          ("chain", "steps.json", "-o", "o.off")):
+            with self.subTest(arguments=arguments):
+                self.assertIn("self-intersection", self.run_tool(*arguments).stderr.decode())
+                self.assertEqual(self.run_tool(*arguments, "-q").stderr, b"")
+
     def test_what_is_open_is_refused(self):
         self.run_tool("resolve", self.file("open.off", open_cube()), "-o", "out.off", expect=INVALID)
         self.assertFalse(self.path("out.off").exists())

@@ -89,7 +89,7 @@ ExitCode run_bsp(const Settings& settings) {
     if (is_tree) {
       region = read_tree(settings.operands.front());
     } else {
-      const strata::Solid solid = make_solid(operands, 0, settings.input);
+      const strata::Solid solid = make_solid(operands, 0, settings);
       report["seconds"]["prepare"] = stopwatch.lap();
       region = strata::bsp::partition_of(solid.exact_mesh(), strata::Monitor(&watch.token()));
     }

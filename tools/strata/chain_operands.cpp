@@ -28,6 +28,10 @@ void ChainOperands::read(const ChainOperand& operand) {
 void ChainOperands::announce(const LoadedMesh& mesh, const ChainOperand& operand, const strata::Solid& solid) {
   if (!settings_.report.empty())
     reports_.push_back(operand_report(mesh, strata::defects_as_operand(mesh.mesh, operand.input)));
+  print_notes(mesh, solid);
+}
+
+void ChainOperands::print_notes(const LoadedMesh& mesh, const strata::Solid& solid) const {
   if (settings_.quiet) return;
   for (const strata::Defect& note : solid.notes())
     fmt::print(stderr, "strata: {}: {}\n", mesh.path, strata::describe(note));
@@ -47,7 +51,7 @@ const LoadedMesh& ChainOperands::mesh_of(const ChainOperand& operand) {
 
 strata::Solid ChainOperands::make(const LoadedMesh& mesh, const ChainOperand& operand, strata::InputClass input) {
   try {
-    return make_solid({&mesh, 1}, 0, input);
+    return strata::Solid(mesh.mesh, input);
   } catch (const strata::InputError& error) {
     if (!settings_.report.empty()) reports_.push_back(operand_report(mesh, error.defects()));
     settings_.operands = {fmt::format("{}: {}: {}", document_.name, operand.title(), mesh.path)};
@@ -83,5 +87,7 @@ strata::Solid ChainOperands::take(const ChainOperand& operand) {
   if (--found->second.uses == 0) solids_.erase(found);
   if (operand.transform.is_identity()) return solid;
   const LoadedMesh image{operand.path + ", transformed", moved(solid, operand)};
-  return make(image, operand, class_of_image(operand));
+  strata::Solid moved_solid = make(image, operand, class_of_image(operand));
+  if (operand.placement == strata::Placement::rounded) print_notes(image, moved_solid);
+  return moved_solid;
 }

@@ -15,7 +15,8 @@ ExitCode run_compare(const Settings& settings) {
   Json report = {{"operation", "compare"}, {"operands", Json::array()}};
   const std::vector<LoadedMesh> operands = read_operands(settings);
   report["seconds"]["read"] = stopwatch.lap();
-  const bool equal = make_solid(operands, 0, settings.input) == make_solid(operands, 1, settings.input);
+  const strata::Solid first = make_solid(operands, 0, settings), second = make_solid(operands, 1, settings);
+  const bool equal = first == second;
   report["seconds"]["evaluate"] = stopwatch.lap();
   report["peak_bytes"] = peak_bytes();
 

@@ -237,7 +237,7 @@ ExitCode run_contacts(const Settings& settings) {
   std::vector<PairFacts> pairs;
   try {
     std::vector<strata::Solid> solids;
-    for (std::size_t k = 0; k < operands.size(); ++k) solids.push_back(make_solid(operands, k, settings.input));
+    for (std::size_t k = 0; k < operands.size(); ++k) solids.push_back(make_solid(operands, k, settings));
     report["seconds"]["prepare"] = stopwatch.lap();
     ProgressBar bar(settings.progress, settings.quiet);
     const strata::Progress half = [&bar](double fraction) { bar.show(fraction / 2); };

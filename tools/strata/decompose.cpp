@@ -135,7 +135,7 @@ ExitCode run_decompose(const Settings& settings) {
   Decomposition d;
   strata::Solid solid;
   try {
-    solid = make_solid(operands, 0, settings.input);
+    solid = make_solid(operands, 0, settings);
     report["seconds"]["prepare"] = stopwatch.lap();
     ProgressBar bar(settings.progress, settings.quiet);
     const strata::Progress progress = [&bar](double fraction) { bar.show(fraction); };

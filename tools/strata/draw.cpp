@@ -34,9 +34,9 @@ strata::Origin origin_of(const DrawSettings& draw) {
   return strata::Origin::direction(vertex(draw.direction));
 }
 
-std::vector<strata::Solid> make_solids(std::span<const LoadedMesh> operands, strata::InputClass input) {
+std::vector<strata::Solid> make_solids(std::span<const LoadedMesh> operands, const Settings& settings) {
   std::vector<strata::Solid> solids;
-  for (std::size_t k = 0; k < operands.size(); ++k) solids.push_back(make_solid(operands, k, input));
+  for (std::size_t k = 0; k < operands.size(); ++k) solids.push_back(make_solid(operands, k, settings));
   return solids;
 }
 
@@ -167,7 +167,7 @@ ExitCode run_draw(const DrawSettings& draw, const Settings& settings) {
   std::string svg;
   try {
     svg = on_threads(settings, [&] {
-      const std::vector<strata::Solid> solids = make_solids(operands, settings.input);
+      const std::vector<strata::Solid> solids = make_solids(operands, settings);
       const Vertex centre = draw.towards.empty() ? centre_of(solids) : vertex(draw.towards);
       const View view(origin, centre, draw.up.empty() ? Vertex{0, 0, 1} : vertex(draw.up));
       const strata::Visibility visibility(decompose(solids, origin, monitor));

@@ -80,7 +80,7 @@ Input read_expression(Settings& settings) {
   check_streams(settings);
   Input input{read_operands(settings), names, {}};
   std::map<std::string, strata::Solid> solids;
-  for (std::size_t k = 0; k < names.size(); ++k) solids[names[k]] = make_solid(input.operands, k, settings.input);
+  for (std::size_t k = 0; k < names.size(); ++k) solids[names[k]] = make_solid(input.operands, k, settings);
   input.expression =
       strata::parse_expression(settings.expression, [&](const std::string& name) { return solids.at(name); });
   return input;

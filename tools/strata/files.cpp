@@ -98,9 +98,13 @@ void write_output(const Settings& settings, Format format, const strata::ExactMe
   }
 }
 
-strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, strata::InputClass input) {
+strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, const Settings& settings) {
   try {
-    return strata::Solid(operands[k].mesh, input);
+    strata::Solid solid(operands[k].mesh, settings.input);
+    if (!settings.quiet)
+      for (const strata::Defect& note : solid.notes())
+        fmt::print(stderr, "strata: {}: {}\n", operands[k].path, strata::describe(note));
+    return solid;
   } catch (const strata::InputError& error) {
     throw strata::InputError(error.defects(), k);
   }

@@ -20,8 +20,9 @@ struct LoadedMesh {
 /// Reads all operands; what the readers note goes to stderr unless quiet. Throws strata::IoError, UsageError.
 [[nodiscard]] std::vector<LoadedMesh> read_operands(const Settings& settings);
 
-/// A solid made from operand k; errors name that operand. Throws strata::InputError.
-[[nodiscard]] strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, strata::InputClass input);
+/// A solid made from operand k, of the class that the settings say; what is resolved goes to stderr unless quiet.
+/// Errors name that operand. Throws strata::InputError.
+[[nodiscard]] strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, const Settings& settings);
 
 /// The format that -o and --format ask for; binary STL on standard output unless told. Throws UsageError.
 [[nodiscard]] strata::Format output_format(const Settings& settings);

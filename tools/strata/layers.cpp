@@ -30,7 +30,7 @@ LayerDecomposition decompose(std::span<const LoadedMesh> operands, const std::op
   ProgressBar bar(settings.progress, settings.quiet);
   const strata::Progress progress = [&bar](double fraction) { bar.show(fraction); };
   Stopwatch stopwatch;
-  const strata::Scene scene = SceneInput(operands, settings.input).scene();
+  const strata::Scene scene = SceneInput(operands, settings).scene();
   seconds["prepare"] = stopwatch.lap();
   const strata::Origin origin = asked ? *asked : strata::choose_origin(scene);
   seconds["origin"] = stopwatch.lap();

@@ -119,7 +119,7 @@ LocationTable::FindNearest nearest_of([[maybe_unused]] const strata::Scene& scen
 void locate(std::span<const LoadedMesh> operands, Form form, const Settings& settings, const Watch& watch,
             Json& report) {
   Stopwatch stopwatch;
-  const SceneInput input(operands, settings.input);
+  const SceneInput input(operands, settings);
   report["seconds"]["prepare"] = stopwatch.lap();
   const LocationTable table(locator_of(input.scene(), settings.engine, watch), input, form,
                             nearest_of(input.scene(), settings, watch));

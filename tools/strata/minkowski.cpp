@@ -35,7 +35,7 @@ ExitCode run_making(const char* verb, const Settings& settings, const Make& make
   const strata::Format format = output_format(settings);
   const std::vector<LoadedMesh> operands = read_operands(settings);
   std::vector<strata::Solid> solids;
-  for (std::size_t k = 0; k < operands.size(); ++k) solids.push_back(make_solid(operands, k, settings.input));
+  for (std::size_t k = 0; k < operands.size(); ++k) solids.push_back(make_solid(operands, k, settings));
   report["seconds"]["read"] = stopwatch.lap();
 
   watch.on_stop(OnStop::ask);

@@ -98,7 +98,7 @@ RayCounts stream_rays(const HitTable& table, const Settings& settings, const Wat
 /// Everything from the solids to the finished file.
 void cast_rays(std::span<const LoadedMesh> operands, const Settings& settings, const Watch& watch, Json& report) {
   Stopwatch stopwatch;
-  const SceneInput input(operands, settings.input);
+  const SceneInput input(operands, settings);
   report["seconds"]["prepare"] = stopwatch.lap();
   const strata::RayCaster caster(input.scene());
   report["seconds"]["build"] = stopwatch.lap();

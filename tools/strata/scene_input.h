@@ -11,7 +11,7 @@
 class SceneInput {
  public:
   /// Throws strata::InputError, which names the operand.
-  SceneInput(std::span<const LoadedMesh> operands, strata::InputClass input);
+  SceneInput(std::span<const LoadedMesh> operands, const Settings& settings);
 
   [[nodiscard]] const strata::Scene& scene() const { return scene_; }
   /// The number in its file of a face of the scene, from 0.

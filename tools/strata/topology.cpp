@@ -118,7 +118,7 @@ std::vector<SelectiveComplex> read(Settings& settings, const std::vector<Operand
       const SelectiveComplex s = strata::complex::read_sgc(o.path);
       complexes.push_back(o.is_open ? interior(s) : s);
     } else {
-      const strata::Solid solid = make_solid(meshes, mesh++, settings.input);
+      const strata::Solid solid = make_solid(meshes, mesh++, settings);
       complexes.push_back(of_solid(solid, o.is_open ? strata::complex::Border::open : strata::complex::Border::closed));
     }
   }
