@@ -93,8 +93,7 @@ class Ordering {
 
   /// Requires items sorted by code.
   void order_within_cells(std::span<Placed> placed, int depth) const {
-    constexpr int most_depth =
-        256;  // each level divides the extent by 1024 at least once in two: more than all doubles
+    constexpr int most_depth = 256;  // a crowd is 1024 times smaller than what it was in: more than doubles can be
     if (depth == most_depth) return;
     for (std::size_t i = 0, end = 0; i < placed.size(); i = end) {
       while (end < placed.size() && placed[end].code == placed[i].code) ++end;
