@@ -103,32 +103,38 @@ class ExactEvaluation {
     return {sum(0), sum(1), sum(2), Int(1), true};
   }
 
-  [[nodiscard]] static HPoint<Int> of_this_type(const HPoint<Integer>& p) {
-    return {Int(p.x), Int(p.y), Int(p.z), Int(p.w), p.unit};
+  [[nodiscard]] static decltype(auto) of_this_type(const HPoint<Integer>& p) {
+    if constexpr (std::is_same_v<Int, Integer>)
+      return p;
+    else
+      return HPoint<Int>{Int(p.x), Int(p.y), Int(p.z), Int(p.w), p.unit};
   }
-  [[nodiscard]] static HPlane<Int> of_this_type(const HPlane<Integer>& p) {
-    return {Int(p.a), Int(p.b), Int(p.c), Int(p.d)};
+  [[nodiscard]] static decltype(auto) of_this_type(const HPlane<Integer>& p) {
+    if constexpr (std::is_same_v<Int, Integer>)
+      return p;
+    else
+      return HPlane<Int>{Int(p.a), Int(p.b), Int(p.c), Int(p.d)};
   }
 
   [[nodiscard]] HPoint<Int> meet_of_planes(const MeetOfPlanes& p) const {
-    const auto plane = [&](std::size_t i) { return of_this_type(p.planes[i]->exact()); };
+    const auto plane = [&](std::size_t i) -> decltype(auto) { return of_this_type(p.planes[i]->exact()); };
     return on_lattice(meet(plane(0), plane(1), plane(2)));
   }
 
   /// A point or plane given in units of 1.
   [[nodiscard]] HPoint<Int> on_lattice(HPoint<Int> p) const {
     const int unit = lattice_.unit();
-    if (unit > 0) p.w = Int(p.w << unit);
+    if (unit > 0) p.w = std::move(p.w) << unit;
     if (unit < 0)
-      for (Int* x : {&p.x, &p.y, &p.z}) *x = Int(*x << -unit);
+      for (Int* x : {&p.x, &p.y, &p.z}) *x = std::move(*x) << -unit;
     p.unit = p.unit && unit <= 0;
     return p;
   }
   [[nodiscard]] HPlane<Int> on_lattice(HPlane<Int> p) const {
     const int unit = lattice_.unit();
-    if (unit < 0) p.d = Int(p.d << -unit);
+    if (unit < 0) p.d = std::move(p.d) << -unit;
     if (unit > 0)
-      for (Int* x : {&p.a, &p.b, &p.c}) *x = Int(*x << unit);
+      for (Int* x : {&p.a, &p.b, &p.c}) *x = std::move(*x) << unit;
     return p;
   }
 

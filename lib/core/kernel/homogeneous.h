@@ -1,5 +1,6 @@
 #pragma once
 #include <type_traits>
+#include <utility>
 
 #include "core/exact/lattice.h"
 #include "core/exact/sign.h"
@@ -68,8 +69,9 @@ template <class Int>
 /// A homogeneous point with positive weight. w = 0 (no single point) and lost values are unchanged.
 template <class Int>
 [[nodiscard]] HPoint<Int> with_positive_weight(Int x, Int y, Int z, Int w) {
-  if (!is_lost(w) && sign_of_integer(w) == Sign::negative) return {Int(-x), Int(-y), Int(-z), Int(-w), false};
-  return {x, y, z, w, false};
+  if (!is_lost(w) && sign_of_integer(w) == Sign::negative)
+    return {-std::move(x), -std::move(y), -std::move(z), -std::move(w), false};
+  return {std::move(x), std::move(y), std::move(z), std::move(w), false};
 }
 
 /// Where the line pq meets a plane.
