@@ -45,6 +45,8 @@ class Solid {
   /// Of a mesh that is known to bound a solid, such as a result of Strata: nothing is checked. If it does not bound
   /// one, results are unspecified. O(n).
   [[nodiscard]] static Solid trusted(ExactMesh mesh);
+  /// The same, with the source of each triangle.
+  [[nodiscard]] static Solid trusted(ExactMesh mesh, std::vector<Source> sources);
 
   [[nodiscard]] const Mesh& mesh() const;             ///< coordinates rounded to the nearest doubles
   [[nodiscard]] const ExactMesh& exact_mesh() const;  ///< the same triangles with exact vertices

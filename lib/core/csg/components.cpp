@@ -6,6 +6,7 @@
 #include "core/csg/solid_data.h"
 #include "core/kernel/disjoint_sets.h"
 #include "core/kernel/predicates.h"
+#include "core/kernel/ray_crossing.h"
 #include "core/mesh/across_solid.h"
 #include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
@@ -96,19 +97,6 @@ struct Query {
   std::map<std::size_t, int> windings;  ///< of outer shells about the point
 };
 
-/// Winding number about a point of the projection of a face along x, as seen from positive x. A point in line with a
-/// side counts as if it were moved a little towards positive y, and then z, whichever face asks.
-int winding_yz(const InputComplex& input, const std::array<Point, 3>& corners, const Point& q) {
-  int winding = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Point &a = corners[k], &b = corners[(k + 1) % 3];
-    const bool a_below = compare(input, 2, a, q) != Sign::positive, b_below = compare(input, 2, b, q) != Sign::positive;
-    if (a_below && !b_below) winding += orient2d(input, {1, 2}, a, b, q) == Sign::positive;
-    if (!a_below && b_below) winding -= orient2d(input, {1, 2}, b, a, q) == Sign::positive;
-  }
-  return winding;
-}
-
 /// The queries that the ray of may meet a face, by doubles, which are sorted by z.
 template <class Visit>
 void for_each_near(const Boundary& boundary, const Triangle& t, std::vector<Query>& queries, const Visit& visit) {
@@ -136,8 +124,8 @@ void count_crossings(const Boundary& boundary, const std::vector<Shell>& shells,
           for (std::size_t i = 0; i < 3; ++i)
             (*corners)[i] = make_point(input, SymbolicPoint::input(boundary.triangle(f)[i]));
         }
-        const int winding = winding_yz(input, *corners, q.point);
-        if (winding != 0 && winding * to_int(side_of_face(input, f, q.point)) < 0) q.windings[s] += winding;
+        if (const int crossing = crossing_along_x(input, f, *corners, q.point); crossing != 0)
+          q.windings[s] += crossing;
       });
     }
   }

@@ -97,7 +97,10 @@ Solid::Solid(Shared<Data> data) : data_(std::move(data)) {}
 
 Solid Solid::trusted(ExactMesh mesh) {
   const std::size_t faces = mesh.mesh.triangles.size();
-  return Solid(Shared<Data>::make(Data{std::move(mesh), own_faces(faces), {}}));
+  return trusted(std::move(mesh), own_faces(faces));
+}
+Solid Solid::trusted(ExactMesh mesh, std::vector<Source> sources) {
+  return Solid(Shared<Data>::make(Data{std::move(mesh), std::move(sources), {}}));
 }
 
 const Mesh& Solid::mesh() const { return data_->boundary.mesh; }

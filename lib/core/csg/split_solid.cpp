@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "core/csg/plane_rectangle.h"
 #include "core/csg/solid_data.h"
 
 namespace strata {
@@ -27,44 +27,13 @@ Sides sides_of(const Solid& solid, const Plane& plane) {
   return sides;
 }
 
-/// The axis along which the normal is longest.
-std::size_t main_axis(const Plane& plane) {
-  std::size_t axis = 0;
-  for (const std::size_t i : {1U, 2U})
-    if (abs(plane.normal[i]) > abs(plane.normal[axis])) axis = i;
-  return axis;
-}
-
-double beyond(double x, double by) {
-  const double result = x + by;
-  if (!std::isfinite(result)) throw std::overflow_error("a solid is too large to be split: beyond all doubles");
-  return result;
-}
-
 /// A prism with one end in the plane, on that side of it to which the main axis leads, whose other faces are beyond the
 /// box: what it has in common with a solid in the box is what the solid has on that side of the plane.
 ExactMesh prism_beyond(const Plane& plane, std::size_t axis, const BoundingBox& box) {
-  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-  double reach = 1;
-  for (std::size_t i = 0; i < 3; ++i) reach = std::max({reach, std::abs(box.lower[i]), std::abs(box.upper[i])});
-  ExactMesh prism;
+  ExactMesh prism = rectangle_in(plane, axis, box);
   double top = box.upper[axis];
-  const auto add = [&](std::uint32_t number, RationalPoint p) {
-    Vertex rounded{};
-    for (std::size_t i = 0; i < 3; ++i) rounded[i] = beyond(to_nearest_double(p[i]), 0);
-    if (to_rational(rounded[axis]) != p[axis]) prism.exact.push_back({number, std::move(p)});
-    prism.mesh.vertices.push_back(rounded);
-  };
-  // Counter-clockwise as seen from the end of the axis.
-  for (std::uint32_t corner = 0; corner < 4; ++corner) {
-    RationalPoint p;
-    p[u] = corner == 0 || corner == 3 ? beyond(box.lower[u], -reach) : beyond(box.upper[u], reach);
-    p[v] = corner < 2 ? beyond(box.lower[v], -reach) : beyond(box.upper[v], reach);
-    p[axis] = (plane.offset - plane.normal[u] * p[u] - plane.normal[v] * p[v]) / plane.normal[axis];
-    top = std::max(top, to_nearest_double(p[axis]));
-    add(corner, std::move(p));
-  }
-  top = beyond(top, std::max(reach, std::abs(top)));
+  for (const Vertex& p : prism.mesh.vertices) top = std::max(top, p[axis]);
+  top = finite_sum(top, std::max(reach_of(box), std::abs(top)));
   for (std::uint32_t corner = 0; corner < 4; ++corner) {
     Vertex above = prism.mesh.vertices[corner];
     above[axis] = top;
@@ -83,7 +52,6 @@ ExactMesh prism_beyond(const Plane& plane, std::size_t axis, const BoundingBox& 
 
 Solid::Halves Solid::split(const Plane& plane, const Options& options) const {
   const std::size_t axis = main_axis(plane);
-  if (plane.normal[axis] == 0) throw std::invalid_argument("the normal of a plane is zero");
   const Sides sides = sides_of(*this, plane);
   if (!sides.in_front) return {*this, {}};
   if (!sides.behind) return {{}, *this};

@@ -46,19 +46,6 @@ Bounded bounded_volume(MeshView mesh) {
   return total;
 }
 
-void check_exact(ExactMeshView mesh) {
-  const ExactVertex* before = nullptr;
-  for (const ExactVertex& e : mesh.exact) {
-    if (e.vertex >= mesh.mesh.vertices.size() || (before != nullptr && before->vertex >= e.vertex))
-      throw std::invalid_argument("exact places are not those of vertices by increasing index");
-    for (std::size_t i = 0; i < 3; ++i)
-      if (to_nearest_double(e.position[i]) != mesh.mesh.vertices[e.vertex][i])
-        throw std::invalid_argument("the mesh does not hold the double nearest to the exact place of vertex " +
-                                    std::to_string(e.vertex));
-    before = &e;
-  }
-}
-
 bool has_zero_area(ExactMeshView mesh) {
   const ZeroAreaTest is_zero(mesh);
   std::atomic<bool> found = false;
@@ -71,6 +58,19 @@ bool has_zero_area(ExactMeshView mesh) {
 
 }  // namespace
 
+void require_nearest_doubles(ExactMeshView mesh) {
+  const ExactVertex* before = nullptr;
+  for (const ExactVertex& e : mesh.exact) {
+    if (e.vertex >= mesh.mesh.vertices.size() || (before != nullptr && before->vertex >= e.vertex))
+      throw std::invalid_argument("exact places are not those of vertices by increasing index");
+    for (std::size_t i = 0; i < 3; ++i)
+      if (to_nearest_double(e.position[i]) != mesh.mesh.vertices[e.vertex][i])
+        throw std::invalid_argument("the mesh does not hold the double nearest to the exact place of vertex " +
+                                    std::to_string(e.vertex));
+    before = &e;
+  }
+}
+
 Sign orientation(ExactMeshView mesh) {
   if (mesh.mesh.triangles.empty()) return Sign::zero;
   if (const auto sign = bounded_volume(mesh.mesh).sign()) return *sign;
@@ -79,7 +79,7 @@ Sign orientation(ExactMeshView mesh) {
 
 Prepared prepare_exact(ExactMeshView mesh, std::size_t operand) {
   const auto refuse = [&] { throw InputError(diagnose(mesh), operand); };
-  check_exact(mesh);
+  require_nearest_doubles(mesh);
   Prepared result;
   if (mesh.mesh.triangles.empty()) return result;
   const Screening facts = screen(mesh.mesh);

@@ -10,6 +10,9 @@
 // Steps common to preparation, repair and diagnosis.
 namespace strata {
 
+/// Throws std::invalid_argument when `exact` is not by increasing index or the mesh does not hold the nearest doubles.
+void require_nearest_doubles(ExactMeshView mesh);
+
 /// The faces with indices in range and finite coordinates. The others are appended to the defects, as errors or as
 /// notes on what was dropped. O(n).
 [[nodiscard]] SourcedTriangles sound_faces(MeshView mesh, Severity severity, std::vector<Defect>& defects);

@@ -145,7 +145,8 @@ Boundary extract(const InputComplex& input, const std::vector<Verdict>& verdicts
     for (const PointId id : faces[i].points) numbers.use(id);
   }
 
-  Boundary result{.inputs = {}, .constructed = {}, .triangles = {}, .sources = {}, .points = PointTable(input)};
+  Boundary result{
+      .inputs = {}, .constructed = {}, .triangles = {}, .sources = {}, .covers = {}, .points = PointTable(input)};
   numbers.assign(result);
   tbb::parallel_invoke([&] { resize_fresh(result.triangles, first.back()); },
                        [&] { resize_fresh(result.sources, first.back()); });
@@ -160,6 +161,9 @@ Boundary extract(const InputComplex& input, const std::vector<Verdict>& verdicts
       result.sources[n++] = source;
     }
   });
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (const Cover& c : faces[i].covers)
+      result.covers.push_back({static_cast<std::uint32_t>(first[i] + c.triangle), c.face});
   result.points = std::move(subdivision.points);
   ensure("extract", [&] { return validate(input, result); });
   return result;

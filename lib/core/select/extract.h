@@ -18,7 +18,12 @@ struct Boundary {
   std::vector<PointId> constructed;                     ///< used constructed points, by increasing number
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< whole faces in input order, then pieces
   std::vector<Source> sources;                          ///< per triangle
+  std::vector<Cover> covers;                            ///< by triangle and face, where the rule keeps them
   PointTable points;                                    ///< what the numbers stand for
+
+  [[nodiscard]] PointId point(std::uint32_t vertex) const {
+    return vertex < inputs.size() ? inputs[vertex] : constructed[vertex - inputs.size()];
+  }
 };
 
 /// Merges pieces of one face and gathers them and the whole faces into one boundary. Points that were identified become

@@ -46,11 +46,13 @@ SubdividedFace FaceSplitter::split(std::span<const Constraint> constraints, NewP
   }
   SubdividedFace result;
   result.face = face_;
-  result.may_merge = !same && (self_ || input_.operand_count() > 2 ||
-                               std::any_of(constraints.begin(), constraints.end(),
-                                           [](const Constraint& c) { return c.kind != ConstraintKind::crossing; }));
+  result.may_merge = !same && !rule_.keeps_covers() &&
+                     (self_ || input_.operand_count() > 2 ||
+                      std::any_of(constraints.begin(), constraints.end(),
+                                  [](const Constraint& c) { return c.kind != ConstraintKind::crossing; }));
   result.points = pool.keep(kept_.points);
   result.triangles = pool.keep(kept_.triangles);
+  result.covers = pool.keep(kept_.covers);
   found.constructed = pool.keep(kept_.constructed);
   return result;
 }
@@ -108,7 +110,15 @@ void FaceSplitter::collect_whole() {
   piece.boundary = 7;
   for (const std::uint32_t v : corners_) kept_.points.push_back(v);
   piece.v = piece.reversed ? std::array<std::uint32_t, 3>{2, 1, 0} : std::array<std::uint32_t, 3>{0, 1, 2};
+  keep_covers(region);
   kept_.triangles.push_back(piece);
+}
+
+/// Lists the faces that cover the next piece.
+void FaceSplitter::keep_covers(const Region& region) {
+  if (!rule_.keeps_covers()) return;
+  for (const std::uint32_t g : region.covers)
+    kept_.covers.push_back({static_cast<std::uint32_t>(kept_.triangles.size()), g});
 }
 
 /// True when the constraints are simple paths.
@@ -255,6 +265,7 @@ void FaceSplitter::judge() {
 
 Verdict FaceSplitter::verdict_on(const Region& r) const {
   if (!r.covers.empty() && r.covers.front() < face_) return Verdict::drop;  // that one speaks for all
+  if (rule_.keeps_covers()) return Verdict::keep;
   if (!rule_.looks_around()) {
     const auto looks_back = [&](std::uint32_t g) { return same_orientation(input_, face_, g) == Sign::negative; };
     return std::any_of(r.covers.begin(), r.covers.end(), looks_back) ? Verdict::drop : Verdict::keep;
@@ -288,6 +299,7 @@ void FaceSplitter::collect() {
       if (verdict_of(triangles[t].n[side]) != verdict) piece.boundary |= bit;
       if (triangles[t].c[side] >= 0) piece.carried |= bit;
     }
+    keep_covers(regions_[at(region_of_[t])]);
     kept_.triangles.push_back(piece);
   }
 }

@@ -56,11 +56,13 @@ class FaceSplitter {
   struct Kept {
     std::vector<PointId> points;
     std::vector<PieceTriangle> triangles;
+    std::vector<Cover> covers;
     std::vector<SymbolicPoint> constructed;
 
     void clear() {
       points.clear();
       triangles.clear();
+      covers.clear();
       constructed.clear();
     }
   };
@@ -76,6 +78,7 @@ class FaceSplitter {
   void spread(Start from);
   [[nodiscard]] Region across(Region region, std::int32_t first_note) const;
   static void cover(Region& region, std::uint32_t g, bool enters);
+  void keep_covers(const Region& region);
   void judge();
   [[nodiscard]] Verdict verdict_on(const Region& r) const;
   void collect();

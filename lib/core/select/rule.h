@@ -25,10 +25,19 @@ class Rule {
     rule.looks_around_ = false;
     return rule;
   }
+  /// Every piece is kept as it is, also where coincident ones have both orientations, with the list of those
+  /// (`covers`).
+  [[nodiscard]] static Rule every_wall() {
+    Rule rule = every_sheet();
+    rule.keeps_covers_ = true;
+    return rule;
+  }
 
   [[nodiscard]] std::uint32_t operands() const { return operands_; }
   /// False when winding numbers do not matter.
   [[nodiscard]] bool looks_around() const { return looks_around_; }
+  /// True when pieces are not merged, and the faces that cover them are listed.
+  [[nodiscard]] bool keeps_covers() const { return keeps_covers_; }
 
   /// One operand, and another rule than that its winding number is positive.
   [[nodiscard]] static Rule of_one(Inside inside) {
@@ -106,6 +115,7 @@ class Rule {
   std::uint32_t operands_;
   std::optional<Formula> formula_;  ///< instead of the operation
   bool looks_around_ = true;
+  bool keeps_covers_ = false;
   Inside inside_ = Inside::winding;  ///< `outer`: where the winding number is not 0
 };
 

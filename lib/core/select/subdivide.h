@@ -24,12 +24,19 @@ struct PieceTriangle {
   bool reversed = false;     ///< its orientation is opposite to that of its face
 };
 
+/// A face that contains a piece of another, lower one.
+struct Cover {
+  std::uint32_t triangle = 0;  ///< the piece
+  std::uint32_t face = 0;
+};
+
 /// The pieces of one face with intersections that bound the result. The arrays are in pools.
 struct SubdividedFace {
   std::uint32_t face = 0;
   bool may_merge = false;  ///< the face is subdivided by more than the proper crossing of two operands
   std::span<PointId> points;
   std::span<PieceTriangle> triangles;
+  std::span<Cover> covers;  ///< by increasing piece and face, where the rule keeps them
 };
 
 /// One pool per thread.

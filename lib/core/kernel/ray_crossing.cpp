@@ -1,0 +1,31 @@
+#include "core/kernel/ray_crossing.h"
+
+#include <cstddef>
+
+#include "core/kernel/predicates.h"
+
+namespace strata {
+namespace {
+
+/// Winding number about q of a triangle's projection along x, as seen from positive x.
+int winding_yz(const InputComplex& input, const std::array<Point, 3>& corners, const Point& q) {
+  int winding = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point &a = corners[k], &b = corners[(k + 1) % 3];
+    const bool a_below = compare(input, 2, a, q) != Sign::positive, b_below = compare(input, 2, b, q) != Sign::positive;
+    if (a_below && !b_below) winding += orient2d(input, {1, 2}, a, b, q) == Sign::positive;
+    if (!a_below && b_below) winding -= orient2d(input, {1, 2}, b, a, q) == Sign::positive;
+  }
+  return winding;
+}
+
+}  // namespace
+
+int crossing_along_x(const InputComplex& input, std::uint32_t face, const std::array<Point, 3>& corners,
+                     const Point& q) {
+  const int winding = winding_yz(input, corners, q);
+  if (winding == 0) return 0;
+  return winding * to_int(side_of_face(input, face, q)) < 0 ? winding : 0;
+}
+
+}  // namespace strata

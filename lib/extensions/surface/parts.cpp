@@ -1,0 +1,122 @@
+#include "extensions/surface/parts.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "core/csg/arena.h"
+#include "extensions/surface/surface_data.h"
+#include "extensions/surface/walls.h"
+
+namespace strata {
+namespace {
+
+using Index = std::uint32_t;
+constexpr Index none = std::numeric_limits<Index>::max();
+
+/// The walls of one operand, each with its first face there.
+class OperandWalls {
+ public:
+  OperandWalls(Index operand, const ExactMesh& mesh)
+      : operand_(operand), number_(mesh.mesh.vertices.size(), none), part_(mesh, number_), mesh_(mesh) {}
+
+  void add(Index wall, const Source& face, bool is_reversed) {
+    if (face.operand != operand_ || wall == last_) return;
+    last_ = wall;
+    part_.add(mesh_.mesh.triangles[wall], is_reversed);
+    sources_.push_back(face);
+  }
+  [[nodiscard]] Surface surface() && { return surface_of(std::move(part_).mesh(), std::move(sources_)); }
+
+ private:
+  Index operand_, last_ = none;
+  std::vector<Index> number_;
+  MeshPart part_;
+  const ExactMesh& mesh_;
+  std::vector<Source> sources_;
+};
+
+}  // namespace
+
+MeshPart::~MeshPart() {
+  for (const Index v : used_) number_[v] = none;
+}
+
+void MeshPart::add(const Triangle& triangle, bool is_reversed) {
+  Triangle t{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    Index& number = number_[triangle[i]];
+    if (number == none) {
+      number = static_cast<Index>(used_.size());
+      used_.push_back(triangle[i]);
+      part_.mesh.vertices.push_back(mesh_.mesh.vertices[triangle[i]]);
+    }
+    t[i] = number;
+  }
+  if (is_reversed) std::swap(t[1], t[2]);
+  part_.mesh.triangles.push_back(t);
+}
+
+ExactMesh MeshPart::mesh() && {
+  if (!mesh_.exact.empty())
+    for (Index v = 0; v < used_.size(); ++v) {
+      const auto exact = std::lower_bound(mesh_.exact.begin(), mesh_.exact.end(), used_[v],
+                                          [](const ExactVertex& e, Index w) { return e.vertex < w; });
+      if (exact != mesh_.exact.end() && exact->vertex == used_[v]) part_.exact.push_back({v, exact->position});
+    }
+  return std::move(part_);
+}
+
+std::vector<Solid> split(const Solid& solid, std::span<const Surface> surfaces, const Options& options) {
+  std::vector<Surface> operands{Surface(solid)};
+  operands.insert(operands.end(), surfaces.begin(), surfaces.end());
+  const Arrangement a = arrange(operands, options);
+  const std::vector<std::int32_t> windings = a.windings(0);
+  std::vector<Index> inside;
+  for (Index c = 1; c < a.cell_count; ++c)
+    if (windings[c] > 0) inside.push_back(c);
+  return solids_of(a, inside);
+}
+
+Surface clip(const Surface& surface, const Solid& solid, ClipTo part, const Options& options) {
+  const std::array operands{surface, Surface(solid)};
+  const Arrangement a = arrange(operands, options);
+  const std::vector<std::int32_t> windings = a.windings(1);
+  OperandWalls kept(0, a.mesh);
+  for (Index w = 0; w < a.cells.size(); ++w) {  // the surface's faces come before those of the solid
+    const bool in_front = windings[a.cells[w][0]] > 0, behind = windings[a.cells[w][1]] > 0;
+    const ClipTo is = in_front != behind ? ClipTo::on : in_front ? ClipTo::inside : ClipTo::outside;
+    if (is == part) kept.add(w, a.sources[w], false);
+  }
+  return std::move(kept).surface();
+}
+
+std::vector<Surface> imprint(std::span<const Surface> surfaces, const Options& options) {
+  const Monitor monitor(options.cancel, &options.progress);
+  monitor.check();
+  std::size_t faces = 0;
+  for (const Surface& s : surfaces) faces += s.mesh().triangles.size();
+  std::vector<Surface> result(surfaces.size());
+  if (faces == 0) return result;
+  arena_for(options, faces).execute([&] {
+    const Walls walls(surfaces, monitor);
+    monitor.report(0.8);
+    const ExactMesh mesh = walls.mesh(monitor);
+    const Boundary& boundary = walls.boundary();
+    for (Index k = 0; k < result.size(); ++k) {
+      OperandWalls of_operand(k, mesh);
+      auto cover = boundary.covers.begin();
+      for (Index w = 0; w < walls.size(); ++w) {
+        of_operand.add(w, boundary.sources[w], false);
+        for (; cover != boundary.covers.end() && cover->triangle == w; ++cover)
+          of_operand.add(w, walls.source(cover->face), walls.is_reversed(*cover));
+      }
+      result[k] = std::move(of_operand).surface();
+    }
+  });
+  monitor.report(1);
+  return result;
+}
+
+}  // namespace strata
