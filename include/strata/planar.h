@@ -372,5 +372,7 @@ enum class Coordinates {
 /// A region as text; negative zeros are zeros. Throws IoError for exact coordinates in formats that have none.
 [[nodiscard]] std::string to_text(const Region& region, PlanarFormat format,
                                   Coordinates coordinates = Coordinates::nearest);
+/// A region as path data of SVG, the attribute `d`: a line of text per loop.
+[[nodiscard]] std::string svg_path(const Region& region);
 
 }  // namespace strata::planar

@@ -1,7 +1,7 @@
 #pragma once
 /// Strata: exact Booleans of solids given as triangle meshes, and what is built on them. This header has the core;
 /// every extension has a header of its own: bsp.h, complex.h, contact.h, convex.h, incremental.h, openscad.h, planar.h,
-/// query.h.
+/// query.h, section.h, surface.h.
 #include "strata/check.h"
 #include "strata/combine.h"
 #include "strata/errors.h"

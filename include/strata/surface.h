@@ -45,7 +45,7 @@ class Surface {
   [[nodiscard]] const std::vector<Source>& sources() const;
   [[nodiscard]] const std::vector<Defect>& notes() const;  ///< what was left out when it was made
   [[nodiscard]] bool is_empty() const;                     ///< O(1)
-  [[nodiscard]] double area() const;  ///< of all triangles, to a few units in the last place; O(n)
+  [[nodiscard]] double area() const;                       ///< of all triangles, to a few units in the last place; O(n)
 
   struct Data;  ///< internal
 
@@ -114,9 +114,9 @@ inline constexpr std::array all_clips{ClipTo::inside, ClipTo::outside, ClipTo::o
   return names[static_cast<std::size_t>(part)];
 }
 
-/// The part of a surface inside, outside or on a solid, closed: with its edges. Sources: operand 0 is the surface. Parts
-/// that the surface covers more than once are there once, and triangles are divided where the surface crosses itself.
-/// Law: the three parts have no common area, and are together the surface.
+/// The part of a surface inside, outside or on a solid, closed: with its edges. Sources: operand 0 is the surface.
+/// Parts that the surface covers more than once are there once, and triangles are divided where the surface crosses
+/// itself. Law: the three parts have no common area, and are together the surface.
 [[nodiscard]] Surface clip(const Surface& surface, const Solid& solid, ClipTo part, const Options& options = {});
 
 /// Each surface with the traces of the others, and its own, as edges: nothing is added or removed, but what a surface

@@ -7,7 +7,9 @@
 #include <strata/openscad.h>
 #include <strata/planar.h>
 #include <strata/query.h>
+#include <strata/section.h>
 #include <strata/strata.h>
+#include <strata/surface.h>
 
 #include <array>
 #include <iostream>
@@ -33,8 +35,11 @@ int main() {
   const planar::PlanarFile file = planar::read_planar("POLYGON ((0 0, 3 0, 0 1))", planar::PlanarFormat::wkt, "text");
   const Where where = Locator(scene_of(solids)).membership({0.5, 0.5, 0.5});
 
+  const std::size_t cells = cells_of(std::vector{Surface(solids[0]), Surface(solids[1])}).size();
+
   std::cout << "hull " << hull << ", bounded " << is_bounded << ", agree " << agree << ", " << name(relation)
             << ", open " << complex::is_open(open) << ", left " << solid_in_steps.volume() << ", cube "
             << model.expression.evaluate().volume() << ", polygon " << planar::area(planar::fill(file.loops)) << ", in "
-            << (where == Where::in) << '\n';
+            << (where == Where::in) << ", cells " << cells << ", section "
+            << planar::area(section(solids[0], {{0, 0, 1}, 1})) << '\n';
 }

@@ -44,7 +44,7 @@ TEST_CASE("constructed points round to the nearest doubles, ties included", "[ro
     if (!meet_in_one_point(points, name)) continue;
     PointTable table(input);
     std::vector<PointId> constructed = table.add(std::vector{name}, {});
-    const Boundary boundary{{}, std::move(constructed), {}, {}, std::move(table)};
+    const Boundary boundary{{}, std::move(constructed), {}, {}, {}, std::move(table)};
     const auto rounded = round_to_doubles(input, boundary, {});
     const RationalPoint exact = exact_position(input, make_point(input, name));
     for (std::size_t i = 0; i < 3; ++i) REQUIRE(rounded[0][i] == to_nearest_double(exact[i]));

@@ -40,7 +40,7 @@ struct Pieces : Solid {
     ids = {v[0], v[1], v[2], inside};
     triangles[0].boundary |= 0b100;  // the third piece is not there
     triangles[1].boundary |= 0b010;
-    faces.push_back({0, true, ids, triangles});
+    faces.push_back({0, true, ids, triangles, {}});
     subdivision.points = *points;
     whole.assign(input.face_count(), Verdict::keep);
     whole[0] = Verdict::drop;
@@ -50,7 +50,7 @@ struct Pieces : Solid {
 
 /// The boundary of the tetrahedron.
 struct Whole : Solid {
-  Boundary boundary{{}, {}, {}, {}, *points};
+  Boundary boundary{{}, {}, {}, {}, {}, *points};
 
   Whole() {
     boundary.inputs = {0, 1, 2, 3};

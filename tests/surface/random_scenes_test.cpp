@@ -85,7 +85,8 @@ Rational total(const std::vector<Solid>& solids) {
 /// Twice the area of the walls, squared per wall, so that it is exact: no wall is lost, doubled or without area.
 bool have_area(const ExactMesh& mesh) {
   return std::none_of(mesh.mesh.triangles.begin(), mesh.mesh.triangles.end(), [&](const Triangle& t) {
-    return Plane::through(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])).normal == RationalPoint{0, 0, 0};
+    return Plane::through(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])).normal ==
+           RationalPoint{0, 0, 0};
   });
 }
 

@@ -191,7 +191,8 @@ TEST_CASE("nested boxes are cells with cavities", "[surface]") {
   for (const Solid& s : solids) CHECK(check(s.exact_mesh()).empty());
   CHECK_THROWS_AS(a.windings(5), std::invalid_argument);
   // Walls that lie inside a cell have it on both sides.
-  for (std::size_t w = 0; w < a.cells.size(); ++w) CHECK((a.sources[w].operand == 5) == (a.cells[w][0] == a.cells[w][1]));
+  for (std::size_t w = 0; w < a.cells.size(); ++w)
+    CHECK((a.sources[w].operand == 5) == (a.cells[w][0] == a.cells[w][1]));
 }
 
 TEST_CASE("open sheets enclose a cell together", "[surface]") {
@@ -212,8 +213,8 @@ TEST_CASE("a Moebius band cuts a cube", "[surface]") {
   for (int i = 0; i < steps; ++i) {
     const double u = 2 * 3.141592653589793 * i / steps, half = u / 2;
     for (const double v : {-1.0, 1.0})
-      band.vertices.push_back({(3 + v * std::cos(half)) * std::cos(u), (3 + v * std::cos(half)) * std::sin(u),
-                               v * std::sin(half)});
+      band.vertices.push_back(
+          {(3 + v * std::cos(half)) * std::cos(u), (3 + v * std::cos(half)) * std::sin(u), v * std::sin(half)});
   }
   for (std::uint32_t i = 0; i < steps; ++i) {
     const std::uint32_t a = 2 * i, b = a + 1;
@@ -259,8 +260,9 @@ TEST_CASE("two surfaces with all boundary edges in common enclose a lens", "[sur
 }
 
 TEST_CASE("the same for any number of threads", "[surface]") {
-  const std::vector surfaces{Surface(make_sphere(1, 24)), Surface(make_sphere(1, 16).translated({Rational(1, 3), 0, 0})),
-                             sheet(-2, -2, 2, 2, 0.25), sheet(-2, -2, 2, 2, 0)};
+  const std::vector surfaces{Surface(make_sphere(1, 24)),
+                             Surface(make_sphere(1, 16).translated({Rational(1, 3), 0, 0})), sheet(-2, -2, 2, 2, 0.25),
+                             sheet(-2, -2, 2, 2, 0)};
   const Arrangement one = arrange(surfaces, {.threads = 1}), two = arrange(surfaces, {.threads = 2});
   CHECK(one.mesh.mesh == two.mesh.mesh);
   CHECK(one.sources == two.sources);

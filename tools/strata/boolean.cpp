@@ -3,28 +3,22 @@
 #include <string>
 #include <utility>
 
-#include "common/progress.h"
 #include "common/stopwatch.h"
-#include "common/watch.h"
 #include "files.h"
 #include "report.h"
 #include "reproduction.h"
 #include "result_file.h"
 #include "strata/combine.h"
 #include "verbs.h"
+#include "watched_options.h"
 
 namespace {
 
 strata::BooleanResult evaluate(strata::Operation operation, std::span<const LoadedMesh> operands, strata::Format format,
                                const Settings& settings, const Watch& watch) {
   ProgressBar bar(settings.progress, settings.quiet);
-  strata::Options options;
-  options.input = settings.input;
-  options.engine = settings.engine;
-  options.threads = settings.threads;
+  strata::Options options = watched_options(settings, bar, watch);
   options.exact_vertices = !settings.report.empty() || format == strata::Format::xoff;
-  options.progress = [&bar](double fraction) { bar.show(fraction); };
-  options.cancel = &watch.token();
   std::vector<strata::Operand> views;
   for (const LoadedMesh& operand : operands) views.push_back({operand.mesh.mesh, operand.mesh.exact});
   return strata::combine(operation, std::span<const strata::Operand>(views), options);

@@ -18,7 +18,7 @@ void add_boolean_verbs(CommandLine& line);
 /// The verbs of the extensions that this build has; those of others are refused with a sentence.
 void add_extension_verbs(CommandLine& line);
 
-// Of the extensions scene, bsp, incremental, planar, convex, complex and contact.
+// Of the extensions scene, bsp, incremental, planar, convex, complex, contact, surface and section.
 void add_scene_verbs(CommandLine& line);      ///< draw, layers, locate, ray
 void add_partition_verbs(CommandLine& line);  ///< bsp, intervals
 void add_chain_verb(CommandLine& line);
@@ -26,6 +26,8 @@ void add_planar_verbs(CommandLine& line);   ///< planar, with verbs of its own
 void add_shape_verbs(CommandLine& line);    ///< decompose, hull, minkowski, erosion, offset
 void add_complex_verbs(CommandLine& line);  ///< topology
 void add_contact_verbs(CommandLine& line);  ///< contacts
+void add_section_verbs(CommandLine& line);  ///< section, slice
+void add_surface_verbs(CommandLine& line);  ///< clip, split, imprint, cells
 
 /// verify, fuzz: names of verbs that `strata-verify` has.
 void add_suite_verbs(CommandLine& line);

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <filesystem>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "cell_file.h"
@@ -11,6 +9,7 @@
 #include "common/stopwatch.h"
 #include "common/watch.h"
 #include "files.h"
+#include "mesh_folder.h"
 #include "report.h"
 #include "strata/convex.h"
 #include "strata/measure.h"
@@ -28,14 +27,7 @@ void check_output(const Settings& settings) {
     throw UsageError("--exploded is for pictures: give -o the name of a .glb file");
   if (is_picture(settings.output) && !settings.output_format.empty())
     throw UsageError("pictures are written as glTF: --format is for the files of a folder");
-  if (settings.output.empty() || is_picture(settings.output)) return;
-  std::error_code unknown;
-  const std::filesystem::path folder = settings.output;
-  if (!std::filesystem::exists(folder, unknown)) return;
-  if (!std::filesystem::is_directory(folder, unknown))
-    throw UsageError(fmt::format("{} is a file; pieces go into a folder or a .glb file", settings.output));
-  if (!std::filesystem::is_empty(folder, unknown))
-    throw UsageError(fmt::format("the folder {} is not empty: pieces of different solids would mix", settings.output));
+  if (!settings.output.empty() && !is_picture(settings.output)) MeshFolder::check(settings);
 }
 
 Json facts(const Decomposition& d) {
@@ -100,24 +92,15 @@ Json volumes(const strata::Solid& solid, const Decomposition& d) {
 
 /// A file for every piece, and last decomposition.json, which names them and tells their walls.
 void write_folder(const Decomposition& d, const Settings& settings) {
-  const std::filesystem::path folder = settings.output;
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw strata::IoError(settings.output, {}, fmt::format("cannot make the folder: {}", error.message()));
-  const std::string extension = settings.output_format.empty() ? "xoff" : settings.output_format;
-  const auto digits = fmt::format("{}", d.pieces.size()).size();
+  const MeshFolder folder(settings, "piece", d.pieces.size());
   Json list = Json::array();
   for (std::uint32_t p = 0; p < d.pieces.size(); ++p) {
     const strata::ExactMesh mesh = mesh_of(d.polytope(p));
-    Settings of_piece = settings;
-    const std::string name = fmt::format("piece-{:0{}}.{}", p, digits, extension);
-    of_piece.output = (folder / name).string();
-    of_piece.output_format.clear();
-    write_output(of_piece, output_format(of_piece), mesh);
-    list.push_back({{"file", name}, {"facets", d.pieces[p].size()}, {"volume_exact", volume(mesh).str()}});
+    list.push_back(
+        {{"file", folder.write(p, mesh)}, {"facets", d.pieces[p].size()}, {"volume_exact", volume(mesh).str()}});
   }
   Json document = {{"pieces", std::move(list)}, {"walls", walls(d)}};
-  write_text((folder / "decomposition.json").string(), document.dump(1) + "\n");
+  write_text(folder.path("decomposition.json"), document.dump(1) + "\n");
 }
 
 }  // namespace

@@ -9,9 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "common/progress.h"
 #include "common/stopwatch.h"
-#include "common/watch.h"
 #include "extensions.h"
 #include "files.h"
 #include "report.h"
@@ -20,6 +18,7 @@
 #include "strata/errors.h"
 #include "strata/expression.h"
 #include "verbs.h"
+#include "watched_options.h"
 
 namespace {
 
@@ -111,13 +110,8 @@ Json expression_report(const strata::Expression& e) {
 
 strata::Solid evaluate(const strata::Expression& expression, const Settings& settings, const Watch& watch) {
   ProgressBar bar(settings.progress, settings.quiet);
-  strata::Options options;
-  options.threads = settings.threads;
-  options.engine = settings.engine;
-  options.progress = [&bar](double fraction) { bar.show(fraction); };
-  options.cancel = &watch.token();
   try {
-    return expression.evaluate(options);
+    return expression.evaluate(watched_options(settings, bar, watch));
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

@@ -92,6 +92,16 @@ void add_extension_verbs(CommandLine& line) {
 #else
   add_missing(line, "contact", {"contacts"});
 #endif
+#if STRATA_HAS_SURFACE
+  add_surface_verbs(line);
+#else
+  add_missing(line, "surface", {"clip", "split", "imprint", "cells"});
+#endif
+#if STRATA_HAS_SECTION
+  add_section_verbs(line);
+#else
+  add_missing(line, "section", {"section", "slice"});
+#endif
 #if STRATA_HAS_CONVEX
   add_shape_verbs(line);
 #else

@@ -5,14 +5,13 @@
 #include <string>
 #include <utility>
 
-#include "common/progress.h"
 #include "common/stopwatch.h"
-#include "common/watch.h"
 #include "files.h"
 #include "report.h"
 #include "reproduction.h"
 #include "result_file.h"
 #include "verbs.h"
+#include "watched_options.h"
 
 namespace {
 
@@ -27,12 +26,7 @@ verify::NewCase asked(const LoadedMesh& mesh, const Settings& settings) {
 
 strata::Solid evaluate(const LoadedMesh& mesh, const Settings& settings, const Watch& watch) {
   ProgressBar bar(settings.progress, settings.quiet);
-  strata::Options options;
-  options.input = settings.input;
-  options.threads = settings.threads;
-  options.progress = [&bar](double fraction) { bar.show(fraction); };
-  options.cancel = &watch.token();
-  return strata::resolve(mesh.mesh, settings.inside, options);
+  return strata::resolve(mesh.mesh, settings.inside, watched_options(settings, bar, watch));
 }
 
 }  // namespace

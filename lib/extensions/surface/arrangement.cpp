@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
-#include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 

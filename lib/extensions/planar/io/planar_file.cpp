@@ -84,6 +84,19 @@ std::string to_geojson(const Region& region, const Points& points) {
   return text + "]}\n";
 }
 
+std::string path_of(const Region& region, const Points& points) {
+  std::string text;
+  for (std::uint32_t l = 0; l < region.loops.size(); ++l) {
+    char command = 'M';
+    for (const std::uint32_t v : region.loops.loop(l)) {
+      text.push_back(std::exchange(command, 'L'));
+      points.append(text, v, ' ');
+    }
+    text.append("Z\n");
+  }
+  return text;
+}
+
 std::string to_svg(const Region& region, const Points& points) {
   double box[4] = {0, 0, 0, 0};
   for (std::size_t i = 0; i < region.loops.vertices.size(); ++i) {
@@ -100,16 +113,7 @@ std::string to_svg(const Region& region, const Points& points) {
     text.push_back(' ');
   }
   text.back() = '"';
-  text.append(">\n<path d=\"");
-  for (std::uint32_t l = 0; l < region.loops.size(); ++l) {
-    char command = 'M';
-    for (const std::uint32_t v : region.loops.loop(l)) {
-      text.push_back(std::exchange(command, 'L'));
-      points.append(text, v, ' ');
-    }
-    text.append("Z\n");
-  }
-  return text + "\"/>\n</svg>\n";
+  return text + ">\n<path d=\"" + path_of(region, points) + "\"/>\n</svg>\n";
 }
 
 }  // namespace
@@ -172,5 +176,7 @@ std::string to_text(const Region& region, PlanarFormat format, Coordinates coord
   }
   return {};
 }
+
+std::string svg_path(const Region& region) { return path_of(region, Points(region, Coordinates::nearest)); }
 
 }  // namespace strata::planar

@@ -1,0 +1,251 @@
+#include "strata/section.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "core/csg/arena.h"
+#include "core/csg/plane_rectangle.h"
+#include "core/exact/bounded.h"
+#include "core/exact/lattice.h"
+#include "extensions/section/cut.h"
+
+namespace strata {
+namespace {
+
+using Index = std::uint32_t;
+
+/// Exact positions of vertices by number.
+class Positions {
+ public:
+  explicit Positions(const ExactMesh& mesh) : mesh_(mesh) {}
+
+  [[nodiscard]] const Vertex& rounded(Index v) const { return mesh_.mesh.vertices[v]; }
+  /// The exact position of a vertex that is not three doubles, or null.
+  [[nodiscard]] const RationalPoint* rational(Index v) const {
+    if (mesh_.exact.empty()) return nullptr;
+    const auto at = std::lower_bound(mesh_.exact.begin(), mesh_.exact.end(), v,
+                                     [](const ExactVertex& e, Index w) { return e.vertex < w; });
+    return at != mesh_.exact.end() && at->vertex == v ? &at->position : nullptr;
+  }
+  [[nodiscard]] RationalPoint exact(Index v) const {
+    if (const RationalPoint* p = rational(v)) return *p;
+    const Vertex& p = rounded(v);
+    return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
+  }
+
+ private:
+  const ExactMesh& mesh_;
+};
+
+/// Any plane.
+class AnyPlane {
+ public:
+  AnyPlane(const Plane& plane, const ExactMesh& mesh) : plane_(plane), axes_(axes_of(plane)), at_(mesh) {
+    for (std::size_t i = 0; i < 3; ++i) normal_[i] = bounded(plane.normal[i]);
+    offset_ = bounded(plane.offset);
+    is_in_front_.resize(mesh.mesh.vertices.size());
+    std::vector<bool> is_used(is_in_front_.size(), false);
+    for (const Triangle& t : mesh.mesh.triangles)
+      for (const Index v : t) is_used[v] = true;
+    for (Index v = 0; v < is_in_front_.size(); ++v) is_in_front_[v] = is_used[v] && side(v) > 0;
+  }
+
+  [[nodiscard]] bool is_in_front(Index v) const { return is_in_front_[v]; }
+  void add_crossing(Index behind, Index front, planar::LoopsBuilder& loops) const {
+    const RationalPoint p = at_.exact(behind), q = at_.exact(front);
+    const Rational below = plane_.offset - product(p), above = product(q) - plane_.offset, whole = below + above;
+    const auto between = [&](std::size_t i) { return (p[i] * above + q[i] * below) / whole; };
+    loops.add_vertex(planar::RationalPlacement{between(axes_.u), between(axes_.v)});
+  }
+
+ private:
+  static Bounded bounded(const Rational& x) {
+    const double nearest = to_nearest_double(x);
+    return {nearest, std::abs(nearest) * Bounded::rounding + Bounded::underflow};
+  }
+  [[nodiscard]] Rational product(const RationalPoint& p) const {
+    return plane_.normal[0] * p[0] + plane_.normal[1] * p[1] + plane_.normal[2] * p[2];
+  }
+  [[nodiscard]] int side(Index v) const {
+    if (at_.rational(v) == nullptr) {
+      const Vertex& p = at_.rounded(v);
+      const Bounded value =
+          normal_[0] * Bounded{p[0]} + normal_[1] * Bounded{p[1]} + normal_[2] * Bounded{p[2]} - offset_;
+      if (const auto sign = value.sign()) return to_int(*sign);
+    }
+    return plane_.side(at_.exact(v));
+  }
+
+  const Plane& plane_;
+  PlaneAxes axes_;
+  Positions at_;
+  std::array<Bounded, 3> normal_;
+  Bounded offset_;
+  std::vector<bool> is_in_front_;
+};
+
+/// A plane perpendicular to an axis.
+class AxisPlane {
+ public:
+  AxisPlane(std::size_t axis, double height, const ExactMesh& mesh)
+      : axis_(axis), u_((axis + 1) % 3), v_((axis + 2) % 3), height_(height), at_(mesh) {}
+
+  [[nodiscard]] bool is_in_front(Index v) const {
+    const double z = at_.rounded(v)[axis_];
+    if (z != height_) return z > height_;  // rounding is monotone
+    const RationalPoint* p = at_.rational(v);
+    return p != nullptr && (*p)[axis_] > to_rational(height_);
+  }
+  void add_crossing(Index behind, Index front, planar::LoopsBuilder& loops) const {
+    if (at_.rational(behind) != nullptr || at_.rational(front) != nullptr) return add_rational(behind, front, loops);
+    const Vertex &p = at_.rounded(behind), &q = at_.rounded(front);
+    if (p[axis_] == height_ || (p[u_] == q[u_] && p[v_] == q[v_]))
+      return loops.add_vertex(planar::PlanePoint{p[u_], p[v_]});
+    Lattice lattice;
+    for (const double x : {p[0], p[1], p[2], q[0], q[1], q[2], height_}) lattice.add(x);
+    const auto integer = [&](double x) { return lattice.integer<Integer>(x); };
+    const Integer h = integer(height_), below = h - integer(p[axis_]), above = integer(q[axis_]) - h,
+                  whole = below + above;
+    const auto between = [&](std::size_t i) -> Rational {
+      if (p[i] == q[i]) return p[i];
+      Integer sum = integer(p[i]) * above + integer(q[i]) * below;
+      const int unit = lattice.unit();
+      if (unit >= 0) return {std::move(sum) << static_cast<std::size_t>(unit), whole};
+      return {sum, whole << static_cast<std::size_t>(-unit)};
+    };
+    loops.add_vertex(planar::RationalPlacement{between(u_), between(v_)});
+  }
+
+ private:
+  void add_rational(Index behind, Index front, planar::LoopsBuilder& loops) const {
+    const RationalPoint p = at_.exact(behind), q = at_.exact(front);
+    const Rational h = to_rational(height_), below = h - p[axis_], above = q[axis_] - h, whole = below + above;
+    const auto between = [&](std::size_t i) { return (p[i] * above + q[i] * below) / whole; };
+    loops.add_vertex(planar::RationalPlacement{between(u_), between(v_)});
+  }
+
+  std::size_t axis_, u_, v_;
+  double height_;
+  Positions at_;
+};
+
+/// For every plane the triangles that it may cross.
+class CrossedTriangles {
+ public:
+  CrossedTriangles(const Mesh& mesh, std::size_t axis, std::span<const double> heights) : first_(heights.size() + 1, 0) {
+    std::vector<std::pair<Index, Index>> range(mesh.triangles.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, range.size(), 4096), [&](const auto& block) {
+      for (std::size_t t = block.begin(); t != block.end(); ++t) {
+        const auto [low, high] = std::minmax({mesh.vertices[mesh.triangles[t][0]][axis],
+                                              mesh.vertices[mesh.triangles[t][1]][axis],
+                                              mesh.vertices[mesh.triangles[t][2]][axis]});
+        const auto begin = std::lower_bound(heights.begin(), heights.end(), low);
+        const auto end = std::upper_bound(begin, heights.end(), high);
+        range[t] = {static_cast<Index>(begin - heights.begin()), static_cast<Index>(end - heights.begin())};
+      }
+    });
+    for (const auto& [begin, end] : range)
+      for (Index k = begin; k < end; ++k) ++first_[k + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    triangles_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (Index t = 0; t < range.size(); ++t)
+      for (Index k = range[t].first; k < range[t].second; ++k) triangles_[next[k]++] = t;
+  }
+  [[nodiscard]] std::span<const Index> of_plane(std::size_t k) const {
+    return std::span(triangles_).subspan(first_[k], first_[k + 1] - first_[k]);
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<Index> triangles_;
+};
+
+template <class PlaneOf>
+planar::Region region_of(const Mesh& mesh, std::span<const Index> numbers, const PlaneOf& plane,
+                         const Monitor& monitor) {
+  const planar::Loops loops = cut(mesh.triangles, numbers, plane);
+  const planar::Operand filled(loops, planar::FillRule::positive);
+  return planar::combine({&filled, 1}, Operation::union_, monitor);
+}
+
+void check(std::size_t axis, std::span<const double> heights) {
+  if (axis > 2) throw std::invalid_argument("an axis is 0, 1 or 2");
+  for (std::size_t k = 0; k < heights.size(); ++k)
+    if (!std::isfinite(heights[k]) || (k > 0 && heights[k] < heights[k - 1]))
+      throw std::invalid_argument("planes are given by finite coordinates that do not decrease");
+}
+
+}  // namespace
+
+PlaneAxes axes_of(const Plane& plane) {
+  const std::size_t axis = main_axis(plane);
+  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+  return plane.normal[axis] > 0 ? PlaneAxes{u, v, axis} : PlaneAxes{v, u, axis};
+}
+
+RationalPoint point_in(const Plane& plane, const planar::RationalPlacement& p) {
+  const PlaneAxes axes = axes_of(plane);
+  RationalPoint r;
+  r[axes.u] = p[0];
+  r[axes.v] = p[1];
+  r[axes.left_out] =
+      (plane.offset - plane.normal[axes.u] * p[0] - plane.normal[axes.v] * p[1]) / plane.normal[axes.left_out];
+  return r;
+}
+
+double true_area(const Plane& plane, const Rational& projected) {
+  const Rational& n = plane.normal[axes_of(plane).left_out];
+  Rational squares = 0;
+  for (const Rational& x : plane.normal) squares += x * x;
+  return to_nearest_double(projected) * std::sqrt(to_nearest_double(squares / (n * n)));
+}
+
+planar::Region section(const Solid& solid, const Plane& plane, const Options& options) {
+  const Monitor monitor(options.cancel, &options.progress);
+  monitor.check();
+  const AnyPlane sides(plane, solid.exact_mesh());
+  std::vector<Index> all(solid.mesh().triangles.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return region_of(solid.mesh(), all, sides, monitor);
+}
+
+void slice(const Solid& solid, std::size_t axis, std::span<const double> coordinates,
+           FunctionRef<void(std::size_t, planar::Region)> visit, const Options& options) {
+  check(axis, coordinates);
+  const Monitor monitor(options.cancel, &options.progress);
+  const Monitor cancelled(options.cancel);
+  monitor.check();
+  const Mesh& mesh = solid.mesh();
+  auto arena = arena_for(options, mesh.triangles.size() + coordinates.size());
+  arena.execute([&] {
+    const CrossedTriangles crossed(mesh, axis, coordinates);
+    constexpr std::size_t batch = 64;
+    for (std::size_t first = 0; first < coordinates.size(); first += batch) {
+      std::vector<planar::Region> regions(std::min(batch, coordinates.size() - first));
+      tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
+        cancelled.check();
+        const AxisPlane plane(axis, coordinates[first + i], solid.exact_mesh());
+        regions[i] = region_of(mesh, crossed.of_plane(first + i), plane, cancelled);
+      });
+      for (std::size_t i = 0; i < regions.size(); ++i) visit(first + i, std::move(regions[i]));
+      monitor.report(static_cast<double>(first + regions.size()) / static_cast<double>(coordinates.size()));
+    }
+  });
+  if (coordinates.empty()) monitor.report(1);
+}
+
+std::vector<planar::Region> slice(const Solid& solid, std::size_t axis, std::span<const double> coordinates,
+                                  const Options& options) {
+  std::vector<planar::Region> regions;
+  slice(solid, axis, coordinates, [&](std::size_t, planar::Region region) { regions.push_back(std::move(region)); },
+        options);
+  return regions;
+}
+
+}  // namespace strata

@@ -1,0 +1,37 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "common/output_file.h"
+#include "settings.h"
+#include "strata/planar.h"
+
+/// Polygons of many planes and meshes in one file, written as they come:
+///
+/// | format  | what is written                                                                       |
+/// |---------|---------------------------------------------------------------------------------------|
+/// | wkt     | a geometry per line                                                                   |
+/// | csv     | plane,at,mesh,area,wkt: a row per plane and mesh                                      |
+/// | geojson | a FeatureCollection; features have the properties plane, at, mesh and area            |
+/// | svg     | a group per plane and mesh, with data-plane, data-at and data-mesh                    |
+class LayerStack {
+ public:
+  enum class Format { wkt, csv, geojson, svg };
+  /// By the extension of -o or by --format. Throws UsageError, also for exact coordinates where there are none.
+  [[nodiscard]] static Format format_of(const Settings& settings);
+
+  /// `lower`, `upper`: corners of everything in the planes' coordinates, for pictures. Throws strata::IoError.
+  LayerStack(const Settings& settings, strata::planar::PlanePoint lower, strata::planar::PlanePoint upper);
+
+  /// `at`: where the plane is, as text.
+  void add(std::size_t plane, const std::string& at, std::size_t mesh, const strata::planar::Region& region,
+           double area);
+  void finish();
+
+ private:
+  Format format_;
+  strata::planar::Coordinates coordinates_;
+  OutputFile file_;
+  bool is_first_ = true;
+};

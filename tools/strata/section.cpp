@@ -1,0 +1,214 @@
+#include "strata/section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "common/stopwatch.h"
+#include "common/text_file.h"
+#include "files.h"
+#include "layer_stack.h"
+#include "plane_option.h"
+#include "report.h"
+#include "section_verbs.h"
+#include "watched_options.h"
+
+namespace {
+
+namespace planar = strata::planar;
+
+/// The corners of all solids in the coordinates of planes.
+std::array<planar::PlanePoint, 2> corners(const std::vector<strata::Solid>& solids, const strata::PlaneAxes& axes) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  planar::PlanePoint lower{infinity, infinity}, upper{-infinity, -infinity};
+  for (const strata::Solid& solid : solids) {
+    const strata::BoundingBox box = solid.bounding_box();
+    for (const auto& [i, axis] : {std::pair{0U, axes.u}, std::pair{1U, axes.v}}) {
+      lower[i] = std::min(lower[i], box.lower[axis]);
+      upper[i] = std::max(upper[i], box.upper[axis]);
+    }
+  }
+  if (!(lower[0] <= upper[0])) return {};
+  return {lower, upper};
+}
+
+/// Numbers, one per line or with commas or blanks between them.
+std::vector<double> read_numbers(const std::string& path) {
+  const std::string text =
+      path == "-" ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : read_file(path);
+  constexpr std::string_view between = " \t\r\n,;";
+  std::vector<double> numbers;
+  std::string_view rest = text;
+  while (true) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(between), rest.size()));
+    if (rest.empty()) return numbers;
+    const std::string_view word = rest.substr(0, rest.find_first_of(between));
+    double x = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
+    if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(x)) {
+      const auto line = 1 + std::count(text.data(), word.data(), '\n');
+      throw strata::IoError(path, {static_cast<std::uint64_t>(line), {}},
+                            fmt::format("expected a number, found '{}'", word));
+    }
+    numbers.push_back(x);
+    rest.remove_prefix(word.size());
+  }
+}
+
+/// Where the planes are: multiples of the step from the first one, each rounded once.
+std::vector<double> heights_of(const SectionSettings& section, const std::vector<strata::Solid>& solids) {
+  if (section.step.has_value() == !section.at.empty()) throw UsageError("give either --step or --at");
+  if (!section.at.empty()) {
+    std::vector<double> heights = read_numbers(section.at);
+    std::sort(heights.begin(), heights.end());
+    return heights;
+  }
+  if (!(*section.step > 0) || !std::isfinite(*section.step)) throw UsageError("--step must be positive");
+  double from = std::numeric_limits<double>::infinity(), to = -from;
+  for (const strata::Solid& solid : solids) {
+    const strata::BoundingBox box = solid.bounding_box();
+    from = std::min(from, box.lower[section.along]);
+    to = std::max(to, box.upper[section.along]);
+  }
+  from = section.from.value_or(from);
+  to = section.to.value_or(to);
+  constexpr double most = 1e7;
+  if ((to - from) / *section.step > most) throw UsageError("--step makes more than ten million planes");
+  std::vector<double> heights;
+  const strata::Rational first = std::isfinite(from) ? strata::Rational(from) : 0, step = *section.step;
+  for (std::int64_t k = 0; from < to; ++k) {
+    const double height = strata::to_nearest_double(first + step * k);
+    if (height >= to) break;
+    heights.push_back(height);
+  }
+  return heights;
+}
+
+std::vector<strata::Solid> solids_from(const std::vector<LoadedMesh>& operands, const Settings& settings) {
+  std::vector<strata::Solid> solids;
+  for (std::size_t k = 0; k < operands.size(); ++k) solids.push_back(make_solid(operands, k, settings));
+  return solids;
+}
+
+/// What is counted while sections are written.
+struct Counts {
+  std::size_t sections = 0, empty = 0, polygons = 0, vertices = 0;
+
+  void add(const planar::Region& region) {
+    ++sections;
+    empty += region.empty() ? 1 : 0;
+    polygons += region.polygons();
+    vertices += region.loops.vertices.size();
+  }
+  [[nodiscard]] Json json() const {
+    return {{"sections", sections}, {"empty", empty}, {"polygons", polygons}, {"vertices", vertices}};
+  }
+};
+
+/// The area as a double: exact, rounded once, where it is not too dear; else that of the rounded vertices.
+double area_of(const planar::Region& region) {
+  constexpr std::size_t most_exact = 200;
+  if (region.loops.places.rationals.size() + region.loops.places.meets.size() <= most_exact)
+    return strata::to_nearest_double(planar::area(region));
+  planar::Loops rounded;
+  rounded.places.place = region.loops.places.place;
+  rounded.vertices = region.loops.vertices;
+  rounded.first_vertex = region.loops.first_vertex;
+  return strata::to_nearest_double(planar::twice_area(rounded) / 2);
+}
+
+using Write = std::function<void(const std::vector<strata::Solid>&, const strata::Options&, Json&)>;
+
+/// Reads solids, computes and writes with a progress bar, reports.
+ExitCode run(const char* verb, const Settings& settings, const Write& write) {
+  Watch watch(settings.timeout);
+  Stopwatch stopwatch;
+  (void)LayerStack::format_of(settings);
+  Json report = {{"operation", verb}, {"operands", nullptr}, {"result", nullptr}, {"seconds", Json::object()}};
+  const std::vector<LoadedMesh> operands = read_operands(settings);
+  report["seconds"]["read"] = stopwatch.lap();
+  watch.on_stop(OnStop::ask);
+  try {
+    ProgressBar bar(settings.progress, settings.quiet);
+    const std::vector<strata::Solid> solids = solids_from(operands, settings);
+    report["seconds"]["prepare"] = stopwatch.lap();
+    write(solids, watched_options(settings, bar, watch), report["result"]);
+  } catch (const strata::Cancelled&) {
+    watch.on_stop(OnStop::leave);  // says why
+    throw;
+  }
+  report["seconds"]["cut_and_write"] = stopwatch.lap();
+  report["peak_bytes"] = peak_bytes();
+  watch.on_stop(OnStop::finish);
+  if (!settings.quiet && settings.report != "-")
+    for (const auto& [key, value] : report["result"].items())
+      fmt::print(settings.output == "-" ? stderr : stdout, "{:12} {}\n", key, value.dump());
+  if (settings.report.empty()) return ExitCode::ok;
+  report["operands"] = Json::array();
+  for (const LoadedMesh& operand : operands) report["operands"].push_back(operand_report(operand, {}));
+  write_report(settings.report, std::move(report));
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+ExitCode run_section(const SectionSettings& section, const Settings& settings) {
+  const strata::Plane plane = parse_plane(section.plane);
+  return run("section", settings,
+             [&](const std::vector<strata::Solid>& solids, const strata::Options& options, Json& result) {
+               const strata::PlaneAxes axes = strata::axes_of(plane);
+               const auto [lower, upper] = corners(solids, axes);
+               LayerStack stack(settings, lower, upper);
+               Counts counts;
+               Json areas = Json::array();
+               for (std::size_t k = 0; k < solids.size(); ++k) {
+                 const planar::Region region = strata::section(solids[k], plane, options);
+                 const strata::Rational projected = planar::area(region);
+                 const double area = strata::true_area(plane, projected);
+                 stack.add(0, section.plane, k, region, area);
+                 counts.add(region);
+                 areas.push_back({{"mesh", k}, {"area", area}, {"projected_area_exact", projected.str()}});
+               }
+               stack.finish();
+               constexpr std::array names{"x", "y", "z"};
+               result = counts.json();
+               result["axes"] = {names[axes.u], names[axes.v]};
+               result["areas"] = std::move(areas);
+             });
+}
+
+ExitCode run_slice(const SectionSettings& section, const Settings& settings) {
+  return run("slice", settings,
+             [&](const std::vector<strata::Solid>& solids, const strata::Options& options, Json& result) {
+               const std::vector<double> heights = heights_of(section, solids);
+               std::vector<std::string> texts;
+               for (const double h : heights) texts.push_back(fmt::format("{}", h + 0.0));
+               const auto [lower, upper] =
+                   corners(solids, {(section.along + 1) % 3, (section.along + 2) % 3, section.along});
+               LayerStack stack(settings, lower, upper);
+               Counts counts;
+               for (std::size_t k = 0; k < solids.size(); ++k)
+                 strata::slice(
+                     solids[k], section.along, heights,
+                     [&](std::size_t plane, const planar::Region& region) {
+                       stack.add(plane, texts[plane], k, region, area_of(region));
+                       counts.add(region);
+                     },
+                     options);
+               stack.finish();
+               result = counts.json();
+               result["planes"] = heights.size();
+             });
+}
