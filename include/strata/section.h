@@ -27,9 +27,9 @@ struct PlaneAxes {
   std::size_t u = 0, v = 1, left_out = 2;
 };
 
-/// Left out is the first axis along which the normal is longest; u and v turn counter-clockwise as seen from in front of
-/// the plane. So z = h has the coordinates x, y; -z = h has y, x; a section has its true area along a coordinate axis,
-/// else that of its projection. Throws std::invalid_argument for a normal 0.
+/// Left out is the first axis along which the normal is longest; u and v turn counter-clockwise as seen from in front
+/// of the plane. So z = h has the coordinates x, y; -z = h has y, x; a section has its true area along a coordinate
+/// axis, else that of its projection. Throws std::invalid_argument for a normal 0.
 [[nodiscard]] PlaneAxes axes_of(const Plane& plane);
 
 /// The point of space with these coordinates in a plane.
@@ -45,11 +45,11 @@ struct PlaneAxes {
 [[nodiscard]] planar::Region section(const Solid& solid, const Plane& plane, const Options& options = {});
 
 /// The sections by planes perpendicular to an axis (0, 1, 2), at coordinates that do not decrease. Coordinates in the
-/// plane are those of `axes_of` for the axis's positive direction. `visit` is called for every plane, in order, from one
-/// thread at a time, also where the section is empty. Planes are cut in parallel, in batches, so that what is waiting
-/// is bounded whatever their number. Uses threads, progress, cancel. O(n + k log k) for n faces and k crossings of faces
-/// and planes. Throws std::invalid_argument for coordinates that decrease or are not finite, and for another axis;
-/// Cancelled; what `visit` throws.
+/// plane are those of `axes_of` for the axis's positive direction. `visit` is called for every plane, in order, from
+/// one thread at a time, also where the section is empty. Planes are cut in parallel, in batches, so that what is
+/// waiting is bounded whatever their number. Uses threads, progress, cancel. O(n + k log k) for n faces and k crossings
+/// of faces and planes. Throws std::invalid_argument for coordinates that decrease or are not finite, and for another
+/// axis; Cancelled; what `visit` throws.
 void slice(const Solid& solid, std::size_t axis, std::span<const double> coordinates,
            FunctionRef<void(std::size_t plane, planar::Region region)> visit, const Options& options = {});
 

@@ -132,3 +132,19 @@ TEST_CASE("a double and its rational are the same number", "[exact]") {
   CHECK(to_rational(std::numeric_limits<double>::denorm_min()) == power_of_two(-1074));
   CHECK(to_rational(-std::numeric_limits<double>::max()) == -(power_of_two(1024) - power_of_two(971)));
 }
+
+TEST_CASE("the nearest double of fractions near the middle between two", "[exact]") {
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 20000; ++i) {
+    const int bits = static_cast<int>(random() % 12);
+    Integer n = Integer(random() >> bits) << (random() % 200), d = Integer((random() >> (random() % 60)) | 1)
+                                                                   << (random() % 200);
+    const double x = std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 100) - 50);
+    const Rational middle = (Rational(x) + Rational(std::nextafter(x, INFINITY))) / 2;
+    Rational q(n, d);
+    if (i % 3 == 1) q = middle;
+    if (i % 3 == 2) q = middle + Rational(i % 2 == 0 ? 1 : -1, Integer(random() | 1) << (random() % 150));
+    if (random() % 2 == 0) q = -q;
+    REQUIRE(is_nearest<double>(q));
+  }
+}

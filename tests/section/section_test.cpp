@@ -113,8 +113,7 @@ TEST_CASE("slices are sections", "[section]") {
     const std::vector<planar::Region> regions = slice(solid, 2, heights, {.threads = threads});
     REQUIRE(regions.size() == heights.size());
     for (std::size_t k = 0; k < heights.size(); k += 7) {
-      CHECK(planar::canonical_form(regions[k]) ==
-            planar::canonical_form(section(solid, {{0, 0, 1}, heights[k]})));
+      CHECK(planar::canonical_form(regions[k]) == planar::canonical_form(section(solid, {{0, 0, 1}, heights[k]})));
       CHECK(planar::validate(regions[k]).empty());
     }
   }

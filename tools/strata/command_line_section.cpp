@@ -27,8 +27,7 @@ void add_section(CommandLine& line, const Shared& section) {
   CLI::App* verb = line.app.add_subcommand("section", "The polygons in which a plane meets solids");
   add_common_options(*verb, settings, 1, 0);
   add_input_class(*verb, settings);
-  verb->add_option("--plane", section->plane,
-                   "The plane of the points with a x + b y + c z = d; numbers or fractions")
+  verb->add_option("--plane", section->plane, "The plane of the points with a x + b y + c z = d; numbers or fractions")
       ->type_name("a,b,c,d")
       ->delimiter('\0')
       ->required();

@@ -75,7 +75,8 @@ Examples:
 
 void add_imprint(CommandLine& line) {
   Settings& settings = line.settings;
-  CLI::App* verb = line.app.add_subcommand("imprint", "Surfaces with one another's traces as edges; nothing is removed");
+  CLI::App* verb =
+      line.app.add_subcommand("imprint", "Surfaces with one another's traces as edges; nothing is removed");
   add_common_options(*verb, settings, 1, 0);
   add_folder(*verb, settings, "surfaces", "imprint.json");
   verb->footer(fmt::format(R"(Example:

@@ -14,9 +14,9 @@ namespace planar = strata::planar;
 using planar::PlanarFormat;
 
 constexpr std::array<std::pair<const char*, LayerStack::Format>, 4> formats{{{"wkt", LayerStack::Format::wkt},
-                                                                              {"csv", LayerStack::Format::csv},
-                                                                              {"geojson", LayerStack::Format::geojson},
-                                                                              {"svg", LayerStack::Format::svg}}};
+                                                                             {"csv", LayerStack::Format::csv},
+                                                                             {"geojson", LayerStack::Format::geojson},
+                                                                             {"svg", LayerStack::Format::svg}}};
 
 std::string number(double x) {
   std::string text(longest_number, ' ');
@@ -38,7 +38,8 @@ LayerStack::Format LayerStack::format_of(const Settings& settings) {
   for (const auto& [known, f] : formats)
     if (name == known) format = f;
   if (!format)
-    throw UsageError(fmt::format("cannot tell a format from {}; use --format with one of: wkt, csv, geojson, svg", name));
+    throw UsageError(
+        fmt::format("cannot tell a format from {}; use --format with one of: wkt, csv, geojson, svg", name));
   if (settings.exact && *format != Format::wkt && *format != Format::csv)
     throw UsageError("--exact is for wkt and csv: other formats have no quotients");
   return *format;

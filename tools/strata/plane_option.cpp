@@ -31,9 +31,7 @@ std::optional<strata::Rational> number(std::string_view text) {
 }  // namespace
 
 strata::Plane parse_plane(const std::string& text) {
-  const auto refuse = [&](const char* why) {
-    throw UsageError(fmt::format("--plane {}: {}", text, why));
-  };
+  const auto refuse = [&](const char* why) { throw UsageError(fmt::format("--plane {}: {}", text, why)); };
   std::array<strata::Rational, 4> values;
   std::string_view rest = text;
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -10,7 +10,7 @@
 #include <iostream>
 #include <iterator>
 #include <limits>
-#include <sstream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,8 +46,7 @@ std::array<planar::PlanePoint, 2> corners(const std::vector<strata::Solid>& soli
 
 /// Numbers, one per line or with commas or blanks between them.
 std::vector<double> read_numbers(const std::string& path) {
-  const std::string text =
-      path == "-" ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : read_file(path);
+  const std::string text = path == "-" ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : read_file(path);
   constexpr std::string_view between = " \t\r\n,;";
   std::vector<double> numbers;
   std::string_view rest = text;
@@ -117,16 +116,19 @@ struct Counts {
   }
 };
 
-/// The area as a double: exact, rounded once, where it is not too dear; else that of the rounded vertices.
-double area_of(const planar::Region& region) {
-  constexpr std::size_t most_exact = 200;
-  if (region.loops.places.rationals.size() + region.loops.places.meets.size() <= most_exact)
-    return strata::to_nearest_double(planar::area(region));
-  planar::Loops rounded;
-  rounded.places.place = region.loops.places.place;
-  rounded.vertices = region.loops.vertices;
-  rounded.first_vertex = region.loops.first_vertex;
-  return strata::to_nearest_double(planar::twice_area(rounded) / 2);
+/// The area, exact and rounded once with --exact, else from the rounded vertices, relative to the first of each loop.
+double area_of(const planar::Region& region, const Settings& settings) {
+  if (settings.exact) return strata::to_nearest_double(planar::area(region));
+  double twice = 0;
+  for (std::uint32_t l = 0; l < region.loops.size(); ++l) {
+    const std::span<const std::uint32_t> loop = region.loops.loop(l);
+    const planar::PlanePoint& o = region.loops.places.place[loop.front()];
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+      const planar::PlanePoint &p = region.loops.places.place[loop[i]], &q = region.loops.places.place[loop[i + 1]];
+      twice += (p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]);
+    }
+  }
+  return twice / 2;
 }
 
 using Write = std::function<void(const std::vector<strata::Solid>&, const strata::Options&, Json&)>;
@@ -190,25 +192,24 @@ ExitCode run_section(const SectionSettings& section, const Settings& settings) {
 }
 
 ExitCode run_slice(const SectionSettings& section, const Settings& settings) {
-  return run("slice", settings,
-             [&](const std::vector<strata::Solid>& solids, const strata::Options& options, Json& result) {
-               const std::vector<double> heights = heights_of(section, solids);
-               std::vector<std::string> texts;
-               for (const double h : heights) texts.push_back(fmt::format("{}", h + 0.0));
-               const auto [lower, upper] =
-                   corners(solids, {(section.along + 1) % 3, (section.along + 2) % 3, section.along});
-               LayerStack stack(settings, lower, upper);
-               Counts counts;
-               for (std::size_t k = 0; k < solids.size(); ++k)
-                 strata::slice(
-                     solids[k], section.along, heights,
-                     [&](std::size_t plane, const planar::Region& region) {
-                       stack.add(plane, texts[plane], k, region, area_of(region));
-                       counts.add(region);
-                     },
-                     options);
-               stack.finish();
-               result = counts.json();
-               result["planes"] = heights.size();
-             });
+  return run(
+      "slice", settings, [&](const std::vector<strata::Solid>& solids, const strata::Options& options, Json& result) {
+        const std::vector<double> heights = heights_of(section, solids);
+        std::vector<std::string> texts;
+        for (const double h : heights) texts.push_back(fmt::format("{}", h + 0.0));
+        const auto [lower, upper] = corners(solids, {(section.along + 1) % 3, (section.along + 2) % 3, section.along});
+        LayerStack stack(settings, lower, upper);
+        Counts counts;
+        for (std::size_t k = 0; k < solids.size(); ++k)
+          strata::slice(
+              solids[k], section.along, heights,
+              [&](std::size_t plane, const planar::Region& region) {
+                stack.add(plane, texts[plane], k, region, area_of(region, settings));
+                counts.add(region);
+              },
+              options);
+        stack.finish();
+        result = counts.json();
+        result["planes"] = heights.size();
+      });
 }

@@ -51,9 +51,8 @@ std::vector<Surface> surfaces_from(std::span<const LoadedMesh> operands, std::si
 }
 
 Json facts_of(const strata::ExactMesh& mesh) {
-  return {{"vertices", mesh.mesh.vertices.size()},
-          {"triangles", mesh.mesh.triangles.size()},
-          {"area", strata::area(mesh)}};
+  return {
+      {"vertices", mesh.mesh.vertices.size()}, {"triangles", mesh.mesh.triangles.size()}, {"area", strata::area(mesh)}};
 }
 
 Product of_solids(const char* stem, const char* counted, const std::vector<strata::Solid>& solids) {
@@ -68,8 +67,8 @@ Product of_solids(const char* stem, const char* counted, const std::vector<strat
     product.meshes.push_back(solid.exact_mesh());
     product.facts.push_back(std::move(facts));
   }
-  product.result = {{counted, solids.size()}, {"volume", strata::to_nearest_double(total)},
-                    {"volume_exact", total.str()}};
+  product.result = {
+      {counted, solids.size()}, {"volume", strata::to_nearest_double(total)}, {"volume_exact", total.str()}};
   return product;
 }
 
@@ -137,7 +136,8 @@ ExitCode run(const char* verb, const Settings& settings, bool to_folder, const E
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.quiet && settings.report != "-")
     for (const auto& [key, value] : product.result.items())
-      fmt::print(settings.output == "-" ? stderr : stdout, "{:12} {}\n", key, value.dump());
+      if (const std::string text = value.dump(); text.size() < 100)  // longer fractions are for the report
+        fmt::print(settings.output == "-" ? stderr : stdout, "{:12} {}\n", key, text);
   if (settings.report.empty()) return ExitCode::ok;
   report["operands"] = Json::array();
   for (const LoadedMesh& operand : operands) report["operands"].push_back(operand_report(operand, {}));
@@ -196,7 +196,9 @@ ExitCode run_cells(const SurfaceSettings& surface, const Settings& settings) {
     for (std::size_t i = 0; i < product.facts.size(); ++i) product.facts[i]["cell"] = i + 1;
     product.result["walls"] = a.cells.size();
     if (surface.walls)
-      product.write_more = [a = std::move(a), &settings](const MeshFolder& folder) { write_walls(a, folder, settings); };
+      product.write_more = [a = std::move(a), &settings](const MeshFolder& folder) {
+        write_walls(a, folder, settings);
+      };
     return product;
   });
 }

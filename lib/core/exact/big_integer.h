@@ -23,6 +23,8 @@
 #else
 #include "core/exact/gmp_numbers.h"
 #endif
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <new>
 #include <span>
@@ -75,6 +77,13 @@ namespace strata {
 template <class Number>
 [[nodiscard]] decltype(auto) native(Number& x) {
   return detail::Native::of(x);
+}
+
+/// True when the denominator is a power of two, so that the value may be a double. O(1) for most others.
+[[nodiscard]] inline bool is_dyadic(const Rational& x) {
+  const auto limbs = detail::denominator_magnitude(native(x));
+  return std::has_single_bit(limbs.back()) &&
+         std::all_of(limbs.begin(), limbs.end() - 1, [](std::uint64_t limb) { return limb == 0; });
 }
 
 /// The magnitude's words of 64 bits, the lowest first; none for 0.

@@ -4,7 +4,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <ostream>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -341,13 +343,46 @@ Float to_nearest(const Rational& q) {
   return sign < 0 && magnitude != 0 ? -magnitude : magnitude;
 }
 
+/// The first 64 bits of a positive integer, the highest one set, and the power of two of the last of them.
+std::pair<std::uint64_t, long> leading_bits(std::span<const std::uint64_t> magnitude) {
+  const std::uint64_t top = magnitude.back();
+  const int zeros = std::countl_zero(top);
+  const long last = 64 * (static_cast<long>(magnitude.size()) - 1) - zeros;
+  if (zeros == 0) return {top, last};
+  const std::uint64_t next = magnitude.size() > 1 ? magnitude[magnitude.size() - 2] : 0;
+  return {top << zeros | next >> (64 - zeros), last};
+}
+
+/// The double nearest to q from the first 64 bits of numerator and denominator, if these decide.
+///
+/// With n = (N + a) 2^i and d = (D + b) 2^j, 0 <= a, b < 1 and N, D in [2^63, 2^64), let Q = floor(2^63 N / D), which
+/// has 63 or 64 bits. 2^63 (N + a) / (D + b) lies in (Q - 2, Q + 3): N / D < 2 and 2^63 <= D. So what is more than 3
+/// units of Q away from the middle between two doubles is rounded as Q is.
+std::optional<double> nearest_by_leading_bits(const Rational& q) {
+  const auto [n, i] = leading_bits(detail::numerator_magnitude(native(q)));
+  const auto [d, j] = leading_bits(detail::denominator_magnitude(native(q)));
+  const auto quotient = static_cast<std::uint64_t>((static_cast<unsigned __int128>(n) << 63) / d);
+  const int dropped = static_cast<int>(std::bit_width(quotient)) - std::numeric_limits<double>::digits;
+  const std::uint64_t half = std::uint64_t{1} << (dropped - 1), rest = quotient & (2 * half - 1);
+  if (rest + 4 > half && rest < half + 4) return std::nullopt;
+  const long exponent = i - j - 63 + dropped;
+  if (exponent < -1000 || exponent > 900) return std::nullopt;  // subnormal or infinite, perhaps
+  const double magnitude =
+      std::ldexp(static_cast<double>((quotient >> dropped) + (rest > half ? 1 : 0)), static_cast<int>(exponent));
+  return q.sign() < 0 ? -magnitude : magnitude;
+}
+
 }  // namespace
 
 double Integer::to_double() const { return nearest_to_integer<double>(*this); }
 
 long double to_nearest_long_double(const Integer& x) { return nearest_to_integer<long double>(x); }
 
-double to_nearest_double(const Rational& q) { return to_nearest<double>(q); }
+double to_nearest_double(const Rational& q) {
+  if (q.sign() == 0) return 0;
+  if (const auto nearest = nearest_by_leading_bits(q)) return *nearest;
+  return to_nearest<double>(q);
+}
 
 float to_nearest_float(const Rational& q) { return to_nearest<float>(q); }
 

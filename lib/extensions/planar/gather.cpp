@@ -18,6 +18,15 @@ struct Offsets {
   }
 };
 
+/// Order of points given as rationals, by their doubles first: exact numbers are rarely compared.
+struct ByPlace {
+  using Key = std::pair<PlanePoint, const RationalPlacement*>;
+  bool operator()(const Key& a, const Key& b) const {
+    if (a.first != b.first) return a.first < b.first;
+    return *a.second < *b.second;
+  }
+};
+
 class Gatherer {
  public:
   explicit Gatherer(std::span<const Operand> operands) : operands_(operands), offsets_(operands.size()) {}
@@ -45,7 +54,7 @@ class Gatherer {
         places().place.push_back({own.place[p][0] + 0.0, own.place[p][1] + 0.0});
     }
     name_ = first_equal(places().place);
-    std::map<RationalPlacement, std::uint32_t> known;
+    std::map<ByPlace::Key, std::uint32_t, ByPlace> known;
     for (std::size_t i = 0; i < operands_.size(); ++i) {
       const Places& own = operands_[i].loops->places;
       offsets_[i].rationals = places().size();
@@ -53,7 +62,8 @@ class Gatherer {
         places().place.push_back(own.place[p]);
         places().error.push_back(own.error[p - own.doubles()]);
         places().rationals.push_back(own.rational(p));
-        name_.push_back(known.try_emplace(own.rational(p), places().size() - 1).first->second);
+        const ByPlace::Key key(own.place[p], &own.rational(p));
+        name_.push_back(known.try_emplace(key, places().size() - 1).first->second);
       }
     }
     std::uint32_t meets = places().size();

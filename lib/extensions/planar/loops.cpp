@@ -1,5 +1,6 @@
 #include <numeric>
 
+#include "core/exact/big_integer.h"
 #include "core/exact/pairwise_sum.h"
 #include "core/mesh/product_sum.h"
 #include "strata/planar.h"
@@ -21,10 +22,12 @@ void LoopsBuilder::add_vertex(const PlanePoint& p) {
 }
 
 void LoopsBuilder::add_vertex(RationalPlacement p) {
-  const PlanePoint nearest{to_nearest_double(p[0]), to_nearest_double(p[1])};
-  if (std::isfinite(nearest[0]) && std::isfinite(nearest[1]) && to_rational(nearest[0]) == p[0] &&
-      to_rational(nearest[1]) == p[1])
-    return add_vertex(nearest);
+  if (is_dyadic(p[0]) && is_dyadic(p[1])) {
+    const PlanePoint nearest{to_nearest_double(p[0]), to_nearest_double(p[1])};
+    if (std::isfinite(nearest[0]) && std::isfinite(nearest[1]) && to_rational(nearest[0]) == p[0] &&
+        to_rational(nearest[1]) == p[1])
+      return add_vertex(nearest);
+  }
   vertices_.push_back({1, static_cast<std::uint32_t>(rationals_.size())});
   rationals_.push_back(std::move(p));
 }

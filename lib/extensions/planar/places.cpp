@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/exact/big_integer.h"
 #include "core/exact/double_double.h"
 #include "core/kernel/nearest.h"
 #include "extensions/planar/exact_forms.h"
@@ -61,7 +62,7 @@ RationalPlacement exact_meet(const Places& places, const Meet& meet) {
 Bounded bounded_rational(const Rational& x) {
   const double value = to_nearest_double(x);
   if (!std::isfinite(value)) return {std::copysign(0x1.fffffffffffffp1023, value), HUGE_VAL};
-  if (to_rational(value) == x) return value;
+  if (is_dyadic(x) && to_rational(value) == x) return value;
   return {value, std::abs(value) * Bounded::rounding + Bounded::underflow};
 }
 

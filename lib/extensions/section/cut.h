@@ -23,7 +23,8 @@ class CutEdges {
  public:
   /// A triangle that crosses the plane: seen from outside its boundary goes from in front to behind along one edge, and
   /// back along another. The edges are given by the vertex behind and the one in front.
-  void add(std::uint32_t enter_behind, std::uint32_t enter_front, std::uint32_t leave_behind, std::uint32_t leave_front);
+  void add(std::uint32_t enter_behind, std::uint32_t enter_front, std::uint32_t leave_behind,
+           std::uint32_t leave_front);
   /// Calls `visit(behind, front)` for the points of a loop, and `end()` at its end, for every loop. Throws LogicError
   /// where the mesh is not closed.
   template <class Visit, class End>

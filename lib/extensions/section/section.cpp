@@ -137,13 +137,14 @@ class AxisPlane {
 /// For every plane the triangles that it may cross.
 class CrossedTriangles {
  public:
-  CrossedTriangles(const Mesh& mesh, std::size_t axis, std::span<const double> heights) : first_(heights.size() + 1, 0) {
+  CrossedTriangles(const Mesh& mesh, std::size_t axis, std::span<const double> heights)
+      : first_(heights.size() + 1, 0) {
     std::vector<std::pair<Index, Index>> range(mesh.triangles.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, range.size(), 4096), [&](const auto& block) {
       for (std::size_t t = block.begin(); t != block.end(); ++t) {
-        const auto [low, high] = std::minmax({mesh.vertices[mesh.triangles[t][0]][axis],
-                                              mesh.vertices[mesh.triangles[t][1]][axis],
-                                              mesh.vertices[mesh.triangles[t][2]][axis]});
+        const auto [low, high] =
+            std::minmax({mesh.vertices[mesh.triangles[t][0]][axis], mesh.vertices[mesh.triangles[t][1]][axis],
+                         mesh.vertices[mesh.triangles[t][2]][axis]});
         const auto begin = std::lower_bound(heights.begin(), heights.end(), low);
         const auto end = std::upper_bound(begin, heights.end(), high);
         range[t] = {static_cast<Index>(begin - heights.begin()), static_cast<Index>(end - heights.begin())};
@@ -243,8 +244,9 @@ void slice(const Solid& solid, std::size_t axis, std::span<const double> coordin
 std::vector<planar::Region> slice(const Solid& solid, std::size_t axis, std::span<const double> coordinates,
                                   const Options& options) {
   std::vector<planar::Region> regions;
-  slice(solid, axis, coordinates, [&](std::size_t, planar::Region region) { regions.push_back(std::move(region)); },
-        options);
+  slice(
+      solid, axis, coordinates, [&](std::size_t, planar::Region region) { regions.push_back(std::move(region)); },
+      options);
   return regions;
 }
 
