@@ -23,8 +23,8 @@ struct Profile {
 };
 
 /// An operand whose vertices may be rationals, as in ExactMesh; `exact` is empty for ordinary meshes. It looks at
-/// arrays that the caller owns. A mesh with rationals is never repaired: of class overlapping and repair it may cross
-/// itself, but must be closed.
+/// arrays that the caller owns. A mesh with rationals is never repaired: of class overlapping, repair and soup it may
+/// cross itself, but must be closed.
 struct Operand {
   MeshView mesh;
   std::span<const ExactVertex> exact;

@@ -63,14 +63,20 @@ enum class InputClass {
   /// Any triangles: equal vertices are welded, duplicate and degenerate faces dropped, orientation made consistent and
   /// outwards; what is then closed is taken as overlapping. No vertex moves, no hole is filled.
   repair,
+  /// Any triangles, made a solid: as `repair`, and loops of open edges are filled with triangles between their
+  /// vertices,
+  /// of least area. The surface is then closed, so that winding numbers say what is inside, exactly. No vertex moves.
+  /// Refused: faces that enclose nothing even so. Which loops were filled is in the notes. Triangles of results that
+  /// are parts of fillings have as their source a face beside the loop.
+  soup,
 };
 
 inline constexpr std::array all_input_classes{InputClass::automatic, InputClass::solid, InputClass::overlapping,
-                                              InputClass::repair};
+                                              InputClass::repair, InputClass::soup};
 
-/// As it is written in files and on the command line: automatic, solid, overlapping, repair.
+/// As it is written in files and on the command line: automatic, solid, overlapping, repair, soup.
 [[nodiscard]] constexpr const char* name(InputClass input) {
-  constexpr std::array names{"automatic", "solid", "overlapping", "repair"};
+  constexpr std::array names{"automatic", "solid", "overlapping", "repair", "soup"};
   return names[static_cast<std::size_t>(input)];
 }
 

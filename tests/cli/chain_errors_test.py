@@ -49,8 +49,8 @@ class Errors(ChainTest):
                 ([{**STEP, "file": ""}], "steps[0].file: expected a string, not empty"),
                 ([{**STEP, "colour": "red"}],
                  "steps[0].colour: no such key; known are operation, file, transform, input, label"),
-                ([{**STEP, "input": "soup"}],
-                 "steps[0].input: 'soup' is no input class; one of automatic, solid, overlapping, repair"),
+                ([{**STEP, "input": "stew"}],
+                 "steps[0].input: 'stew' is no input class; one of automatic, solid, overlapping, repair, soup"),
                 ([{**STEP, "label": [1]}], "steps[0].label: expected a string, found [1]"),
                 ({}, "steps: expected an array, found an object")):
             with self.subTest(message=message):

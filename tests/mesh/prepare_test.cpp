@@ -134,7 +134,7 @@ TEST_CASE("a diagnosis of a solid is empty, that of an empty mesh is a note", "[
 TEST_CASE("non-manifold edges and opposite faces are legal", "[mesh]") {
   const Mesh touching = joined(cube(), moved(cube(), {4, 4, 0}));
   CHECK(diagnose(touching).empty());
-  Mesh welded = *prepare_soup(touching).mesh;
+  Mesh welded = *prepare_soup(touching, Holes::refused).mesh;
   CHECK(diagnose(welded).empty());
   CHECK_FALSE(prepare_closed(welded, false).mesh);
   Mesh with_fin = cube();
@@ -226,7 +226,7 @@ TEST_CASE("a soup is welded, oriented and cleaned, with notes", "[mesh]") {
   soup.triangles.push_back(soup.triangles[2]);  // duplicate
   soup.vertices.insert(soup.vertices.end(), {{9, 9, 9}, {10, 9, 9}, {11, 9, 9}});
   soup.triangles.push_back({37, 38, 39});  // zero area, loose
-  const Prepared prepared = prepare_soup(soup);
+  const Prepared prepared = prepare_soup(soup, Holes::refused);
   check_clean(prepared, cube());
   CHECK(count_of(prepared.notes, DefectKind::non_finite_coordinate) == 1);
   CHECK(count_of(prepared.notes, DefectKind::index_out_of_range) == 1);
@@ -245,26 +245,26 @@ TEST_CASE("a soup in any orientation faces outwards", "[mesh][property]") {
     if (random() % 2 == 0) std::swap(t[0], t[1]);
   }
   std::shuffle(soup.triangles.begin(), soup.triangles.end(), random);
-  check_clean(prepare_soup(soup), parts);
+  check_clean(prepare_soup(soup, Holes::refused), parts);
 }
 
 TEST_CASE("shells inside others become cavities by parity", "[mesh]") {
   const auto ball = [](double r) { return globe(10, r); };
   const Mesh nested = joined(ball(4), joined(ball(3), joined(ball(2), moved(ball(1), {9, 0, 0}))));
   const Mesh expected = joined(ball(4), joined(flipped(ball(3)), joined(ball(2), moved(ball(1), {9, 0, 0}))));
-  check_clean(prepare_soup(nested), expected);
-  check_clean(prepare_soup(flipped(nested)), expected);
+  check_clean(prepare_soup(nested, Holes::refused), expected);
+  check_clean(prepare_soup(flipped(nested), Holes::refused), expected);
   const Mesh touching = joined(cube(), box({0, 1, 1}, {1, 2, 2}));  // from inside, in a face
   const Mesh crossing = joined(cube(), box({1, 1, 1}, {2, 2, 6}));
-  check_clean(prepare_soup(flipped(crossing)), crossing);
-  CHECK(screen(*prepare_soup(touching).mesh).chain_closed);
+  check_clean(prepare_soup(flipped(crossing), Holes::refused), crossing);
+  CHECK(screen(*prepare_soup(touching, Holes::refused).mesh).chain_closed);
 }
 
 TEST_CASE("a soup that stays open is refused with the edges", "[mesh]") {
   Mesh soup = cube();
   soup.triangles.pop_back();
   try {
-    (void)prepare_soup(soup, 1);
+    (void)prepare_soup(soup, Holes::refused, 1);
     FAIL("accepted");
   } catch (const InputError& error) {
     CHECK(error.operand() == 1);
@@ -282,5 +282,5 @@ TEST_CASE("a surface that cannot be oriented is refused", "[mesh]") {
     const std::uint32_t c = i == 4 ? 1 : 2 * i + 2, d = i == 4 ? 0 : 2 * i + 3;
     strip.triangles.insert(strip.triangles.end(), {{2 * i, c, d}, {2 * i, d, 2 * i + 1}});
   }
-  CHECK_THROWS_AS(prepare_soup(strip), InputError);
+  CHECK_THROWS_AS(prepare_soup(strip, Holes::refused), InputError);
 }

@@ -24,7 +24,7 @@ void add_options(CLI::App& app, Request& request) {
   app.add_option("CASE", request.case_file, "A case file")->required()->check(CLI::ExistingFile);
   app.add_option("--operation", request.operation, "union, intersection, difference or symmetric-difference")
       ->transform(CLI::Transformer(operations()));
-  app.add_option("--input", request.input, "automatic, solid, overlapping or repair")
+  app.add_option("--input", request.input, "automatic, solid, overlapping, repair or soup")
       ->transform(CLI::Transformer(input_classes()))
       ->default_str("solid");
   app.add_flag("--one-by-one", request.one_by_one, "Join operand after operand to the result so far");

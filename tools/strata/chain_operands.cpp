@@ -74,7 +74,8 @@ namespace {
 strata::InputClass class_of_image(const ChainOperand& operand) {
   using strata::InputClass;
   if (operand.placement == strata::Placement::exact) return InputClass::solid;
-  return operand.input == InputClass::repair ? InputClass::overlapping : operand.input;
+  const bool is_soup = operand.input == InputClass::repair || operand.input == InputClass::soup;
+  return is_soup ? InputClass::overlapping : operand.input;
 }
 
 }  // namespace

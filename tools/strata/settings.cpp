@@ -39,16 +39,13 @@ void add_engine(CLI::App& verb, Settings& settings, const std::vector<const stra
 }
 
 void add_input_class(CLI::App& verb, Settings& settings) {
-  const std::map<std::string, strata::InputClass> classes = {
-      {"automatic", strata::InputClass::automatic},
-      {"solid", strata::InputClass::solid},
-      {"overlapping", strata::InputClass::overlapping},
-      {"repair", strata::InputClass::repair},
-  };
+  std::map<std::string, strata::InputClass> classes;
+  for (const strata::InputClass input : strata::all_input_classes) classes.emplace(strata::name(input), input);
   verb.add_option_function<std::string>(
           "--input", [&settings, classes](const std::string& word) { settings.input = classes.at(word); },
           "What the operands are: automatic (closed; what crosses itself is found and resolved), solid (closed, and a "
-          "promise that it does not cross itself), overlapping (closed, may cross itself) or repair (a soup)")
+          "promise that it does not cross itself), overlapping (closed, may cross itself), "
+          "repair (a soup that is closed once equal vertices are one) or soup (any triangles: holes are filled)")
       ->type_name("CLASS")
       ->check(CLI::IsMember(classes))
       ->default_str("automatic");

@@ -53,7 +53,8 @@ Solid::Data accept(Mesh mesh, InputClass input) {
       return {{std::move(*p.mesh), {}}, std::move(sources), std::move(p.notes)};
     }
     case InputClass::overlapping:
-    case InputClass::repair: {
+    case InputClass::repair:
+    case InputClass::soup: {
       const MeshView view = mesh;
       return data_of(
           combine(Operation::union_, std::span<const MeshView>(&view, 1), {.input = input, .exact_vertices = true}));
@@ -76,7 +77,8 @@ Solid::Data accept(ExactMesh mesh, InputClass input) {
       return {std::move(mesh), own_faces(faces), std::move(p.notes)};
     }
     case InputClass::overlapping:
-    case InputClass::repair: {
+    case InputClass::repair:
+    case InputClass::soup: {
       const Operand operand{mesh.mesh, mesh.exact};
       return data_of(
           combine(Operation::union_, std::span<const Operand>(&operand, 1), {.input = input, .exact_vertices = true}));

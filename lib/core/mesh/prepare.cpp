@@ -10,7 +10,9 @@ Prepared prepare(ExactMeshView mesh, InputClass input, std::size_t operand) {
     case InputClass::overlapping:
       return prepare_closed(mesh.mesh, false, operand);
     case InputClass::repair:
-      return prepare_soup(mesh.mesh, operand);
+      return prepare_soup(mesh.mesh, Holes::refused, operand);
+    case InputClass::soup:
+      return prepare_soup(mesh.mesh, Holes::filled, operand);
   }
   return {};
 }

@@ -55,14 +55,19 @@ struct Prepared {
 /// Sign of the signed volume of a closed mesh, exact. O(n), rational where doubles do not decide.
 [[nodiscard]] Sign orientation(ExactMeshView mesh);
 
+/// What becomes of loops of open edges.
+enum class Holes : bool { refused, filled };
+
 /// Constructs a closed oriented mesh from a soup: drops faces with indices out of range or coordinates that are not
 /// finite, welds equal vertices, drops degenerate and duplicate faces (opposite pairs cancel), orients components
-/// consistently and outwards. Every step adds a note. Throws InputError when open edges remain.
-[[nodiscard]] Prepared prepare_soup(MeshView mesh, std::size_t operand = 0);
+/// consistently and outwards. Every step adds a note. Open edges that remain are filled, or refused with InputError.
+/// Where holes are filled, a mesh that is closed and consistent keeps its orientation, and faces that enclose no volume
+/// are refused.
+[[nodiscard]] Prepared prepare_soup(MeshView mesh, Holes holes, std::size_t operand = 0);
 
 /// Accepts a mesh as what the caller declares it to be, by the function above that is meant for it: `prepare_exact` if
 /// it has vertices that are not doubles, whatever its class; else `prepare_closed` for `automatic`, `solid` and
-/// `overlapping`, and `prepare_soup` for `repair`. Throws as these do.
+/// `overlapping`, and `prepare_soup` for `repair` and `soup`. Throws as these do.
 [[nodiscard]] Prepared prepare(ExactMeshView mesh, InputClass input, std::size_t operand = 0);
 
 }  // namespace strata

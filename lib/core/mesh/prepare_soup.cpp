@@ -3,6 +3,7 @@
 
 #include "core/mesh/defect_list.h"
 #include "core/mesh/edge_table.h"
+#include "core/mesh/fill_holes.h"
 #include "core/mesh/orient.h"
 #include "core/mesh/prepare.h"
 #include "core/mesh/prepare_steps.h"
@@ -111,28 +112,89 @@ void add_note(std::vector<Defect>& notes, DefectKind kind, std::uint64_t count, 
   notes.push_back(std::move(note));
 }
 
-/// Orients all faces, or throws with the open edges and the notes so far.
-void orient(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes, std::size_t operand) {
-  const Sheets sheets = orient_sheets(faces.triangles, mesh.vertices.size());
-  const Shells shells = orient_outwards(mesh.vertices, faces.triangles, sheets);
-  std::vector<Defect> errors;
-  find_open_edges(mesh.vertices, faces, errors);
-  if (!errors.empty()) {
-    errors.insert(errors.end(), notes.begin(), notes.end());
-    throw InputError(std::move(errors), operand);
-  }
+void refuse(std::vector<Defect> errors, const std::vector<Defect>& notes, std::size_t operand) {
+  errors.insert(errors.end(), notes.begin(), notes.end());
+  throw InputError(std::move(errors), operand);
+}
+
+void note_reversed(std::vector<Defect>& notes, const Sheets& sheets) {
   add_note(notes, DefectKind::inconsistent_orientation, sheets.reversed,
            number(sheets.reversed) + " faces were reversed to run against their neighbours",
            "nothing to do, or orient faces where the mesh is made");
+}
+
+/// Closed sheets face outwards, or inwards as the walls of cavities.
+void orient_shells(MeshView mesh, SourcedTriangles& faces, const Sheets& sheets, std::vector<Defect>& notes) {
+  const Shells shells = orient_outwards(mesh.vertices, faces.triangles, sheets);
   add_note(notes, DefectKind::inside_out, shells.reversed,
            number(shells.reversed) + " shells were reversed; of all shells, " + number(shells.cavities) +
                " lie inside an odd number of others and bound cavities, the rest faces outwards",
            "orient shells where the mesh is made if something else is meant");
 }
 
+/// Orients all faces, or throws with the open edges and the notes so far.
+void orient(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes, std::size_t operand) {
+  const Sheets sheets = orient_sheets(faces.triangles, mesh.vertices.size());
+  std::vector<Defect> of_shells;
+  orient_shells(mesh, faces, sheets, of_shells);
+  std::vector<Defect> errors;
+  find_open_edges(mesh.vertices, faces, errors);
+  if (!errors.empty()) refuse(std::move(errors), notes, operand);
+  note_reversed(notes, sheets);
+  notes.insert(notes.end(), of_shells.begin(), of_shells.end());
+}
+
+Vertex middle_of(MeshView mesh, const FilledHole& hole) {
+  Vertex p{};
+  const auto n = static_cast<double>(hole.loop.size());
+  for (const std::uint32_t v : hole.loop)
+    for (std::size_t i = 0; i < 3; ++i) p[i] += mesh.vertices[v][i] / n;
+  return p;
+}
+
+/// Adds what is missing for a closed chain.
+void fill(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes) {
+  DefectList filled(DefectKind::open_edge, Severity::note, "it was filled: add what is missing there");
+  for (const FilledHole& hole : fill_holes(mesh.vertices, faces))
+    filled.add(middle_of(mesh, hole), {hole.face_beside},
+               [&] { return "a hole is bounded by " + number(hole.loop.size()) + " open edges"; });
+  filled.append_to(notes);
+}
+
+int volume_sign(MeshView mesh, const SourcedTriangles& faces) {
+  return to_int(orientation(ExactMeshView(MeshView(mesh.vertices, faces.triangles), {})));
+}
+
+/// Makes the chain of faces closed and its volume positive. Faces are reversed only where that leaves less open; where
+/// none had to be, their orientation is taken as it is, so that a shell that faces inwards is the wall of a cavity.
+void close(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes, std::size_t operand) {
+  if (const std::uint64_t open = open_uses(mesh.vertices, faces.triangles); open != 0) {
+    std::vector<Triangle> oriented = faces.triangles;
+    const Sheets sheets = orient_sheets(oriented, mesh.vertices.size());
+    const bool is_better = open_uses(mesh.vertices, oriented) < open;
+    if (is_better) {
+      faces.triangles = std::move(oriented);
+      note_reversed(notes, sheets);
+    }
+    fill(mesh, faces, notes);
+    if (is_better) orient_shells(mesh, faces, orient_sheets(faces.triangles, mesh.vertices.size()), notes);
+  }
+  const int sign = volume_sign(mesh, faces);
+  if (sign < 0)
+    for (Triangle& t : faces.triangles) std::swap(t[1], t[2]);
+  add_note(notes, DefectKind::inside_out, sign < 0 ? faces.triangles.size() : 0,
+           "all faces were reversed: the mesh was inside out", "nothing to do, or orient faces where the mesh is made");
+  if (sign != 0) return;
+  Defect nothing;
+  nothing.kind = DefectKind::empty_mesh;
+  nothing.message = "the faces enclose no volume, even with all holes filled";
+  nothing.remedy = "give a mesh whose faces surround something";
+  refuse({nothing}, notes, operand);
+}
+
 }  // namespace
 
-Prepared prepare_soup(MeshView mesh, std::size_t operand) {
+Prepared prepare_soup(MeshView mesh, Holes holes, std::size_t operand) {
   Prepared result;
   if (mesh.triangles.empty()) return result;
   SourcedTriangles faces = sound_faces(mesh, Severity::note, result.notes);
@@ -142,7 +204,10 @@ Prepared prepare_soup(MeshView mesh, std::size_t operand) {
   drop_repeated_vertices(mesh, faces, result.notes);
   drop_duplicates(mesh, faces, result.notes);
   drop_loose_flat_sheets(mesh, faces, result.notes);
-  orient(mesh, faces, result.notes, operand);
+  if (holes == Holes::refused)
+    orient(mesh, faces, result.notes, operand);
+  else
+    close(mesh, faces, result.notes, operand);
   const Removal removal = remove_zero_area(mesh.vertices, faces);
   if (!removal.removed.empty()) result.notes.push_back(removal_note(mesh, removal));
   result.mesh = Mesh{{mesh.vertices.begin(), mesh.vertices.end()}, std::move(faces.triangles)};
