@@ -106,6 +106,15 @@ class Solid {
   /// requirement as `components`. Exact. O(n log n); where there is a solid within a cavity, that of a union.
   [[nodiscard]] Solid without_cavities(const Options& options = {}) const;
 
+  /// This solid with edges and vertices of its own for every sheet of the boundary: where the solid touches itself in
+  /// an edge or a vertex, each wedge of its interior has its own copies. Every edge then has two triangles, and the
+  /// triangles of every vertex form one fan: the mesh is a 2-manifold. (Otherwise what sheets share is listed once.)
+  /// Where wedges at an edge are connected around both of its ends, copies of the edge would have the same ends: all
+  /// but one are divided in the middle. Triangles keep their order and sources, vertices their numbers; copies and
+  /// parts of divided triangles come last. Laws: equal to this solid as a point set; separating twice is separating
+  /// once. Requires what `components` requires. Exact. O(n log n).
+  [[nodiscard]] Solid separated() const;
+
   /// Equal as point sets, exactly; triangulations do not matter. O(1) for copies, else O(n log n).
   friend bool operator==(const Solid& a, const Solid& b);
 

@@ -2,7 +2,7 @@
 import json
 import unittest
 
-from tool import DATA, INVALID, NEGATIVE, ToolTest, cube, off, open_cube
+from tool import DATA, INVALID, NEGATIVE, NOT_CERTIFIED, ToolTest, cube, off, open_cube
 
 RESULT = {"vertices", "triangles", "facets", "volume", "volume_exact", "area", "components", "euler", "empty", "closed",
           "rounded_valid"}
@@ -77,6 +77,20 @@ class Report(ToolTest):
         self.assertEqual(operand["closed"], False)
         self.assertEqual(operand["bounding_box"], {"lower": [0, 0, 0], "upper": [1, 1, 1]})
         self.assertTrue(operand["defects"])
+
+    def test_touching_is_counted_and_a_choice(self):
+        a, b = self.file("a.off", cube()), self.file("b.off", cube(1, 1, 0))
+        for how, vertices in (("shared", 14), ("separate", 16)):
+            with self.subTest(how=how):
+                report = self.report("union", a, b, "-o", "out.off", "--touching", how)
+                self.assertEqual(report["result"]["touching_edges"], 1)
+                self.assertEqual(report["result"]["touching_vertices"], 2)
+                self.assertEqual(int(self.path("out.off").read_text().split()[1]), vertices)
+        self.path("out.off").unlink()
+        done = self.run_tool("union", a, b, "-o", "out.off", "--touching", "refuse", expect=NOT_CERTIFIED)
+        self.assertIn("in 1 edges and 2 vertices", done.stderr.decode())
+        self.assertFalse(self.path("out.off").exists())
+        self.run_tool("union", a, "-o", "out.off", "--touching", "refuse")
 
     def test_repair_says_what_it_did(self):
         vertices = [tuple(map(float, line.split())) for line in cube().splitlines()[2:10]]

@@ -2,7 +2,7 @@
 import json
 import unittest
 
-from tool import INVALID, USAGE, ToolTest, cube, open_cube, two_cubes
+from tool import INVALID, USAGE, ToolTest, cube, off, open_cube, two_cubes
 
 
 class Resolve(ToolTest):
@@ -62,6 +62,24 @@ class Resolve(ToolTest):
     def test_what_is_open_is_refused(self):
         self.run_tool("resolve", self.file("open.off", open_cube()), "-o", "out.off", expect=INVALID)
         self.assertFalse(self.path("out.off").exists())
+
+    def test_a_soup_becomes_a_solid(self):
+        soup = self.file("open.off", open_cube())
+        for verb in ("union", "resolve"):
+            with self.subTest(verb=verb):
+                volume, report = self.volume_of(verb, soup, "-o", "out.off", "--input", "soup")
+                self.assertEqual(volume, "1")
+                note = report["operands"][0]["defects"][0]
+                self.assertEqual((note["kind"], note["severity"]), ("open edge", "note"))
+                self.assertIn("3 open edges", note["message"])
+                self.run_tool("check", "out.off")
+        self.assertIn("was filled", self.run_tool("union", soup, "-o", "out.off", "--input", "soup").stderr.decode())
+        self.run_tool("union", soup, "-o", "out.off", "--input", "repair", expect=INVALID)
+
+    def test_a_soup_that_encloses_nothing_is_refused(self):
+        flat = self.file("flat.off", off([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]))
+        done = self.run_tool("union", flat, "-o", "out.off", "--input", "soup", expect=INVALID)
+        self.assertIn("enclose no volume", done.stderr.decode())
 
 
 if __name__ == "__main__":

@@ -71,6 +71,9 @@ Json operand_report(const LoadedMesh& operand, std::span<const Defect> defects) 
 
 Json result_report(const ExactMesh& mesh, std::optional<bool> rounded_valid) {
   Json report = measures(mesh);
+  const strata::Topology topology = strata::topology(mesh);
+  report["touching_edges"] = topology.non_manifold_edges;
+  report["touching_vertices"] = topology.non_manifold_vertices;
   report["facets"] = strata::canonical_form(mesh).facet_count();
   report["volume_exact"] = strata::volume(mesh).str();
   report["empty"] = mesh.mesh.triangles.empty();

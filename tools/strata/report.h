@@ -25,7 +25,8 @@ void print_notes(std::span<const strata::Defect> notes, const Settings& settings
 /// {path, measures, defects}.
 [[nodiscard]] Json operand_report(const LoadedMesh& operand, std::span<const strata::Defect> defects);
 
-/// {measures, facets, volume_exact, empty, closed, rounded_valid}; `rounded_valid` is null where it was not checked.
+/// {measures, touching_edges, touching_vertices, facets, volume_exact, empty, closed, rounded_valid}; `rounded_valid`
+/// is null where it was not checked.
 [[nodiscard]] Json result_report(const strata::ExactMesh& mesh, std::optional<bool> rounded_valid);
 
 /// A report per operand, with what was resolved on the way in, as for this operand alone; errors too.

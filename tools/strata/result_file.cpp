@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "common/stopwatch.h"
 #include "strata/check.h"
+#include "strata/measure.h"
+#include "strata/solid.h"
 
 namespace {
 
@@ -30,9 +33,22 @@ std::string crossing_for_no_rounding(const char* verb, const Asked& asked, const
 
 }  // namespace
 
-ExitCode write_result(const strata::ExactMesh& result, strata::Format format, Json report, const Settings& settings,
+ExitCode write_result(const strata::ExactMesh& exact, strata::Format format, Json report, const Settings& settings,
                       Watch& watch, const char* verb, const Asked& asked) {
   Stopwatch stopwatch;
+  if (settings.touching == "refuse") {
+    const strata::Topology topology = strata::topology(exact);
+    if (topology.non_manifold_edges + topology.non_manifold_vertices > 0) {
+      fmt::print(stderr, "strata: the result touches itself in {} edges and {} vertices; nothing was written\n",
+                 topology.non_manifold_edges, topology.non_manifold_vertices);
+      if (!settings.report.empty()) report["result"] = result_report(exact, {});
+      if (!settings.report.empty()) write_report(settings.report, std::move(report));
+      return ExitCode::not_certified;
+    }
+  }
+  std::optional<strata::Solid> separated;
+  if (settings.touching == "separate") separated = strata::Solid::trusted(exact).separated();
+  const strata::ExactMesh& result = separated ? separated->exact_mesh() : exact;
   std::optional<bool> rounded_valid;
   if (settings.certify) {
     rounded_valid = certify(result, format, settings, watch);

@@ -12,5 +12,5 @@
 /// What all verbs that make a mesh do with it: checks it where asked to, completes the report with the result and the
 /// times, writes both. Not certified: says so and tells by the exit code. If that was no matter
 /// of rounding, what `verb` asked is kept as a reproduction.
-[[nodiscard]] ExitCode write_result(const strata::ExactMesh& result, strata::Format format, Json report,
+[[nodiscard]] ExitCode write_result(const strata::ExactMesh& exact, strata::Format format, Json report,
                                     const Settings& settings, Watch& watch, const char* verb, const Asked& asked);

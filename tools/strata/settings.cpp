@@ -57,6 +57,13 @@ void add_output_options(CLI::App& verb, Settings& settings) {
       ->type_name("OUT");
   verb.add_option("--format", settings.output_format, "Format of the result, instead of the extension of OUT")
       ->type_name("FORMAT");
+  verb.add_option(
+          "--touching", settings.touching,
+          "Edges and vertices in which the result touches itself: shared (listed once), separate (a copy for each "
+          "sheet: a 2-manifold) or refuse (exit code 5, nothing is written)")
+      ->type_name("HOW")
+      ->check(CLI::IsMember({"shared", "separate", "refuse"}))
+      ->default_str("shared");
   verb.add_flag("--certify", settings.certify,
                 "Check that no faces cross in the rounded result; exit code 5 if some do");
 }

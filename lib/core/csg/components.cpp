@@ -3,12 +3,11 @@
 #include <optional>
 #include <utility>
 
+#include "core/csg/solid_boundary.h"
 #include "core/csg/solid_data.h"
 #include "core/kernel/disjoint_sets.h"
 #include "core/kernel/predicates.h"
 #include "core/kernel/ray_crossing.h"
-#include "core/mesh/across_solid.h"
-#include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
 
 namespace strata {
@@ -21,20 +20,13 @@ struct Shell {
   bool is_outer = false;
 };
 
-/// The boundary of a solid, with one number for equal vertices.
+/// The boundary of a solid as shells.
 class Boundary {
  public:
-  explicit Boundary(const ExactMesh& mesh) : mesh_(mesh), triangles_(mesh.mesh.triangles) {
-    const std::vector<std::uint32_t> first = equal_vertices(mesh);
-    for (Triangle& t : triangles_)
-      for (std::uint32_t& v : t) v = first[v];
-    input_.add(mesh_.mesh.vertices, triangles_, mesh_.exact);
-  }
-  Boundary(const Boundary&) = delete;
-  Boundary& operator=(const Boundary&) = delete;
+  explicit Boundary(const ExactMesh& mesh) : boundary_(mesh), mesh_(mesh) {}
 
-  [[nodiscard]] const InputComplex& input() const { return input_; }
-  [[nodiscard]] const Triangle& triangle(std::uint32_t face) const { return triangles_[face]; }
+  [[nodiscard]] const InputComplex& input() const { return boundary_.input(); }
+  [[nodiscard]] const Triangle& triangle(std::uint32_t face) const { return boundary_.triangles()[face]; }
   [[nodiscard]] const Vertex& vertex(std::uint32_t v) const { return mesh_.mesh.vertices[v]; }
 
   /// In the order of their first faces.
@@ -58,24 +50,15 @@ class Boundary {
  private:
   [[nodiscard]] std::vector<Triangle> triangles_of(const Shell& shell) const {
     std::vector<Triangle> triangles;
-    for (const std::uint32_t f : shell.faces) triangles.push_back(triangles_[f]);
+    for (const std::uint32_t f : shell.faces) triangles.push_back(triangle(f));
     return triangles;
   }
 
   [[nodiscard]] std::vector<std::uint32_t> shell_of_faces() const {
-    const AcrossSolid across_solid([&](const EdgeUse& use, const EdgeUse& other) {
-      const Triangle &t = triangles_[use.triangle], &o = triangles_[other.triangle];
-      return orient3d(input_, t[0], t[1], t[2], o[(other.corner + 2U) % 3]);
-    });
-    DisjointSets<std::uint32_t> sets(triangles_.size());
-    const std::vector<EdgeUse> uses = edge_table(triangles_, mesh_.mesh.vertices.size());
-    for_each_edge(uses, [&](std::span<const EdgeUse> around) {
-      if (around.size() == 2) return sets.unite(around[0].triangle, around[1].triangle);
-      for (const EdgeUse& use : around)
-        if (use.forward) sets.unite(use.triangle, across_solid(use, around).triangle);
-    });
+    DisjointSets<std::uint32_t> sets(boundary_.triangles().size());
+    boundary_.for_each_wedge([&](const EdgeUse& a, const EdgeUse& b, bool) { sets.unite(a.triangle, b.triangle); });
     // The representative is the lowest face: shells are numbered when it comes.
-    std::vector<std::uint32_t> shell(triangles_.size());
+    std::vector<std::uint32_t> shell(boundary_.triangles().size());
     std::uint32_t count = 0;
     for (std::uint32_t f = 0; f < shell.size(); ++f) {
       const std::uint32_t lowest = sets.find(f);
@@ -84,9 +67,8 @@ class Boundary {
     return shell;
   }
 
+  SolidBoundary boundary_;
   const ExactMesh& mesh_;
-  std::vector<Triangle> triangles_;
-  InputComplex input_;
 };
 
 /// A point inside a face of a cavity's boundary, from where a ray runs in the direction of x.

@@ -61,8 +61,8 @@ class Loops {
     return i < missing_.size() && missing_[i].from == vertex;
   }
 
-  /// Walks from a vertex until it can go no further, which is where it began; each time it comes to a vertex on its way,
-  /// what lies between is a loop.
+  /// Walks from a vertex until it can go no further, which is where it began; each time it comes to a vertex on its
+  /// way, what lies between is a loop.
   void walk(Index from) {
     std::vector<MissingEdge> way;
     std::unordered_map<Index, std::size_t> place{{from, 0}};
@@ -181,9 +181,8 @@ class Filling {
 
 std::uint64_t open_uses(std::span<const Vertex> vertices, std::span<const Triangle> triangles) {
   std::uint64_t sum = 0;
-  for_each_edge(edge_table(triangles, vertices.size()), [&](std::span<const EdgeUse> uses) {
-    sum += static_cast<std::uint64_t>(std::abs(net_uses(uses)));
-  });
+  for_each_edge(edge_table(triangles, vertices.size()),
+                [&](std::span<const EdgeUse> uses) { sum += static_cast<std::uint64_t>(std::abs(net_uses(uses))); });
   return sum;
 }
 
