@@ -109,8 +109,8 @@ class Solid {
   /// This solid with edges and vertices of its own for every sheet of the boundary: where the solid touches itself in
   /// an edge or a vertex, each wedge of its interior has its own copies. Every edge then has two triangles, and the
   /// triangles of every vertex form one fan: the mesh is a 2-manifold. (Otherwise what sheets share is listed once.)
-  /// Where wedges at an edge are connected around both of its ends, copies of the edge would have the same ends: all
-  /// but one are divided in the middle. Triangles keep their order and sources, vertices their numbers; copies and
+  /// Where wedges at an edge are connected around both of its ends, copies of the edge would have the same ends: they
+  /// are divided in the middle. Triangles keep their order and sources, vertices their numbers; copies and
   /// parts of divided triangles come last. Laws: equal to this solid as a point set; separating twice is separating
   /// once. Requires what `components` requires. Exact. O(n log n).
   [[nodiscard]] Solid separated() const;

@@ -28,8 +28,9 @@ class SolidBoundary {
   [[nodiscard]] const InputComplex& input() const { return input_; }
   [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
 
-  /// Calls visit(use, other, is_only) for every wedge of the interior at every edge: the two uses of the edge by the faces
-  /// that bound the wedge, and whether there is no other wedge. O(n log d) for vertices of degree d, and for edges of many faces the square of their number.
+  /// Calls visit(use, other, is_only) for every wedge of the interior at every edge: the two uses of the edge by the
+  /// faces that bound the wedge, and whether there is no other wedge. O(n log d) for vertices of degree d, and for
+  /// edges of many faces the square of their number.
   template <class Visit>
   void for_each_wedge(const Visit& visit) const {
     const AcrossSolid across_solid([&](const EdgeUse& use, const EdgeUse& other) {
