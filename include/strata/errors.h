@@ -34,6 +34,9 @@ enum class DefectKind {
 /// error: the mesh is no solid. note: it is one, and this was resolved exactly on the way in.
 enum class Severity { note, error };
 
+/// How many defects of one kind are listed where nothing else is said; the others are counted.
+inline constexpr std::size_t few_defects = 5;
+
 /// One kind of defect: where it is (coordinates of a witness point, face numbers) and what would repair it.
 struct Defect {
   DefectKind kind = DefectKind::empty_mesh;

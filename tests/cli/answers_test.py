@@ -25,6 +25,19 @@ class Answers(ToolTest):
                 self.assertIn("not a solid", out)
                 self.assertIn(defect, out)
 
+    def test_defects_are_listed_up_to_a_limit_and_all_in_the_report(self):
+        vertices = [(3 * i + x, y, 0) for i in range(40) for x, y in ((0, 0), (1, 0), (0, 1))]
+        loose = self.file("loose.off", off(vertices, [(3 * i, 3 * i + 1, 3 * i + 2) for i in range(40)]))
+        out = self.run_tool("check", loose, expect=NEGATIVE).stdout.decode()
+        self.assertEqual(out.count("open edge:"), 100)
+        self.assertIn("... and 20 more of this kind", out)
+        out = self.run_tool("check", loose, "--max-defects", 3, expect=NEGATIVE).stdout.decode()
+        self.assertEqual(out.count("open edge:"), 3)
+        self.assertIn("input class soup", out)
+        defects = self.report("check", loose, expect=NEGATIVE)["operands"][0]["defects"]
+        self.assertEqual([d["kind"] for d in defects], ["open edge"] * 120)
+        self.assertEqual({d["count"] for d in defects}, {120})
+
     def test_check_writes_nothing(self):
         self.run_tool("check", self.file("a.off", cube()))
         self.assertEqual(self.left_over(), ["a.off"])

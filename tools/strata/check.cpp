@@ -4,28 +4,29 @@
 
 #include <algorithm>
 
-#include "common/progress.h"
 #include "common/stopwatch.h"
-#include "common/watch.h"
 #include "files.h"
 #include "report.h"
 #include "verbs.h"
+#include "watched_options.h"
 
 namespace {
 
 std::vector<strata::Defect> diagnose(const strata::ExactMesh& mesh, const Settings& settings, const Watch& watch) {
   ProgressBar bar(settings.progress, settings.quiet);
-  strata::Options options;
-  options.threads = settings.threads;
-  options.progress = [&bar](double fraction) { bar.show(fraction); };
-  options.cancel = &watch.token();
-  return strata::check(mesh, options);
+  const std::size_t listed = settings.report.empty() ? settings.max_defects : ~std::size_t{0};
+  return strata::check(mesh, watched_options(settings, bar, watch), listed);
 }
 
-void print_verdict(const LoadedMesh& operand, bool solid, std::span<const strata::Defect> defects) {
+/// Defects of one kind are next to each other.
+void print_verdict(const LoadedMesh& operand, bool solid, std::span<const strata::Defect> defects, std::uint64_t most) {
   fmt::print("{}: {}\n", operand.path, solid ? "a solid" : "not a solid");
-  for (const strata::Defect& defect : defects) {
-    fmt::print("  {}: {}\n", strata::name(defect.severity), strata::describe(defect));
+  std::uint64_t printed = 0;
+  for (std::size_t i = 0; i < defects.size(); ++i) {
+    printed = i > 0 && defects[i].kind == defects[i - 1].kind ? printed + 1 : 1;
+    if (printed <= most) fmt::print("  {}: {}\n", strata::name(defects[i].severity), strata::describe(defects[i]));
+    if (printed == most && defects[i].count > most)
+      fmt::print("  ... and {} more of this kind\n", defects[i].count - most);
   }
 }
 
@@ -58,6 +59,6 @@ ExitCode run_check(const Settings& settings) {
     report["operands"] = Json::array({operand_report(operand, defects)});
     write_report(settings.report, std::move(report));
   }
-  if (!settings.quiet && settings.report != "-") print_verdict(operand, solid, defects);
+  if (!settings.quiet && settings.report != "-") print_verdict(operand, solid, defects, settings.max_defects);
   return solid ? ExitCode::ok : ExitCode::negative;
 }

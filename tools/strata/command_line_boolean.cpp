@@ -81,6 +81,10 @@ void add_check(CommandLine& line) {
   CLI::App* verb =
       line.app.add_subcommand("check", "Is the mesh the boundary of a solid? Lists every defect, writes nothing");
   add_common_options(*verb, settings, 1, 1);
+  verb->add_option("--max-defects", settings.max_defects,
+                   "How many of one kind are printed; all are counted, and all are in the report")
+      ->type_name("N")
+      ->default_str("100");
   verb->footer(fmt::format("Example:\n  strata check scan.stl\n\n{}", exit_codes));
   line.on(*verb, [&settings] { return run_check(settings); });
 }

@@ -26,6 +26,7 @@ struct Settings {
   std::string output;                      ///< path; "-" is stdout
   std::string output_format;               ///< empty: by extension
   std::string report;                      ///< path of the JSON report; "-" is stdout; empty: none
+  std::uint64_t max_defects = 100;         ///< of one kind that are printed
   bool certify = false;
   std::string touching = "shared";  ///< what sheets that touch share: shared, separate or refuse
   std::string origin = "auto";      ///< x,y,z, direction:x,y,z or auto

@@ -32,19 +32,21 @@ bool has_sound_faces(ExactMeshView mesh) {
 
 }  // namespace
 
-std::vector<Defect> check(MeshView mesh, const Options& options) { return check(ExactMeshView(mesh, {}), options); }
+std::vector<Defect> check(MeshView mesh, const Options& options, std::size_t listed) {
+  return check(ExactMeshView(mesh, {}), options, listed);
+}
 
-std::vector<Defect> check(ExactMeshView mesh, const Options& options) {
+std::vector<Defect> check(ExactMeshView mesh, const Options& options, std::size_t listed) {
   return in_arena(options, [&] {
     const Monitor monitor(options.cancel);
     if (mesh.exact.empty() && is_plainly_solid(mesh.mesh, monitor)) return std::vector<Defect>{};
-    std::vector<Defect> defects = diagnose(mesh);
+    std::vector<Defect> defects = diagnose(mesh, listed);
     if (std::any_of(defects.begin(), defects.end(), is_error) || mesh.mesh.triangles.empty()) return defects;
     const Prepared prepared = mesh.exact.empty() ? prepare_closed(mesh.mesh, true) : prepare_exact(mesh);
     const ExactMeshView ready(prepared.mesh ? MeshView(*prepared.mesh) : mesh.mesh, mesh.exact);
     const std::vector<Triangle> triangles = on_first_vertices(ready);
     const auto more = Inspection({{ready.mesh.vertices, triangles}, mesh.exact}, monitor)
-                          .defects(Severity::error, prepared.source_face);
+                          .defects(Severity::error, prepared.source_face, listed);
     defects.insert(defects.end(), more.begin(), more.end());
     return defects;
   });

@@ -44,7 +44,8 @@ bool Inspection::finds_nothing() const {
   return intersections_.empty() && std::all_of(above_.begin(), above_.end(), [](int w) { return w == 0; });
 }
 
-std::vector<Defect> Inspection::defects(Severity severity, const std::vector<std::uint32_t>& source) const {
+std::vector<Defect> Inspection::defects(Severity severity, const std::vector<std::uint32_t>& source,
+                                        std::size_t listed) const {
   const bool is_note = severity == Severity::note;
   const auto remedy = [&](const char* of_error) {
     return is_note ? "resolved: inside is where the winding number is positive" : of_error;
@@ -53,14 +54,14 @@ std::vector<Defect> Inspection::defects(Severity severity, const std::vector<std
   std::vector<Defect> defects;
 
   DefectList crossings(DefectKind::self_intersection, severity,
-                       remedy("declare the input as overlapping, which resolves intersections exactly"));
+                       remedy("declare the input as overlapping, which resolves intersections exactly"), listed);
   for (const SelfIntersection& s : intersections_)
     crossings.add(s.at, {number(s.face), number(s.other)},
                   [&] { return sentence(s, number(s.face), number(s.other)); });
   crossings.append_to(defects);
 
   DefectList wrong(DefectKind::inside_out, severity,
-                   remedy("reverse the faces of the shell, or declare the input as repair"));
+                   remedy("reverse the faces of the shell, or declare the input as repair"), listed);
   for (std::uint32_t f = 0; f < shells_.of_face.size(); ++f)
     if (const std::int32_t above = above_[shells_.of_face[f]]; above != 0)
       wrong.add(mesh_.mesh.vertices[mesh_.mesh.triangles[f][0]], {number(f)},

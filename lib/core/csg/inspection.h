@@ -26,8 +26,10 @@ class Inspection {
   /// True when the mesh bounds a solid.
   [[nodiscard]] bool finds_nothing() const;
 
-  /// As errors, or as notes on what is resolved. `source` maps to the caller's face numbers; empty: the same numbers.
-  [[nodiscard]] std::vector<Defect> defects(Severity severity, const std::vector<std::uint32_t>& source) const;
+  /// As errors, or as notes on what is resolved; so many of each kind are listed. `source` maps to the caller's face
+  /// numbers; empty: the same numbers.
+  [[nodiscard]] std::vector<Defect> defects(Severity severity, const std::vector<std::uint32_t>& source,
+                                            std::size_t listed = few_defects) const;
 
  private:
   ExactMeshView mesh_;

@@ -31,11 +31,12 @@ struct SoundMesh {
   [[nodiscard]] ExactMeshView exact_view() const { return {view(), exact}; }
 };
 
-void find_zero_areas(const SoundMesh& mesh, std::vector<Defect>& defects) {
+void find_zero_areas(const SoundMesh& mesh, std::vector<Defect>& defects, std::size_t listed) {
   const bool rational = !mesh.exact.empty();
   DefectList list(DefectKind::degenerate_triangle, rational ? Severity::error : Severity::note,
                   rational ? "remove the face and divide its neighbours: among rationals that is not done for you"
-                           : "nothing to do: zero-area triangles are removed exactly, their neighbours divided");
+                           : "nothing to do: zero-area triangles are removed exactly, their neighbours divided",
+                  listed);
   const ZeroAreaTest is_zero(mesh.exact_view());
   for (std::size_t i = 0; i < mesh.faces.triangles.size(); ++i) {
     if (!is_zero(i)) continue;
@@ -52,9 +53,9 @@ Triangle rotated(Triangle t) {
   return t;
 }
 
-void find_duplicates(const SoundMesh& mesh, std::vector<Defect>& defects) {
+void find_duplicates(const SoundMesh& mesh, std::vector<Defect>& defects, std::size_t listed) {
   DefectList list(DefectKind::duplicate_face, Severity::error,
-                  "remove all but one of these faces (input class repair does)");
+                  "remove all but one of these faces (input class repair does)", listed);
   const auto& triangles = mesh.faces.triangles;
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
@@ -91,18 +92,18 @@ void weld(SoundMesh& mesh) {
   for (Triangle& t : mesh.faces.triangles) t = {first[t[0]], first[t[1]], first[t[2]]};
 }
 
-/// Removes `repair` from the remedies, because it takes doubles only.
+/// Removes `repair` and `soup` from the remedies, because they take doubles only.
 void leave_out_repair(std::vector<Defect>& defects) {
-  constexpr std::string_view mention = " (input class repair does)";
   for (Defect& d : defects)
-    if (d.remedy.ends_with(mention)) d.remedy.resize(d.remedy.size() - mention.size());
+    for (const std::string_view mention : {" (input class repair does)", " (input class soup fills holes)"})
+      if (d.remedy.ends_with(mention)) d.remedy.resize(d.remedy.size() - mention.size());
 }
 
 }  // namespace
 
-std::vector<Defect> diagnose(MeshView mesh) { return diagnose(ExactMeshView(mesh, {})); }
+std::vector<Defect> diagnose(MeshView mesh, std::size_t listed) { return diagnose(ExactMeshView(mesh, {}), listed); }
 
-std::vector<Defect> diagnose(ExactMeshView given) {
+std::vector<Defect> diagnose(ExactMeshView given, std::size_t listed) {
   const MeshView mesh = given.mesh;
   std::vector<Defect> defects;
   if (mesh.triangles.empty()) {
@@ -111,13 +112,13 @@ std::vector<Defect> diagnose(ExactMeshView given) {
     list.append_to(defects);
     return defects;
   }
-  SoundMesh sound{mesh.vertices, given.exact, sound_faces(mesh, Severity::error, defects)};
-  find_zero_areas(sound, defects);
+  SoundMesh sound{mesh.vertices, given.exact, sound_faces(mesh, Severity::error, defects, listed)};
+  find_zero_areas(sound, defects, listed);
   if (!screen(sound.view()).chain_closed) {  // equal vertices that are listed several times do not count as an opening
     weld(sound);
   }
-  find_duplicates(sound, defects);
-  find_open_edges(sound.vertices, sound.faces, defects);
+  find_duplicates(sound, defects, listed);
+  find_open_edges(sound.vertices, sound.faces, defects, listed);
   find_inside_out(sound, defects);
   if (!given.exact.empty()) leave_out_repair(defects);
   return defects;

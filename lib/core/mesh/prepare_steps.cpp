@@ -22,12 +22,13 @@ bool is_finite(const Vertex& v) { return std::isfinite(v[0]) && std::isfinite(v[
 
 }  // namespace
 
-SourcedTriangles sound_faces(MeshView mesh, Severity severity, std::vector<Defect>& defects) {
+SourcedTriangles sound_faces(MeshView mesh, Severity severity, std::vector<Defect>& defects, std::size_t listed) {
   const bool dropped = severity == Severity::note;
   DefectList out_of_range(DefectKind::index_out_of_range, severity,
-                          dropped ? "the face was dropped" : "remove the face or add the missing vertex");
+                          dropped ? "the face was dropped" : "remove the face or add the missing vertex", listed);
   DefectList non_finite(DefectKind::non_finite_coordinate, severity,
-                        dropped ? "the face was dropped" : "give the vertex finite coordinates or remove the face");
+                        dropped ? "the face was dropped" : "give the vertex finite coordinates or remove the face",
+                        listed);
   SourcedTriangles sound;
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
     const Triangle& t = mesh.triangles[f];
@@ -86,10 +87,12 @@ Defect removal_note(MeshView mesh, const Removal& removal) {
   return note;
 }
 
-void find_open_edges(std::span<const Vertex> vertices, const SourcedTriangles& faces, std::vector<Defect>& defects) {
-  DefectList open(DefectKind::open_edge, Severity::error, "add the faces that are missing there, or remove loose ones");
+void find_open_edges(std::span<const Vertex> vertices, const SourcedTriangles& faces, std::vector<Defect>& defects,
+                     std::size_t listed) {
+  DefectList open(DefectKind::open_edge, Severity::error,
+                  "add the faces that are missing there, or remove loose ones (input class soup fills holes)", listed);
   DefectList turned(DefectKind::inconsistent_orientation, Severity::error,
-                    "reverse the faces that run the same way along the edge (input class repair does)");
+                    "reverse the faces that run the same way along the edge (input class repair does)", listed);
   for_each_edge(edge_table(faces.triangles, vertices.size()), [&](std::span<const EdgeUse> uses) {
     const std::int64_t net = net_uses(uses);
     if (net == 0) return;

@@ -14,8 +14,9 @@ namespace strata {
 void require_nearest_doubles(ExactMeshView mesh);
 
 /// The faces with indices in range and finite coordinates. The others are appended to the defects, as errors or as
-/// notes on what was dropped. O(n).
-[[nodiscard]] SourcedTriangles sound_faces(MeshView mesh, Severity severity, std::vector<Defect>& defects);
+/// notes on what was dropped; so many of each kind are listed. O(n).
+[[nodiscard]] SourcedTriangles sound_faces(MeshView mesh, Severity severity, std::vector<Defect>& defects,
+                                           std::size_t listed = few_defects);
 
 /// Identifies equal vertices with the first of them (-0 = 0). Returns the number of vertices that are equal to an
 /// earlier one.
@@ -28,6 +29,7 @@ std::uint64_t weld(std::span<const Vertex> vertices, std::vector<Triangle>& tria
 [[nodiscard]] Defect removal_note(MeshView input, const Removal& removal);
 
 /// Appends the edges whose directed occurrences do not cancel: open where their number is odd, else inconsistent.
-void find_open_edges(std::span<const Vertex> vertices, const SourcedTriangles& faces, std::vector<Defect>& defects);
+void find_open_edges(std::span<const Vertex> vertices, const SourcedTriangles& faces, std::vector<Defect>& defects,
+                     std::size_t listed = few_defects);
 
 }  // namespace strata
