@@ -1,7 +1,7 @@
 """The verdicts of check, compare and --certify, and what Booleans of refused operands say."""
 import unittest
 
-from tool import DATA, INVALID, NEGATIVE, ToolTest, cube, open_cube, two_cubes
+from tool import DATA, INVALID, NEGATIVE, ToolTest, cube, off, open_cube, two_cubes
 
 
 def turned(text):
