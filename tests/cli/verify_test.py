@@ -36,7 +36,7 @@ class Cases(VerifyTest):
                 (put("expression", "a | c"), "expression: there is no operand 'c'"),
                 (put("expression", "a"), "operands: the expression has no 'b'"),
                 (put("colour", "red"), "colour: no such key"), (put("why", 7), "why: expected a string"),
-                (put("input", "soup"), "input: 'soup' is no input class"),
+                (put("input", "stew"), "input: 'stew' is no input class"),
                 (put("known", {"volume": "x"}), "known.volume: expected a number as a string"),
                 (put("known", {"weight": "1"}), "known.weight: no such key"),
                 (lambda d: d["operands"].update({"a": "missing.off"}), "operands.a: "),

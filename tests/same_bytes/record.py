@@ -118,6 +118,16 @@ def operations():
         "ray first": ["ray", GEAR, "--rays", "rays.csv", "-o", "OUT.csv"],
         "draw": ["draw", GEAR, "--direction=-2,3,-2", "-o", "OUT.svg"],
         "draw filled": ["draw", "a.off", "cube.off", "--from", "5,6,7", "--style", "both", "-o", "OUT.svg"],
+        "soup": ["union", "open.off", "beside.off", "-o", "OUT.off", "--input", "soup"],
+        "separate": ["xor", "cube.off", "inside.off", "-o", "OUT.off", "--touching", "separate", "--report", "OUT.json"],
+        "split": ["split", GEAR, "a.off", "--plane", "1,2,3,1/3", "-o", "OUT", "--report", "OUT.json"],
+        "clip": ["clip", "a.off", "b.off", "--keep", "outside", "-o", "OUT.off"],
+        "clip on": ["clip", "beside.off", "cube.off", "--keep", "on", "-o", "OUT.off"],
+        "imprint": ["imprint", "a.off", "b.off", "cube.off", "-o", "OUT"],
+        "cells": ["cells", "a.off", "b.off", "open.off", "-o", "OUT", "--walls", "--format", "off"],
+        "section": ["section", GEAR, "cube.off", "--plane", "1,1,1,1/3", "-o", "OUT.wkt", "--exact", "--report", "OUT.json"],
+        "slice": ["slice", SPOT, "a.off", "--along", "y", "--step", "0.05", "-o", "OUT.csv", "--report", "OUT.json"],
+        "slice svg": ["slice", "a.off", "--step", "0.1", "-o", "OUT.svg"],
         "refused: open": ["union", "open.off", "cube.off", "-o", "OUT.off"],
         "refused: missing": ["union", "missing.off", "cube.off", "-o", "OUT.off"],
         "refused: usage": ["union", "--nonsense"],
@@ -148,9 +158,9 @@ def run(program, arguments, threads):
         done = subprocess.run([program, *map(str, arguments), *(["-j", str(threads)] if threads else [])], cwd=folder,
                               stdin=subprocess.DEVNULL, capture_output=True, timeout=300, env={**os.environ, "STRATA_REPRODUCTIONS": name})
         record = {"exit": done.returncode, "stdout": digest("stdout", done.stdout, folder)}
-        for path in sorted(set(folder.iterdir()) - before):
+        for path in sorted(set(folder.rglob("*")) - before):
             if path.is_file():
-                record[path.name] = digest(path.name, path.read_bytes(), folder)
+                record[path.relative_to(folder).as_posix()] = digest(path.name, path.read_bytes(), folder)
         return record
 
 
