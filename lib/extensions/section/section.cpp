@@ -134,37 +134,54 @@ class AxisPlane {
   Positions at_;
 };
 
-/// For every plane the triangles that it may cross.
+/// The triangles that planes may cross, for batches of planes in order.
 class CrossedTriangles {
  public:
   CrossedTriangles(const Mesh& mesh, std::size_t axis, std::span<const double> heights)
-      : first_(heights.size() + 1, 0) {
-    std::vector<std::pair<Index, Index>> range(mesh.triangles.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, range.size(), 4096), [&](const auto& block) {
+      : range_(mesh.triangles.size()), first_(heights.size() + 1, 0) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, range_.size(), 4096), [&](const auto& block) {
       for (std::size_t t = block.begin(); t != block.end(); ++t) {
         const auto [low, high] =
             std::minmax({mesh.vertices[mesh.triangles[t][0]][axis], mesh.vertices[mesh.triangles[t][1]][axis],
                          mesh.vertices[mesh.triangles[t][2]][axis]});
         const auto begin = std::lower_bound(heights.begin(), heights.end(), low);
         const auto end = std::upper_bound(begin, heights.end(), high);
-        range[t] = {static_cast<Index>(begin - heights.begin()), static_cast<Index>(end - heights.begin())};
+        range_[t] = {static_cast<Index>(begin - heights.begin()), static_cast<Index>(end - heights.begin())};
       }
     });
-    for (const auto& [begin, end] : range)
-      for (Index k = begin; k < end; ++k) ++first_[k + 1];
+    for (const auto& [begin, end] : range_)
+      if (begin < end) ++first_[begin + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    triangles_.resize(first_.back());
+    starting_.resize(first_.back());
     std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (Index t = 0; t < range.size(); ++t)
-      for (Index k = range[t].first; k < range[t].second; ++k) triangles_[next[k]++] = t;
+    for (Index t = 0; t < range_.size(); ++t)
+      if (range_[t].first < range_[t].second) starting_[next[range_[t].first]++] = t;
   }
-  [[nodiscard]] std::span<const Index> of_plane(std::size_t k) const {
-    return std::span(triangles_).subspan(first_[k], first_[k + 1] - first_[k]);
+
+  /// The number of triangles that the last plane of the batch before and the next one may cross, about.
+  [[nodiscard]] std::size_t expected() const {
+    return active_.size() + (next_ + 1 < first_.size() ? first_[next_ + 1] - first_[next_] : 0);
+  }
+  /// The triangles of each of the next planes.
+  std::vector<std::vector<Index>> take(std::size_t count) {
+    std::vector<std::vector<Index>> lists(count);
+    const auto first = static_cast<Index>(next_), last = static_cast<Index>(next_ + count);
+    active_.insert(active_.end(), starting_.begin() + static_cast<std::ptrdiff_t>(first_[first]),
+                   starting_.begin() + static_cast<std::ptrdiff_t>(first_[last]));
+    for (const Index t : active_)
+      for (Index k = std::max(first, range_[t].first); k < std::min(last, range_[t].second); ++k)
+        lists[k - first].push_back(t);
+    std::erase_if(active_, [&](Index t) { return range_[t].second <= last; });
+    next_ += count;
+    return lists;
   }
 
  private:
-  std::vector<std::size_t> first_;
-  std::vector<Index> triangles_;
+  std::vector<std::pair<Index, Index>> range_;  ///< per triangle: the first plane and the one behind the last
+  std::vector<std::size_t> first_;              ///< per plane, in `starting_`
+  std::vector<Index> starting_;                 ///< triangles by their first planes
+  std::vector<Index> active_;                   ///< those that started before and go on
+  std::size_t next_ = 0;
 };
 
 template <class PlaneOf>
@@ -225,17 +242,21 @@ void slice(const Solid& solid, std::size_t axis, std::span<const double> coordin
   const Mesh& mesh = solid.mesh();
   auto arena = arena_for(options, mesh.triangles.size() + coordinates.size());
   arena.execute([&] {
-    const CrossedTriangles crossed(mesh, axis, coordinates);
-    constexpr std::size_t batch = 64;
-    for (std::size_t first = 0; first < coordinates.size(); first += batch) {
-      std::vector<planar::Region> regions(std::min(batch, coordinates.size() - first));
-      tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
+    CrossedTriangles crossed(mesh, axis, coordinates);
+    constexpr std::size_t most_planes = 64, most_crossings = 1 << 24;
+    for (std::size_t first = 0; first < coordinates.size();) {
+      const std::size_t fitting = std::clamp(most_crossings / (crossed.expected() + 1), std::size_t{1}, most_planes);
+      const std::size_t count = std::min(fitting, coordinates.size() - first);
+      const std::vector<std::vector<Index>> triangles = crossed.take(count);
+      std::vector<planar::Region> regions(count);
+      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
         cancelled.check();
         const AxisPlane plane(axis, coordinates[first + i], solid.exact_mesh());
-        regions[i] = region_of(mesh, crossed.of_plane(first + i), plane, cancelled);
+        regions[i] = region_of(mesh, triangles[i], plane, cancelled);
       });
       for (std::size_t i = 0; i < regions.size(); ++i) visit(first + i, std::move(regions[i]));
-      monitor.report(static_cast<double>(first + regions.size()) / static_cast<double>(coordinates.size()));
+      first += count;
+      monitor.report(static_cast<double>(first) / static_cast<double>(coordinates.size()));
     }
   });
   if (coordinates.empty()) monitor.report(1);
