@@ -71,8 +71,10 @@ TEST_CASE("sets of cubes in a grid become manifolds", "[csg]") {
     CAPTURE(seed);
     std::mt19937 random(seed);
     std::vector<Solid> cubes;
-    for (int i = 0; i < 27; ++i)
-      if (random() % 2 == 0) cubes.push_back(unit(i % 3, i / 3 % 3, i / 9));
+    for (int x = 0; x < 3; ++x)
+      for (int y = 0; y < 3; ++y)
+        for (int z = 0; z < 3; ++z)
+          if (random() % 2 == 0) cubes.push_back(unit(x, y, z));
     const Solid solid = union_(cubes);
     const Solid separated = solid.separated();
     REQUIRE(is_manifold(separated.mesh()));

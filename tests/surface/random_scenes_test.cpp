@@ -37,7 +37,7 @@ class RandomScene {
       if (number(0, 2) == 0 && first >= 3) mesh.vertices[first] = mesh.vertices[first - 1];
       mesh.triangles.push_back({first, first + 1, first + 2});
     }
-    return Surface(std::move(mesh));
+    return Surface(mesh);
   }
   int number(int least, int most) { return std::uniform_int_distribution<>(least, most)(random_); }
 

@@ -20,7 +20,7 @@ Surface sheet(double x0, double y0, double x1, double y1, double height) {
   Mesh mesh;
   mesh.vertices = {{x0, y0, height}, {x1, y0, height}, {x1, y1, height}, {x0, y1, height}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  return Surface(std::move(mesh));
+  return Surface(mesh);
 }
 
 Mesh joined(Mesh a, const Mesh& b) {
@@ -251,7 +251,7 @@ TEST_CASE("two surfaces with all boundary edges in common enclose a lens", "[sur
     Mesh mesh;
     mesh.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, height}};
     mesh.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
-    return Surface(std::move(mesh));
+    return Surface(mesh);
   };
   const std::vector<Solid> lens = cells_of(std::vector{tent(3), tent(-3)});
   REQUIRE(lens.size() == 1);

@@ -55,7 +55,8 @@ Integer::Integer(double x) {
 Integer::Integer(std::string_view digits) { Native::construct(*this, integer_of_text(digits)); }
 Integer::Integer(const Integer& other) { Native::construct(*this, native(other)); }
 Integer::Integer(Integer&& other) noexcept { Native::construct(*this, std::move(native(other))); }
-Integer& Integer::operator=(const Integer& other) {
+Integer& Integer::operator=(
+    const Integer& other) {  // NOLINT(bugprone-unhandled-self-assignment): the number inside does
   native(*this) = native(other);
   return *this;
 }
@@ -194,7 +195,7 @@ Rational::Rational(std::string_view text) {
 }
 Rational::Rational(const Rational& other) { Native::construct(*this, native(other)); }
 Rational::Rational(Rational&& other) noexcept { Native::construct(*this, std::move(native(other))); }
-Rational& Rational::operator=(const Rational& other) {
+Rational& Rational::operator=(const Rational& other) {  // NOLINT(bugprone-unhandled-self-assignment)
   native(*this) = native(other);
   return *this;
 }

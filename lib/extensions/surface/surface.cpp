@@ -18,7 +18,7 @@ namespace strata {
 namespace {
 
 /// The vertices that triangles use, under new numbers in the old order.
-ExactMesh without_unused_vertices(const ExactMesh& mesh, const std::vector<Triangle>& triangles) {
+ExactMesh without_unused_vertices(ExactMeshView mesh, const std::vector<Triangle>& triangles) {
   constexpr std::uint32_t unused = 0xffffffffu;
   std::vector<std::uint32_t> number(mesh.mesh.vertices.size(), unused);
   for (const Triangle& t : triangles)
@@ -40,7 +40,7 @@ ExactMesh without_unused_vertices(const ExactMesh& mesh, const std::vector<Trian
   return result;
 }
 
-Surface::Data clean(const ExactMesh& mesh) {
+Surface::Data clean(ExactMeshView mesh) {
   require_nearest_doubles(mesh);
   Surface::Data result;
   std::vector<Defect> errors;
@@ -75,8 +75,8 @@ Surface surface_of(ExactMesh mesh, std::vector<Source> sources) {
 
 Surface::Surface() : data_(Shared<Data>::make()) {}
 Surface::Surface(Shared<Data> data) : data_(std::move(data)) {}
-Surface::Surface(Mesh mesh) : Surface(ExactMesh{std::move(mesh), {}}) {}
-Surface::Surface(ExactMesh mesh) : data_(Shared<Data>::make(clean(mesh))) {}
+Surface::Surface(const Mesh& mesh) : data_(Shared<Data>::make(clean(ExactMeshView(mesh, {})))) {}
+Surface::Surface(const ExactMesh& mesh) : data_(Shared<Data>::make(clean(mesh))) {}
 Surface::Surface(const Solid& solid) : Surface(solid.exact_mesh()) {}
 
 Surface Surface::of_plane(const Plane& plane, const BoundingBox& around) {
@@ -85,7 +85,7 @@ Surface Surface::of_plane(const Plane& plane, const BoundingBox& around) {
   ExactMesh rectangle = rectangle_in(plane, axis, is_empty ? BoundingBox{} : around);
   if (plane.normal[axis] < 0)
     for (Triangle& t : rectangle.mesh.triangles) std::swap(t[1], t[2]);
-  return Surface(std::move(rectangle));
+  return Surface(rectangle);
 }
 
 const Mesh& Surface::mesh() const { return data_->mesh.mesh; }
