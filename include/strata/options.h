@@ -65,7 +65,9 @@ enum class InputClass {
   repair,
   /// Any triangles, made a solid: as `repair`, and loops of open edges are filled with triangles between their
   /// vertices,
-  /// of least area. The surface is then closed, so that winding numbers say what is inside, exactly. No vertex moves.
+  /// of least area. Faces are turned only where that leaves less open; closed shells keep their orientation, and what
+  /// is inside out counts negatively. The surface is then closed, so that winding numbers say what is inside, exactly.
+  /// No vertex moves.
   /// Refused: faces that enclose nothing even so. Which loops were filled is in the notes. Triangles of results that
   /// are parts of fillings have as their source a face beside the loop.
   soup,

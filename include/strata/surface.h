@@ -63,6 +63,9 @@ class Surface {
 /// seen counter-clockwise. Cells are open, connected, pairwise disjoint; with the walls they fill space. Cell 0 is the
 /// unbounded one; the others come in the order of their first walls. A wall that ends inside a cell has this cell on
 /// both sides.
+///
+/// Faces are numbered as in Surface::mesh() here, and in all results below; Surface::sources() leads back to the mesh
+/// that the surface was made from.
 struct Arrangement {
   /// Another face that a wall is part of.
   struct Cover {
@@ -100,7 +103,7 @@ struct Arrangement {
                                        const Options& options = {});
 
 /// Which part of a surface a solid keeps.
-enum class ClipTo : std::uint8_t {
+enum class ClipTo {
   inside,   ///< in its interior
   outside,  ///< in its exterior
   on        ///< in its boundary

@@ -68,6 +68,9 @@ class Sections(ToolTest):
         a = self.file("a.off", cube())
         for arguments in (("slice", a, "-o", "o.wkt"), ("slice", a, "--step", "0", "-o", "o.wkt"),
                           ("slice", a, "--step", "1", "--at", "x", "-o", "o.wkt"), ("slice", a, "--step", "1e-12", "-o", "o.wkt"),
+                          ("slice", a, "--at", "x", "--from", "1", "-o", "o.wkt"),
+                          ("slice", "-", "--input-format", "off", "--at", "-", "-o", "o.wkt"),
+                          ("slice", a, "--step", "1", "--to", "inf", "-o", "o.wkt"),
                           ("slice", a, "--along", "w", "--step", "1", "-o", "o.wkt"),
                           ("section", a, "--plane", "0,0,0,1", "-o", "o.wkt"), ("section", a, "-o", "o.wkt"),
                           ("section", a, "--plane", "0,0,1,0", "-o", "o.stl"),

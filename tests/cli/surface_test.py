@@ -65,6 +65,17 @@ class Surfaces(ToolTest):
         self.assertTrue(shared)  # the common side of the cubes
         self.run_tool("info", self.path("out") / "walls.xoff")
 
+    def test_faces_are_numbered_as_in_the_file_and_options_come_anywhere(self):
+        vertices, faces = cube().splitlines()[2:10], cube().splitlines()[10:]
+        flat = "\n".join(["OFF", "9 13 0", *vertices, "0.5 0 0", "3 0 8 1", *faces]) + "\n"
+        self.run_tool("cells", self.file("flat.off", flat), "-o", "out", "--walls", "-q")
+        rows = list(csv.DictReader((self.path("out") / "walls.csv").read_text().splitlines()))
+        self.assertEqual(sorted(int(r["face"]) for r in rows), list(range(1, 13)))
+        self.run_tool("split", "--plane", "0,0,1,0.5", self.file("a.off", cube()), "-o", "pieces", "-q")
+        self.run_tool("split", "a.off", "-o", "-", "--plane", "0,0,1,0.5", expect=USAGE)
+        self.run_tool("split", "a.off", "-o", "x", "--format", "foo", "--plane", "0,0,1,0.5", expect=USAGE)
+        self.assertFalse(self.path("x").exists())
+
     def test_open_faces_enclose_a_cell_together(self):
         lid = off([(0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], [(0, 1, 2, 3)])
         vertices = [(i, j, k) for k in (0, 1) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]

@@ -58,6 +58,7 @@ void add_split(CommandLine& line, const Shared& surface) {
                    "Also by the plane of the points with a x + b y + c z = d; numbers or fractions; may be repeated")
       ->type_name("a,b,c,d")
       ->delimiter('\0')
+      ->allow_extra_args(false)
       ->take_all();
   add_folder(*verb, settings, "pieces", "split.json");
   verb->footer(fmt::format(

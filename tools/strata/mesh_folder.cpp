@@ -8,6 +8,8 @@
 #include "files.h"
 
 void MeshFolder::check(const Settings& settings) {
+  if (settings.output == "-") throw UsageError("several meshes cannot go to standard output; -o names a folder");
+  if (!settings.output_format.empty()) (void)output_format(settings);
   std::error_code unknown;
   const std::filesystem::path folder = settings.output;
   if (!std::filesystem::exists(folder, unknown)) return;

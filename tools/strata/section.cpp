@@ -69,6 +69,9 @@ std::vector<double> read_numbers(const std::string& path) {
 /// Where the planes are: multiples of the step from the first one, each rounded once.
 std::vector<double> heights_of(const SectionSettings& section, const std::vector<strata::Solid>& solids) {
   if (section.step.has_value() == !section.at.empty()) throw UsageError("give either --step or --at");
+  if (!section.at.empty() && (section.from || section.to)) throw UsageError("--from and --to go with --step");
+  for (const auto& bound : {section.from, section.to})
+    if (bound && !std::isfinite(*bound)) throw UsageError("--from and --to must be finite");
   if (!section.at.empty()) {
     std::vector<double> heights = read_numbers(section.at);
     std::sort(heights.begin(), heights.end());
@@ -192,6 +195,8 @@ ExitCode run_section(const SectionSettings& section, const Settings& settings) {
 }
 
 ExitCode run_slice(const SectionSettings& section, const Settings& settings) {
+  if (section.at == "-" && std::count(settings.operands.begin(), settings.operands.end(), "-") > 0)
+    throw UsageError("standard input cannot be both a mesh and the planes");
   return run(
       "slice", settings, [&](const std::vector<strata::Solid>& solids, const strata::Options& options, Json& result) {
         const std::vector<double> heights = heights_of(section, solids);

@@ -73,7 +73,8 @@ Product of_solids(const char* stem, const char* counted, const std::vector<strat
 }
 
 /// The walls and a table of them: which cells a wall divides, and which faces it is part of, a row each.
-void write_walls(const strata::Arrangement& a, const MeshFolder& folder, const Settings& settings) {
+void write_walls(const strata::Arrangement& a, const std::vector<Surface>& surfaces, const MeshFolder& folder,
+                 const Settings& settings) {
   const std::string extension = settings.output_format.empty() ? "xoff" : settings.output_format;
   Settings of_walls = settings;
   of_walls.output = folder.path("walls." + extension);
@@ -84,8 +85,8 @@ void write_walls(const strata::Arrangement& a, const MeshFolder& folder, const S
   auto cover = a.covers.begin();
   for (std::size_t w = 0; w < a.cells.size(); ++w) {
     const auto row = [&](const strata::Source& face, bool is_reversed) {
-      table.write(fmt::format("{},{},{},{},{},{}\n", w, a.cells[w][0], a.cells[w][1], face.operand, face.face,
-                              is_reversed ? 1 : 0));
+      table.write(fmt::format("{},{},{},{},{},{}\n", w, a.cells[w][0], a.cells[w][1], face.operand,
+                              surfaces[face.operand].sources()[face.face].face, is_reversed ? 1 : 0));
     };
     row(a.sources[w], false);
     for (; cover != a.covers.end() && cover->wall == w; ++cover) row(cover->face, cover->is_reversed);
@@ -191,13 +192,14 @@ ExitCode run_imprint(const Settings& settings) {
 ExitCode run_cells(const SurfaceSettings& surface, const Settings& settings) {
   if (surface.walls && settings.output.empty()) throw UsageError("--walls go into the folder that -o names");
   return run("cells", settings, true, [&](std::span<const LoadedMesh> operands, const strata::Options& options) {
-    strata::Arrangement a = strata::arrange(surfaces_from(operands, 0, settings), options);
+    std::vector<Surface> surfaces = surfaces_from(operands, 0, settings);
+    strata::Arrangement a = strata::arrange(surfaces, options);
     Product product = of_solids("cell", "cells", a.solids());
     for (std::size_t i = 0; i < product.facts.size(); ++i) product.facts[i]["cell"] = i + 1;
     product.result["walls"] = a.cells.size();
     if (surface.walls)
-      product.write_more = [a = std::move(a), &settings](const MeshFolder& folder) {
-        write_walls(a, folder, settings);
+      product.write_more = [a = std::move(a), surfaces = std::move(surfaces), &settings](const MeshFolder& folder) {
+        write_walls(a, surfaces, folder, settings);
       };
     return product;
   });

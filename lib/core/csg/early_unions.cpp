@@ -38,6 +38,7 @@ void EarlyUnions::restore(BooleanResult& result) const {
 /// satisfy its input class, all operands are unchanged, and the evaluation of all of them finds which one it is.
 void EarlyUnions::unite(const Options& options, const Evaluate& evaluate) {
   Options inner;
+  inner.input = InputClass::solid;
   inner.cancel = options.cancel;
   inner.exact_vertices = true;
   unions_.resize(groups_.size());

@@ -187,8 +187,8 @@ void close(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes, s
   if (sign != 0) return;
   Defect nothing;
   nothing.kind = DefectKind::empty_mesh;
-  nothing.message = "the faces enclose no volume, even with all holes filled";
-  nothing.remedy = "give a mesh whose faces surround something";
+  nothing.message = "the faces enclose no volume, or as much inside out as not, even with all holes filled";
+  nothing.remedy = "give a mesh whose faces surround something; input class repair turns shells outwards";
   refuse({nothing}, notes, operand);
 }
 
