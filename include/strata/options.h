@@ -65,11 +65,11 @@ enum class InputClass {
   repair,
   /// Any triangles, made a solid: as `repair`, and loops of open edges are filled with triangles between their
   /// vertices,
-  /// of least area. Faces are turned only where that leaves less open; closed shells keep their orientation, and what
-  /// is inside out counts negatively. The surface is then closed, so that winding numbers say what is inside, exactly.
-  /// No vertex moves.
-  /// Refused: faces that enclose nothing even so. Which loops were filled is in the notes. Triangles of results that
-  /// are parts of fillings have as their source a face beside the loop.
+  /// of least area. The surface is then closed, so that winding numbers say what is inside, exactly. No vertex moves. A
+  /// shell whose faces are oriented alike stays if it faces outwards, also inside another one, which then covers it.
+  /// The
+  /// notes list the loops. Refused: faces that enclose nothing even so. Triangles of results that are parts of fillings
+  /// have as their source a face beside the loop.
   soup,
 };
 

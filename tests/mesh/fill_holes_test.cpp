@@ -66,6 +66,19 @@ TEST_CASE("a closed mesh keeps its orientation, cavities too", "[mesh]") {
   CHECK(filled_volume(joined(box({0, 0, 0}, {3, 3, 3}), box({1, 1, 1}, {2, 2, 2}))) == 28);  // covered twice
 }
 
+TEST_CASE("no shell is lost because it is inside out", "[mesh]") {
+  const Mesh far = box({5, 0, 0}, {6, 1, 1});
+  CHECK(filled_volume(joined(cube(), flipped(far))) == 2);
+  CHECK(filled_volume(joined(box({0, 0, 0}, {3, 3, 3}), flipped(far))) == 28);
+  CHECK(filled_volume(joined(without(cube(), {11}), flipped(far))) == 2);
+  CHECK(filled_volume(joined(cube(), flipped(box({5, 0, 0}, {9, 4, 4})))) == 65);
+  // A nested shell oriented alike is covered twice, also where another sheet has a face that is turned.
+  Mesh turned = far;
+  std::swap(turned.triangles[3][0], turned.triangles[3][1]);
+  const Mesh nested = joined(box({0, 0, 0}, {3, 3, 3}), box({1, 1, 1}, {2, 2, 2}));
+  CHECK(filled_volume(joined(nested, turned)) == 29);
+}
+
 TEST_CASE("faces that run against their neighbours are turned before holes are filled", "[mesh]") {
   Mesh mesh = without(cube(), {11});
   for (const std::size_t f : {1U, 4U, 7U}) std::swap(mesh.triangles[f][0], mesh.triangles[f][1]);

@@ -21,6 +21,24 @@ bool measurable(const ExactMesh& mesh) {
   return true;
 }
 
+/// Without a topology: of a mesh that cannot be measured.
+Json measures(const ExactMesh& mesh, const std::optional<strata::Topology>& topology) {
+  Json facts = {{"vertices", mesh.mesh.vertices.size()},
+                {"triangles", mesh.mesh.triangles.size()},
+                {"volume", nullptr},
+                {"area", nullptr},
+                {"components", nullptr},
+                {"euler", nullptr},
+                {"closed", nullptr}};
+  if (!topology) return facts;
+  facts["area"] = strata::area(mesh);
+  facts["components"] = topology->components;
+  facts["euler"] = topology->euler;
+  facts["closed"] = topology->open_edges == 0;
+  if (topology->open_edges == 0) facts["volume"] = strata::to_nearest_double(strata::volume(mesh));
+  return facts;
+}
+
 }  // namespace
 
 void print_notes(std::span<const Defect> notes, const Settings& settings) {
@@ -45,21 +63,7 @@ Json to_json(std::span<const Defect> defects) {
 }
 
 Json measures(const ExactMesh& mesh) {
-  Json facts = {{"vertices", mesh.mesh.vertices.size()},
-                {"triangles", mesh.mesh.triangles.size()},
-                {"volume", nullptr},
-                {"area", nullptr},
-                {"components", nullptr},
-                {"euler", nullptr},
-                {"closed", nullptr}};
-  if (!measurable(mesh)) return facts;
-  const strata::Topology topology = strata::topology(mesh);
-  facts["area"] = strata::area(mesh);
-  facts["components"] = topology.components;
-  facts["euler"] = topology.euler;
-  facts["closed"] = topology.open_edges == 0;
-  if (topology.open_edges == 0) facts["volume"] = strata::to_nearest_double(strata::volume(mesh));
-  return facts;
+  return measurable(mesh) ? measures(mesh, strata::topology(mesh)) : measures(mesh, std::nullopt);
 }
 
 Json operand_report(const LoadedMesh& operand, std::span<const Defect> defects) {
@@ -70,8 +74,8 @@ Json operand_report(const LoadedMesh& operand, std::span<const Defect> defects) 
 }
 
 Json result_report(const ExactMesh& mesh, std::optional<bool> rounded_valid) {
-  Json report = measures(mesh);
   const strata::Topology topology = strata::topology(mesh);
+  Json report = measures(mesh, topology);
   report["touching_edges"] = topology.non_manifold_edges;
   report["touching_vertices"] = topology.non_manifold_vertices;
   report["facets"] = strata::canonical_form(mesh).facet_count();

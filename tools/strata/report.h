@@ -18,8 +18,9 @@
 /// One line each to the standard error, unless `--quiet`.
 void print_notes(std::span<const strata::Defect> notes, const Settings& settings);
 
-/// {vertices, triangles, volume, area, components, euler, closed}. Volume is null for a mesh that is not closed; all
-/// measures are for one with bad indices or coordinates that are not finite. Costs a sort of the edges.
+/// {vertices, triangles, volume, area, components, euler, closed}. Volume is null
+/// for a mesh that is not closed; all measures are for one with bad indices or coordinates that are not finite. Costs a
+/// sort of the edges.
 [[nodiscard]] Json measures(const strata::ExactMesh& mesh);
 
 /// {path, measures, defects}.

@@ -6,24 +6,21 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <functional>
 #include <iostream>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "common/stopwatch.h"
 #include "common/text_file.h"
-#include "files.h"
 #include "layer_stack.h"
 #include "plane_option.h"
-#include "report.h"
 #include "section_verbs.h"
-#include "watched_options.h"
+#include "verb_run.h"
 
 namespace {
 
@@ -66,18 +63,25 @@ std::vector<double> read_numbers(const std::string& path) {
   }
 }
 
-/// Where the planes are: multiples of the step from the first one, each rounded once.
-std::vector<double> heights_of(const SectionSettings& section, const std::vector<strata::Solid>& solids) {
+/// Throws UsageError where the options of slice contradict one another.
+void check(const SectionSettings& section, const Settings& settings) {
   if (section.step.has_value() == !section.at.empty()) throw UsageError("give either --step or --at");
+  if (section.step && (!(*section.step > 0) || !std::isfinite(*section.step)))
+    throw UsageError("--step must be positive");
   if (!section.at.empty() && (section.from || section.to)) throw UsageError("--from and --to go with --step");
   for (const auto& bound : {section.from, section.to})
     if (bound && !std::isfinite(*bound)) throw UsageError("--from and --to must be finite");
+  if (section.at == "-" && std::count(settings.operands.begin(), settings.operands.end(), "-") > 0)
+    throw UsageError("standard input cannot be both a mesh and the planes");
+}
+
+/// Where the planes are: multiples of the step from the first one, each rounded once.
+std::vector<double> heights_of(const SectionSettings& section, const std::vector<strata::Solid>& solids) {
   if (!section.at.empty()) {
     std::vector<double> heights = read_numbers(section.at);
     std::sort(heights.begin(), heights.end());
     return heights;
   }
-  if (!(*section.step > 0) || !std::isfinite(*section.step)) throw UsageError("--step must be positive");
   double from = std::numeric_limits<double>::infinity(), to = -from;
   for (const strata::Solid& solid : solids) {
     const strata::BoundingBox box = solid.bounding_box();
@@ -98,9 +102,9 @@ std::vector<double> heights_of(const SectionSettings& section, const std::vector
   return heights;
 }
 
-std::vector<strata::Solid> solids_from(const std::vector<LoadedMesh>& operands, const Settings& settings) {
+std::vector<strata::Solid> solids_of(VerbRun& run) {
   std::vector<strata::Solid> solids;
-  for (std::size_t k = 0; k < operands.size(); ++k) solids.push_back(make_solid(operands, k, settings));
+  for (std::size_t k = 0; k < run.operands().size(); ++k) solids.push_back(run.solid(k));
   return solids;
 }
 
@@ -134,87 +138,69 @@ double area_of(const planar::Region& region, const Settings& settings) {
   return twice / 2;
 }
 
-using Write = std::function<void(const std::vector<strata::Solid>&, const strata::Options&, Json&)>;
-
-/// Reads solids, computes and writes with a progress bar, reports.
-ExitCode run(const char* verb, const Settings& settings, const Write& write) {
-  Watch watch(settings.timeout);
-  Stopwatch stopwatch;
-  (void)LayerStack::format_of(settings);
-  Json report = {{"operation", verb}, {"operands", nullptr}, {"result", nullptr}, {"seconds", Json::object()}};
-  const std::vector<LoadedMesh> operands = read_operands(settings);
-  report["seconds"]["read"] = stopwatch.lap();
-  watch.on_stop(OnStop::ask);
-  try {
-    ProgressBar bar(settings.progress, settings.quiet);
-    const std::vector<strata::Solid> solids = solids_from(operands, settings);
-    report["seconds"]["prepare"] = stopwatch.lap();
-    write(solids, watched_options(settings, bar, watch), report["result"]);
-  } catch (const strata::Cancelled&) {
-    watch.on_stop(OnStop::leave);  // says why
-    throw;
-  }
-  report["seconds"]["cut_and_write"] = stopwatch.lap();
-  report["peak_bytes"] = peak_bytes();
-  watch.on_stop(OnStop::finish);
-  if (!settings.quiet && settings.report != "-")
-    for (const auto& [key, value] : report["result"].items())
-      fmt::print(settings.output == "-" ? stderr : stdout, "{:12} {}\n", key, value.dump());
-  if (settings.report.empty()) return ExitCode::ok;
-  report["operands"] = Json::array();
-  for (const LoadedMesh& operand : operands) report["operands"].push_back(operand_report(operand, {}));
-  write_report(settings.report, std::move(report));
-  return ExitCode::ok;
-}
-
 }  // namespace
 
 ExitCode run_section(const SectionSettings& section, const Settings& settings) {
   const strata::Plane plane = parse_plane(section.plane);
-  return run("section", settings,
-             [&](const std::vector<strata::Solid>& solids, const strata::Options& options, Json& result) {
-               const strata::PlaneAxes axes = strata::axes_of(plane);
-               const auto [lower, upper] = corners(solids, axes);
-               LayerStack stack(settings, lower, upper);
-               Counts counts;
-               Json areas = Json::array();
-               for (std::size_t k = 0; k < solids.size(); ++k) {
-                 const planar::Region region = strata::section(solids[k], plane, options);
-                 const strata::Rational projected = planar::area(region);
-                 const double area = strata::true_area(plane, projected);
-                 stack.add(0, section.plane, k, region, area);
-                 counts.add(region);
-                 areas.push_back({{"mesh", k}, {"area", area}, {"projected_area_exact", projected.str()}});
-               }
-               stack.finish();
-               constexpr std::array names{"x", "y", "z"};
-               result = counts.json();
-               result["axes"] = {names[axes.u], names[axes.v]};
-               result["areas"] = std::move(areas);
-             });
+  const strata::PlaneAxes axes = strata::axes_of(plane);
+  (void)LayerStack::format_of(settings);
+  VerbRun run("section", settings);
+  std::vector<strata::Solid> solids;
+  std::vector<planar::Region> regions;
+  std::vector<strata::Rational> projected;
+  run.evaluate([&](const strata::Options& options) {
+    solids = solids_of(run);
+    for (const strata::Solid& solid : solids) {
+      regions.push_back(strata::section(solid, plane, options));
+      projected.push_back(planar::area(regions.back()));
+    }
+  });
+  run.begin_writing();
+  const auto [lower, upper] = corners(solids, axes);
+  LayerStack stack(settings, lower, upper);
+  Counts counts;
+  Json areas = Json::array();
+  for (std::size_t k = 0; k < solids.size(); ++k) {
+    const double area = strata::true_area(plane, projected[k]);
+    stack.add(0, section.plane, k, regions[k], area);
+    counts.add(regions[k]);
+    areas.push_back({{"mesh", k}, {"area", area}, {"projected_area_exact", projected[k].str()}});
+  }
+  stack.finish();
+  constexpr std::array names{"x", "y", "z"};
+  Json result = counts.json();
+  result["axes"] = {names[axes.u], names[axes.v]};
+  result["areas"] = std::move(areas);
+  return run.end(std::move(result));
 }
 
 ExitCode run_slice(const SectionSettings& section, const Settings& settings) {
-  if (section.at == "-" && std::count(settings.operands.begin(), settings.operands.end(), "-") > 0)
-    throw UsageError("standard input cannot be both a mesh and the planes");
-  return run(
-      "slice", settings, [&](const std::vector<strata::Solid>& solids, const strata::Options& options, Json& result) {
-        const std::vector<double> heights = heights_of(section, solids);
-        std::vector<std::string> texts;
-        for (const double h : heights) texts.push_back(fmt::format("{}", h + 0.0));
-        const auto [lower, upper] = corners(solids, {(section.along + 1) % 3, (section.along + 2) % 3, section.along});
-        LayerStack stack(settings, lower, upper);
-        Counts counts;
-        for (std::size_t k = 0; k < solids.size(); ++k)
-          strata::slice(
-              solids[k], section.along, heights,
-              [&](std::size_t plane, const planar::Region& region) {
-                stack.add(plane, texts[plane], k, region, area_of(region, settings));
-                counts.add(region);
-              },
-              options);
-        stack.finish();
-        result = counts.json();
-        result["planes"] = heights.size();
-      });
+  check(section, settings);
+  (void)LayerStack::format_of(settings);
+  VerbRun run("slice", settings);
+  Counts counts;
+  std::size_t planes = 0;
+  std::optional<LayerStack> stack;
+  run.evaluate([&](const strata::Options& options) {
+    const std::vector<strata::Solid> solids = solids_of(run);
+    const std::vector<double> heights = heights_of(section, solids);
+    planes = heights.size();
+    const auto [lower, upper] = corners(solids, {(section.along + 1) % 3, (section.along + 2) % 3, section.along});
+    stack.emplace(settings, lower, upper);
+    const strata::Monitor monitor(options.cancel);
+    for (std::size_t k = 0; k < solids.size(); ++k)
+      strata::slice(
+          solids[k], section.along, heights,
+          [&](std::size_t plane, const planar::Region& region) {
+            monitor.check();
+            stack->add(plane, fmt::format("{}", heights[plane] + 0.0), k, region, area_of(region, settings));
+            counts.add(region);
+          },
+          options);
+  });
+  run.begin_writing();
+  stack->finish();
+  Json result = counts.json();
+  result["planes"] = planes;
+  return run.end(std::move(result));
 }

@@ -10,43 +10,39 @@
 #include <vector>
 
 #include "common/output_file.h"
-#include "common/stopwatch.h"
 #include "files.h"
 #include "mesh_folder.h"
 #include "plane_option.h"
-#include "report.h"
 #include "strata/measure.h"
 #include "surface_verbs.h"
-#include "watched_options.h"
+#include "verb_run.h"
 
 namespace {
 
 using strata::Surface;
 
-/// What a verb made: meshes of one kind for a folder, or one for a file.
+/// What a verb made: meshes of one kind, for a folder.
 struct Product {
-  const char* stem = "";  ///< of file names; empty: one mesh, for a file
+  const char* stem = "";  ///< of file names
   std::vector<strata::ExactMesh> meshes;
   std::vector<Json> facts;  ///< per mesh
   Json result = Json::object();
   std::function<void(const MeshFolder&)> write_more = {};  ///< into the folder
 };
 
-Surface surface_of(std::span<const LoadedMesh> operands, std::size_t k, const Settings& settings) {
+Surface surface_of(VerbRun& run, std::size_t k) {
   try {
-    Surface surface(operands[k].mesh);
-    if (!settings.quiet)
-      for (const strata::Defect& note : surface.notes())
-        fmt::print(stderr, "strata: {}: {}\n", operands[k].path, strata::describe(note));
+    Surface surface(run.operands()[k].mesh);
+    run.note(k, surface.notes());
     return surface;
   } catch (const strata::InputError& error) {
     throw strata::InputError(error.defects(), k);
   }
 }
 
-std::vector<Surface> surfaces_from(std::span<const LoadedMesh> operands, std::size_t first, const Settings& settings) {
+std::vector<Surface> surfaces_from(VerbRun& run, std::size_t first) {
   std::vector<Surface> surfaces;
-  for (std::size_t k = first; k < operands.size(); ++k) surfaces.push_back(surface_of(operands, k, settings));
+  for (std::size_t k = first; k < run.operands().size(); ++k) surfaces.push_back(surface_of(run, k));
   return surfaces;
 }
 
@@ -106,58 +102,33 @@ void write_folder(const Product& product, const char* verb, const Settings& sett
   write_text(folder.path(fmt::format("{}.json", verb)), Json({{"files", std::move(list)}}).dump(1) + "\n");
 }
 
-using Evaluate = std::function<Product(std::span<const LoadedMesh>, const strata::Options&)>;
-
-/// Reads, computes with a progress bar, writes and reports.
-ExitCode run(const char* verb, const Settings& settings, bool to_folder, const Evaluate& evaluate) {
-  Watch watch(settings.timeout);
-  Stopwatch stopwatch;
-  if (to_folder && !settings.output.empty()) MeshFolder::check(settings);
-  if (!to_folder) (void)output_format(settings);
-  Json report = {{"operation", verb}, {"operands", nullptr}, {"result", nullptr}, {"seconds", Json::object()}};
-  const std::vector<LoadedMesh> operands = read_operands(settings);
-  report["seconds"]["read"] = stopwatch.lap();
-
-  watch.on_stop(OnStop::ask);
+/// Computes, and writes what was made into the folder that -o names, if there is one.
+template <class Make>
+ExitCode run_to_folder(const char* verb, const Settings& settings, const Make& make) {
+  if (!settings.output.empty()) MeshFolder::check(settings);
+  VerbRun run(verb, settings);
   Product product;
-  try {
-    ProgressBar bar(settings.progress, settings.quiet);
-    product = evaluate(operands, watched_options(settings, bar, watch));
-  } catch (const strata::Cancelled&) {
-    watch.on_stop(OnStop::leave);  // says why
-    throw;
-  }
-  report["seconds"]["evaluate"] = stopwatch.lap();
-  report["result"] = product.result;
-  report["peak_bytes"] = peak_bytes();
-
-  watch.on_stop(OnStop::finish);
-  if (!to_folder) write_output(settings, output_format(settings), product.meshes.front());
-  if (to_folder && !settings.output.empty()) write_folder(product, verb, settings);
-  report["seconds"]["write"] = stopwatch.lap();
-  if (!settings.quiet && settings.report != "-")
-    for (const auto& [key, value] : product.result.items())
-      if (const std::string text = value.dump(); text.size() < 100)  // longer fractions are for the report
-        fmt::print(settings.output == "-" ? stderr : stdout, "{:12} {}\n", key, text);
-  if (settings.report.empty()) return ExitCode::ok;
-  report["operands"] = Json::array();
-  for (const LoadedMesh& operand : operands) report["operands"].push_back(operand_report(operand, {}));
-  write_report(settings.report, std::move(report));
-  return ExitCode::ok;
+  run.evaluate([&](const strata::Options& options) { product = make(run, options); });
+  run.begin_writing();
+  if (!settings.output.empty()) write_folder(product, verb, settings);
+  return run.end(std::move(product.result));
 }
 
 }  // namespace
 
 ExitCode run_clip(const SurfaceSettings& surface, const Settings& settings) {
-  return run("clip", settings, false, [&](std::span<const LoadedMesh> operands, const strata::Options& options) {
-    const strata::Solid solid = make_solid(operands, 1, settings);
-    const Surface part = strata::clip(surface_of(operands, 0, settings), solid, surface.keep, options);
-    Product product;
-    product.result = facts_of(part.exact_mesh());
-    product.result["keep"] = name(surface.keep);
-    product.meshes.push_back(part.exact_mesh());
-    return product;
+  const strata::Format format = output_format(settings);
+  VerbRun run("clip", settings);
+  Surface part;
+  run.evaluate([&](const strata::Options& options) {
+    const strata::Solid solid = run.solid(1);
+    part = strata::clip(surface_of(run, 0), solid, surface.keep, options);
   });
+  run.begin_writing();
+  write_output(settings, format, part.exact_mesh());
+  Json result = facts_of(part.exact_mesh());
+  result["keep"] = name(surface.keep);
+  return run.end(std::move(result));
 }
 
 ExitCode run_split(const SurfaceSettings& surface, const Settings& settings) {
@@ -165,22 +136,22 @@ ExitCode run_split(const SurfaceSettings& surface, const Settings& settings) {
   for (const std::string& text : surface.planes) planes.push_back(parse_plane(text));
   if (planes.empty() && settings.operands.size() < 2)
     throw UsageError("split needs a surface or a --plane that divides the solid");
-  return run("split", settings, true, [&](std::span<const LoadedMesh> operands, const strata::Options& options) {
-    const strata::Solid solid = make_solid(operands, 0, settings);
-    std::vector<Surface> surfaces = surfaces_from(operands, 1, settings);
+  return run_to_folder("split", settings, [&](VerbRun& run, const strata::Options& options) {
+    const strata::Solid solid = run.solid(0);
+    std::vector<Surface> surfaces = surfaces_from(run, 1);
     for (const strata::Plane& plane : planes) surfaces.push_back(Surface::of_plane(plane, solid.bounding_box()));
     return of_solids("piece", "pieces", strata::split(solid, surfaces, options));
   });
 }
 
 ExitCode run_imprint(const Settings& settings) {
-  return run("imprint", settings, true, [&](std::span<const LoadedMesh> operands, const strata::Options& options) {
+  return run_to_folder("imprint", settings, [&](VerbRun& run, const strata::Options& options) {
     Product product;
     product.stem = "surface";
     std::size_t triangles = 0;
-    for (const Surface& s : strata::imprint(surfaces_from(operands, 0, settings), options)) {
+    for (const Surface& s : strata::imprint(surfaces_from(run, 0), options)) {
       product.facts.push_back(facts_of(s.exact_mesh()));
-      product.facts.back()["of"] = operands[product.meshes.size()].path;
+      product.facts.back()["of"] = run.operands()[product.meshes.size()].path;
       product.meshes.push_back(s.exact_mesh());
       triangles += s.mesh().triangles.size();
     }
@@ -191,8 +162,8 @@ ExitCode run_imprint(const Settings& settings) {
 
 ExitCode run_cells(const SurfaceSettings& surface, const Settings& settings) {
   if (surface.walls && settings.output.empty()) throw UsageError("--walls go into the folder that -o names");
-  return run("cells", settings, true, [&](std::span<const LoadedMesh> operands, const strata::Options& options) {
-    std::vector<Surface> surfaces = surfaces_from(operands, 0, settings);
+  return run_to_folder("cells", settings, [&](VerbRun& run, const strata::Options& options) {
+    std::vector<Surface> surfaces = surfaces_from(run, 0);
     strata::Arrangement a = strata::arrange(surfaces, options);
     Product product = of_solids("cell", "cells", a.solids());
     for (std::size_t i = 0; i < product.facts.size(); ++i) product.facts[i]["cell"] = i + 1;

@@ -22,9 +22,12 @@ double finite_sum(double a, double b) {
 }
 
 double reach_of(const BoundingBox& box) {
-  double reach = 1;
-  for (std::size_t i = 0; i < 3; ++i) reach = std::max({reach, std::abs(box.lower[i]), std::abs(box.upper[i])});
-  return reach;
+  double reach = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double farthest = std::max(std::abs(box.lower[i]), std::abs(box.upper[i]));
+    reach = std::max({reach, finite_sum(box.upper[i], -box.lower[i]), farthest * 0x1p-20});
+  }
+  return reach > 0 ? reach : 1;
 }
 
 ExactMesh rectangle_in(const Plane& plane, std::size_t axis, const BoundingBox& box) {

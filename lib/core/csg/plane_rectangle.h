@@ -13,7 +13,7 @@ namespace strata {
 /// The sum, which is finite. Throws std::overflow_error where it would not be.
 [[nodiscard]] double finite_sum(double a, double b);
 
-/// How far from the origin a box reaches along any axis, at least 1.
+/// How far to go beyond a box: its longest side, and more than an ulp of its coordinates; 1 for a point at the origin.
 [[nodiscard]] double reach_of(const BoundingBox& box);
 
 /// Four points of a plane, around all points of it in a box and away from them: counter-clockwise as seen from the end

@@ -1,5 +1,7 @@
 #include "core/mesh/fill_holes.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -41,7 +43,8 @@ struct Loop {
   Index beside = 0;
 };
 
-/// The loops of missing edges, in which no vertex comes twice. As many edges go out from each vertex as come in.
+/// The loops of missing edges, in which no vertex comes twice: three edges or more, since those between two vertices
+/// all have one direction. As many edges go out from each vertex as come in.
 class Loops {
  public:
   explicit Loops(std::vector<MissingEdge> missing) : missing_(std::move(missing)) {
@@ -101,7 +104,7 @@ class Filling {
 
   std::vector<Triangle> triangles() {
     if (loop_.size() > most_optimal) cut_ears();
-    if (loop_.size() >= 3) triangulate();
+    triangulate();
     return std::move(triangles_);
   }
 
@@ -187,12 +190,15 @@ std::uint64_t open_uses(std::span<const Vertex> vertices, std::span<const Triang
 }
 
 std::vector<FilledHole> fill_holes(std::span<const Vertex> vertices, SourcedTriangles& faces) {
+  std::vector<Loop> loops = Loops(missing_edges(vertices, faces)).find();
+  std::vector<std::vector<Triangle>> fillings(loops.size());
+  tbb::parallel_for(std::size_t{0}, loops.size(),
+                    [&](std::size_t i) { fillings[i] = Filling(vertices, loops[i].vertices).triangles(); });
   std::vector<FilledHole> holes;
-  for (Loop& loop : Loops(missing_edges(vertices, faces)).find()) {
-    if (loop.vertices.size() < 3) continue;  // an edge there and back
+  for (std::size_t i = 0; i < loops.size(); ++i) {
     const auto first = static_cast<Index>(faces.triangles.size());
-    for (const Triangle& t : Filling(vertices, loop.vertices).triangles()) faces.add(t, loop.beside);
-    holes.push_back({std::move(loop.vertices), first, loop.beside});
+    for (const Triangle& t : fillings[i]) faces.add(t, loops[i].beside);
+    holes.push_back({std::move(loops[i].vertices), first, loops[i].beside});
   }
   return holes;
 }

@@ -28,7 +28,9 @@ struct Shells {
 
 /// Reverses closed sheets so that they face outwards, or inwards where they lie inside an odd number of others. A sheet
 /// lies inside another one when all of its vertices that are no vertices of the other do; exact. Expected O(n sqrt n)
-/// for sheets inside each other's boxes, O(n log n) otherwise.
-Shells orient_outwards(std::span<const Vertex> vertices, std::vector<Triangle>& triangles, const Sheets& sheets);
+/// for sheets inside each other's boxes, O(n log n) otherwise. `trusted`: sheets that stay as they are where they face
+/// outwards, also inside others; none are if it is empty.
+Shells orient_outwards(std::span<const Vertex> vertices, std::vector<Triangle>& triangles, const Sheets& sheets,
+                       const std::vector<bool>& trusted = {});
 
 }  // namespace strata

@@ -151,7 +151,8 @@ int volume_sign(std::span<const Vertex> vertices, const std::vector<Triangle>& t
 
 }  // namespace
 
-Shells orient_outwards(std::span<const Vertex> vertices, std::vector<Triangle>& triangles, const Sheets& sheets) {
+Shells orient_outwards(std::span<const Vertex> vertices, std::vector<Triangle>& triangles, const Sheets& sheets,
+                       const std::vector<bool>& trusted) {
   std::vector<bool> reversed(sheets.triangles.size(), false);
   std::vector<Shell> shells;
   for (std::size_t s = 0; s < sheets.triangles.size(); ++s) {
@@ -166,6 +167,7 @@ Shells orient_outwards(std::span<const Vertex> vertices, std::vector<Triangle>& 
   find_depths(vertices, triangles, sheets, shells);
   for (const Shell& shell : shells) {
     if (shell.depth % 2 == 0) continue;
+    if (!trusted.empty() && trusted[shell.sheet] && !reversed[shell.sheet]) continue;
     ++result.cavities;
     reverse(triangles, sheets.triangles[shell.sheet]);
     reversed[shell.sheet] = !reversed[shell.sheet];

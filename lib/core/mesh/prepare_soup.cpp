@@ -123,9 +123,10 @@ void note_reversed(std::vector<Defect>& notes, const Sheets& sheets) {
            "nothing to do, or orient faces where the mesh is made");
 }
 
-/// Closed sheets face outwards, or inwards as the walls of cavities.
-void orient_shells(MeshView mesh, SourcedTriangles& faces, const Sheets& sheets, std::vector<Defect>& notes) {
-  const Shells shells = orient_outwards(mesh.vertices, faces.triangles, sheets);
+/// Closed sheets face outwards, or inwards as the walls of cavities; those that are trusted stay if they face outwards.
+void orient_shells(MeshView mesh, SourcedTriangles& faces, const Sheets& sheets, std::vector<Defect>& notes,
+                   const std::vector<bool>& trusted = {}) {
+  const Shells shells = orient_outwards(mesh.vertices, faces.triangles, sheets, trusted);
   add_note(notes, DefectKind::inside_out, shells.reversed,
            number(shells.reversed) + " shells were reversed; of all shells, " + number(shells.cavities) +
                " lie inside an odd number of others and bound cavities, the rest faces outwards",
@@ -161,34 +162,53 @@ void fill(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes) {
   filled.append_to(notes);
 }
 
-int volume_sign(MeshView mesh, const SourcedTriangles& faces) {
-  return to_int(orientation(ExactMeshView(MeshView(mesh.vertices, faces.triangles), {})));
+int volume_sign(MeshView mesh, std::span<const Triangle> triangles) {
+  return to_int(orientation(ExactMeshView(MeshView(mesh.vertices, triangles), {})));
 }
 
-/// Makes the chain of faces closed and its volume positive. Faces are reversed only where that leaves less open; where
-/// none had to be, their orientation is taken as it is, so that a shell that faces inwards is the wall of a cavity.
+/// Reverses the sheets that are not closed by themselves, and together are, where their volume is negative.
+void orient_rest(MeshView mesh, SourcedTriangles& faces, const Sheets& sheets) {
+  std::vector<std::uint32_t> rest;
+  std::vector<Triangle> triangles;
+  for (std::size_t s = 0; s < sheets.triangles.size(); ++s)
+    if (!sheets.closed[s]) rest.insert(rest.end(), sheets.triangles[s].begin(), sheets.triangles[s].end());
+  for (const std::uint32_t t : rest) triangles.push_back(faces.triangles[t]);
+  if (volume_sign(mesh, triangles) >= 0) return;
+  for (const std::uint32_t t : rest) std::swap(faces.triangles[t][1], faces.triangles[t][2]);
+}
+
+/// Makes the chain of faces closed. Faces are reversed only where that leaves less open. A sheet in which none was is
+/// trusted: it stays if it faces outwards, and if it is the wall of a cavity; inside out and in no other, it is
+/// reversed. Other sheets are oriented by what they lie in, as where holes are refused.
 void close(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes, std::size_t operand) {
-  if (const std::uint64_t open = open_uses(mesh.vertices, faces.triangles); open != 0) {
-    std::vector<Triangle> oriented = faces.triangles;
-    const Sheets sheets = orient_sheets(oriented, mesh.vertices.size());
-    const bool is_better = open_uses(mesh.vertices, oriented) < open;
-    if (is_better) {
-      faces.triangles = std::move(oriented);
+  std::vector<Triangle> given = faces.triangles;
+  if (const std::uint64_t open = open_uses(mesh.vertices, given); open != 0) {
+    const Sheets sheets = orient_sheets(faces.triangles, mesh.vertices.size());
+    if (open_uses(mesh.vertices, faces.triangles) < open)
       note_reversed(notes, sheets);
-    }
+    else
+      faces.triangles = given;
     fill(mesh, faces, notes);
-    if (is_better) orient_shells(mesh, faces, orient_sheets(faces.triangles, mesh.vertices.size()), notes);
   }
-  const int sign = volume_sign(mesh, faces);
-  if (sign < 0)
+  if (volume_sign(mesh, faces.triangles) < 0) {  // inside out as a whole
     for (Triangle& t : faces.triangles) std::swap(t[1], t[2]);
-  add_note(notes, DefectKind::inside_out, sign < 0 ? faces.triangles.size() : 0,
-           "all faces were reversed: the mesh was inside out", "nothing to do, or orient faces where the mesh is made");
-  if (sign != 0) return;
+    for (Triangle& t : given) std::swap(t[1], t[2]);
+    add_note(notes, DefectKind::inside_out, faces.triangles.size(), "all faces were reversed: the mesh was inside out",
+             "nothing to do, or orient faces where the mesh is made");
+  }
+  const Sheets sheets = orient_sheets(faces.triangles, mesh.vertices.size());
+  std::vector<bool> trusted;
+  for (const auto& sheet : sheets.triangles)
+    trusted.push_back(std::all_of(sheet.begin(), sheet.end(), [&](std::uint32_t t) {
+      return t >= given.size() || faces.triangles[t] == given[t];
+    }));
+  orient_shells(mesh, faces, sheets, notes, trusted);
+  orient_rest(mesh, faces, sheets);
+  if (volume_sign(mesh, faces.triangles) > 0) return;
   Defect nothing;
   nothing.kind = DefectKind::empty_mesh;
-  nothing.message = "the faces enclose no volume, or as much inside out as not, even with all holes filled";
-  nothing.remedy = "give a mesh whose faces surround something; input class repair turns shells outwards";
+  nothing.message = "the faces enclose no volume, even with all holes filled";
+  nothing.remedy = "give a mesh whose faces surround something";
   refuse({nothing}, notes, operand);
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/kernel/predicates.h"
+#include "core/kernel/ray_crossing.h"
 
 namespace strata::complex {
 namespace {
@@ -25,32 +26,6 @@ struct RayBox {
     return upper[0] >= from[0] && lower[1] <= from[1] && from[1] <= upper[1] && lower[2] <= from[2] &&
            from[2] <= upper[2];
   }
-};
-
-/// The ray p + t (1, 0, 0) with p translated by (0, e, e^2): it meets interiors of triangles only.
-class Ray {
- public:
-  Ray(const InputComplex& input, const Point& from) : input_(input), from_(from) {}
-
-  /// positive: it leaves through the triangle's front; negative: through its back; zero: it does not meet the triangle.
-  [[nodiscard]] Sign passes(const InputComplex::Indices& v) const {
-    std::array<Point, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) p[i] = make_point(input_, SymbolicPoint::input(v[i]));
-    const Sign seen = orientation(p[0], p[1]);
-    if (seen == Sign::zero || orientation(p[1], p[2]) != seen || orientation(p[2], p[0]) != seen) return Sign::zero;
-    // Seen along x, the front is in the direction of the ray where corners are counter-clockwise.
-    return orient3d(input_, p[0], p[1], p[2], from_) == -seen ? seen : Sign::zero;
-  }
-
- private:
-  [[nodiscard]] Sign orientation(const Point& a, const Point& b) const {
-    if (const Sign s = orient2d(input_, {1, 2}, a, b, from_); s != Sign::zero) return s;
-    if (const Sign s = compare(input_, 2, a, b); s != Sign::zero) return s;
-    return compare(input_, 1, b, a);
-  }
-
-  const InputComplex& input_;
-  const Point& from_;
 };
 
 }  // namespace
@@ -74,12 +49,13 @@ std::vector<std::uint32_t> enclosing_shells(const Arrangement& arrangement, cons
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const Point from = make_point(input, SymbolicPoint::weighted(sets[i].pieces.front(), 1));
     const Vertex rounded = nearest_doubles(input, from);
-    const Ray ray(input, from);
     for (std::size_t j = 0; j < sets.size(); ++j) {
       if (j == i || !boxes[j].is_on_ray(rounded)) continue;
       std::map<Index, int> windings;
       for (const Index p : sets[j].pieces) {
-        const int out = to_int(ray.passes(triangles[p]));
+        std::array<Point, 3> corners;
+        for (std::size_t c = 0; c < 3; ++c) corners[c] = make_point(input, SymbolicPoint::input(triangles[p][c]));
+        const int out = crossing_along_x(input, p, corners, from);
         if (out == 0) continue;
         windings[shell_of(2 * p)] -= out;
         windings[shell_of(2 * p + 1)] += out;

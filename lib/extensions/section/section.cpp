@@ -158,21 +158,20 @@ class CrossedTriangles {
       if (range_[t].first < range_[t].second) starting_[next[range_[t].first]++] = t;
   }
 
-  /// The number of triangles that the last plane of the batch before and the next one may cross, about.
-  [[nodiscard]] std::size_t expected() const {
-    return active_.size() + (next_ + 1 < first_.size() ? first_[next_ + 1] - first_[next_] : 0);
-  }
-  /// The triangles of each of the next planes.
-  std::vector<std::vector<Index>> take(std::size_t count) {
-    std::vector<std::vector<Index>> lists(count);
-    const auto first = static_cast<Index>(next_), last = static_cast<Index>(next_ + count);
-    active_.insert(active_.end(), starting_.begin() + static_cast<std::ptrdiff_t>(first_[first]),
-                   starting_.begin() + static_cast<std::ptrdiff_t>(first_[last]));
-    for (const Index t : active_)
-      for (Index k = std::max(first, range_[t].first); k < std::min(last, range_[t].second); ++k)
-        lists[k - first].push_back(t);
-    std::erase_if(active_, [&](Index t) { return range_[t].second <= last; });
-    next_ += count;
+  /// The triangles of each of the next planes: as many planes as have `most` crossings together, and one at least.
+  std::vector<std::vector<Index>> take(std::size_t most_planes, std::size_t most_crossings) {
+    std::vector<std::vector<Index>> lists;
+    for (std::size_t crossings = 0; lists.size() < most_planes && next_ + 1 < first_.size(); ++next_) {
+      active_.insert(active_.end(), starting_.begin() + static_cast<std::ptrdiff_t>(first_[next_]),
+                     starting_.begin() + static_cast<std::ptrdiff_t>(first_[next_ + 1]));
+      crossings += active_.size();
+      if (!lists.empty() && crossings > most_crossings) {
+        active_.resize(active_.size() - (first_[next_ + 1] - first_[next_]));
+        break;
+      }
+      lists.push_back(active_);
+      std::erase_if(active_, [&](Index t) { return range_[t].second <= next_ + 1; });
+    }
     return lists;
   }
 
@@ -245,9 +244,8 @@ void slice(const Solid& solid, std::size_t axis, std::span<const double> coordin
     CrossedTriangles crossed(mesh, axis, coordinates);
     constexpr std::size_t most_planes = 64, most_crossings = 1 << 24;
     for (std::size_t first = 0; first < coordinates.size();) {
-      const std::size_t fitting = std::clamp(most_crossings / (crossed.expected() + 1), std::size_t{1}, most_planes);
-      const std::size_t count = std::min(fitting, coordinates.size() - first);
-      const std::vector<std::vector<Index>> triangles = crossed.take(count);
+      const std::vector<std::vector<Index>> triangles = crossed.take(most_planes, most_crossings);
+      const std::size_t count = triangles.size();
       std::vector<planar::Region> regions(count);
       tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
         cancelled.check();

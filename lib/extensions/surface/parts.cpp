@@ -15,27 +15,40 @@ namespace {
 using Index = std::uint32_t;
 constexpr Index none = std::numeric_limits<Index>::max();
 
-/// The walls of one operand, each with its first face there.
-class OperandWalls {
- public:
-  OperandWalls(Index operand, const ExactMesh& mesh)
-      : operand_(operand), number_(mesh.mesh.vertices.size(), none), part_(mesh, number_), mesh_(mesh) {}
-
-  void add(Index wall, const Source& face, bool is_reversed) {
-    if (face.operand != operand_ || wall == last_) return;
-    last_ = wall;
-    part_.add(mesh_.mesh.triangles[wall], is_reversed);
-    sources_.push_back(face);
-  }
-  [[nodiscard]] Surface surface() && { return surface_of(std::move(part_).mesh(), std::move(sources_)); }
-
- private:
-  Index operand_, last_ = none;
-  std::vector<Index> number_;
-  MeshPart part_;
-  const ExactMesh& mesh_;
-  std::vector<Source> sources_;
+/// A wall as a part of an operand, with its first face there.
+struct OperandWall {
+  Index wall = 0;
+  Source face;
+  bool is_reversed = false;
 };
+
+/// The walls of every operand, in order.
+std::vector<std::vector<OperandWall>> walls_of_operands(const Walls& walls, std::size_t operands) {
+  std::vector<std::vector<OperandWall>> lists(operands);
+  const auto add = [&](Index wall, const Source& face, bool is_reversed) {
+    std::vector<OperandWall>& list = lists[face.operand];
+    if (list.empty() || list.back().wall != wall) list.push_back({wall, face, is_reversed});
+  };
+  const Boundary& boundary = walls.boundary();
+  auto cover = boundary.covers.begin();
+  for (Index w = 0; w < walls.size(); ++w) {
+    add(w, boundary.sources[w], false);
+    for (; cover != boundary.covers.end() && cover->triangle == w; ++cover)
+      add(w, walls.source(cover->face), walls.is_reversed(*cover));
+  }
+  return lists;
+}
+
+/// `number`: as for MeshPart.
+Surface surface_of_walls(const ExactMesh& mesh, std::span<const OperandWall> walls, std::vector<Index>& number) {
+  MeshPart part(mesh, number);
+  std::vector<Source> sources;
+  for (const OperandWall& w : walls) {
+    part.add(mesh.mesh.triangles[w.wall], w.is_reversed);
+    sources.push_back(w.face);
+  }
+  return surface_of(std::move(part).mesh(), std::move(sources));
+}
 
 }  // namespace
 
@@ -83,13 +96,15 @@ Surface clip(const Surface& surface, const Solid& solid, ClipTo part, const Opti
   const std::array operands{surface, Surface(solid)};
   const Arrangement a = arrange(operands, options);
   const std::vector<std::int32_t> windings = a.windings(1);
-  OperandWalls kept(0, a.mesh);
+  std::vector<OperandWall> kept;
   for (Index w = 0; w < a.cells.size(); ++w) {  // the surface's faces come before those of the solid
+    if (a.sources[w].operand != 0) continue;
     const bool in_front = windings[a.cells[w][0]] > 0, behind = windings[a.cells[w][1]] > 0;
     const ClipTo is = in_front != behind ? ClipTo::on : in_front ? ClipTo::inside : ClipTo::outside;
-    if (is == part) kept.add(w, a.sources[w], false);
+    if (is == part) kept.push_back({w, a.sources[w], false});
   }
-  return std::move(kept).surface();
+  std::vector<Index> number(a.mesh.mesh.vertices.size(), none);
+  return surface_of_walls(a.mesh, kept, number);
 }
 
 std::vector<Surface> imprint(std::span<const Surface> surfaces, const Options& options) {
@@ -103,17 +118,9 @@ std::vector<Surface> imprint(std::span<const Surface> surfaces, const Options& o
     const Walls walls(surfaces, monitor);
     monitor.report(0.8);
     const ExactMesh mesh = walls.mesh(monitor);
-    const Boundary& boundary = walls.boundary();
-    for (Index k = 0; k < result.size(); ++k) {
-      OperandWalls of_operand(k, mesh);
-      auto cover = boundary.covers.begin();
-      for (Index w = 0; w < walls.size(); ++w) {
-        of_operand.add(w, boundary.sources[w], false);
-        for (; cover != boundary.covers.end() && cover->triangle == w; ++cover)
-          of_operand.add(w, walls.source(cover->face), walls.is_reversed(*cover));
-      }
-      result[k] = std::move(of_operand).surface();
-    }
+    std::vector<Index> number(mesh.mesh.vertices.size(), none);
+    const auto lists = walls_of_operands(walls, result.size());
+    for (Index k = 0; k < result.size(); ++k) result[k] = surface_of_walls(mesh, lists[k], number);
   });
   monitor.report(1);
   return result;
