@@ -195,6 +195,30 @@ TEST_CASE("nested boxes are cells with cavities", "[surface]") {
     CHECK((a.sources[w].operand == 5) == (a.cells[w][0] == a.cells[w][1]));
 }
 
+TEST_CASE("boxes within boxes, two hundred deep", "[surface]") {
+  std::vector<Surface> surfaces;
+  for (int i = 200; i > 0; --i) {
+    const double r = i;
+    surfaces.emplace_back(box({-r, -r, -r}, {r, r, r}));
+  }
+  const std::vector<Solid> shells = cells_of(surfaces);
+  CHECK(shells.size() == 200);
+  CHECK(total_volume(shells) == 64'000'000);
+}
+
+TEST_CASE("planes in all directions through a solid far from the origin", "[surface]") {
+  const Solid solid = box({500000.25, 4000000.5, 100}, {500010.25, 4000010.5, 110});
+  std::vector<Surface> planes;
+  for (int i = 0; i < 12; ++i) {
+    const RationalPoint normal{Rational(i % 5 - 2, 3), Rational(i % 7 - 3, 5), Rational(1 + i % 3)};
+    const Rational through = normal[0] * Rational(500005) + normal[1] * Rational(4000005) + normal[2] * Rational(105);
+    planes.push_back(Surface::of_plane({normal, through + Rational(i, 7)}, solid.bounding_box()));
+  }
+  const std::vector<Solid> pieces = split(solid, planes);
+  CHECK(pieces.size() > 50);
+  CHECK(total_volume(pieces) == 1000);
+}
+
 TEST_CASE("open sheets enclose a cell together", "[surface]") {
   std::vector<Surface> sides;
   const Mesh mesh = test::box({0, 0, 0}, {1, 1, 1});
