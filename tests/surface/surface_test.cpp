@@ -270,7 +270,6 @@ TEST_CASE("a thousand coincident sheets are one", "[surface]") {
 }
 
 TEST_CASE("two surfaces with all boundary edges in common enclose a lens", "[surface]") {
-  Mesh top = sheet(0, 0, 2, 2, 0).mesh(), bottom = top;
   const auto tent = [](double height) {
     Mesh mesh;
     mesh.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, height}};
