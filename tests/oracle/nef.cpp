@@ -3,17 +3,13 @@
 #include <CGAL/Nef_2/debug.h>  // minkowski_sum_3.h uses what it does not include
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_incremental_builder_3.h>
-#include <CGAL/assertions_behaviour.h>
 #include <CGAL/minkowski_sum_3.h>
 
 #include <algorithm>
 #include <deque>
-#include <exception>
 #include <tuple>
-#include <type_traits>
 
-#include "core/exact/big_integer.h"
-#include "oracle/combine_nef.h"
+#include "oracle/nef_parts.h"
 #include "oracle/sheets.h"
 
 namespace strata::oracle {
@@ -21,24 +17,6 @@ namespace {
 
 using Kernel = Nef::Kernel;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-
-// CGAL chooses its exact rationals by what is installed: GMP's own class or Boost's.
-using CgalRational = std::decay_t<decltype(CGAL::exact(Kernel::FT()))>;
-
-Kernel::FT to_cgal(const Rational& q) { return Kernel::FT(CgalRational(native(q).backend().data())); }
-
-template <typename Number>
-Rational to_strata(const Number& x) {
-  Rational r;
-  if constexpr (requires { x.get_mpq_t(); }) {
-    mpq_set(native(r).backend().data(), x.get_mpq_t());
-  } else {
-    mpq_set(native(r).backend().data(), x.backend().data());
-  }
-  return r;
-}
-
-Rational from_cgal(const Kernel::FT& x) { return to_strata(CGAL::exact(x)); }
 
 /// Hands a sheet to CGAL's polyhedron, facet by facet.
 class SheetBuilder : public CGAL::Modifier_base<Polyhedron::HalfedgeDS> {
@@ -48,9 +26,7 @@ class SheetBuilder : public CGAL::Modifier_base<Polyhedron::HalfedgeDS> {
   void operator()(Polyhedron::HalfedgeDS& target) override {
     CGAL::Polyhedron_incremental_builder_3<Polyhedron::HalfedgeDS> builder(target, false);
     builder.begin_surface(sheet_.points.size(), sheet_.triangles.size());
-    for (const RationalPoint& p : sheet_.points) {
-      builder.add_vertex(Kernel::Point_3(to_cgal(p[0]), to_cgal(p[1]), to_cgal(p[2])));
-    }
+    for (const RationalPoint& p : sheet_.points) builder.add_vertex(to_cgal(p));
     for (const Triangle& t : sheet_.triangles) builder.add_facet(t.begin(), t.end());
     builder.end_surface();
   }
@@ -97,41 +73,14 @@ Nef combine_otherwise(Operation operation, const Nef& a, const Nef& b) {
   throw OracleFailed("unknown operation");
 }
 
-std::vector<RationalPoint> loop_points(Nef::SHalfedge_const_handle start) {
-  std::vector<RationalPoint> loop;
-  Nef::SHalfedge_around_facet_const_circulator side(start);
-  const Nef::SHalfedge_around_facet_const_circulator end(side);
-  do {
-    const Kernel::Point_3& p = side->source()->center_vertex()->point();
-    loop.push_back({from_cgal(p.x()), from_cgal(p.y()), from_cgal(p.z())});
-  } while (++side != end);
-  return loop;
-}
-
 /// All facets with the inside behind them and the outside in front.
 std::vector<ExactFacet> boundary_facets(const Nef& nef) {
   std::vector<ExactFacet> facets;
   for (auto f = nef.halffacets_begin(); f != nef.halffacets_end(); ++f) {
     if (f->incident_volume()->mark() || !f->twin()->incident_volume()->mark()) continue;
-    ExactFacet facet;
-    for (auto cycle = f->facet_cycles_begin(); cycle != f->facet_cycles_end(); ++cycle) {
-      if (cycle.is_shalfedge()) facet.push_back(loop_points(Nef::SHalfedge_const_handle(cycle)));
-    }
-    facets.push_back(std::move(facet));
+    facets.push_back(facet_of(f));
   }
   return facets;
-}
-
-ExactFacet facet_of(const Nef::Halffacet_const_handle& f) {
-  ExactFacet facet;
-  for (auto cycle = f->facet_cycles_begin(); cycle != f->facet_cycles_end(); ++cycle)
-    if (cycle.is_shalfedge()) facet.push_back(loop_points(Nef::SHalfedge_const_handle(cycle)));
-  return facet;
-}
-
-RationalPoint place_of(const Nef::Vertex_const_handle& v) {
-  const Kernel::Point_3& p = v->point();
-  return {from_cgal(p.x()), from_cgal(p.y()), from_cgal(p.z())};
 }
 
 /// The cells of a set without volume. Of a facet one side is listed.
@@ -140,33 +89,9 @@ void list_cells(const Nef& set, NefContact& cells) {
     if (f->mark() && &*f < &*f->twin()) cells.facets.push_back(facet_of(f));
   for (auto e = set.halfedges_begin(); e != set.halfedges_end(); ++e)
     if (e->mark() && &*e < &*e->twin() && e->out_sedge() == Nef::SHalfedge_const_handle())
-      cells.edges.push_back({place_of(e->source()), place_of(e->twin()->source())});
+      cells.edges.push_back({from_cgal(e->source()->point()), from_cgal(e->twin()->source()->point())});
   for (auto v = set.vertices_begin(); v != set.vertices_end(); ++v)
-    if (v->mark() && v->svertices_begin() == v->svertices_end()) cells.vertices.push_back(place_of(v));
-}
-
-/// Runs `work` with every complaint of CGAL turned into OracleFailed.
-template <typename Work>
-auto guarded(Work work) {
-  const auto errors = CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
-  const auto error_handler = CGAL::set_error_handler([](auto...) {});
-  const auto warning_handler = CGAL::set_warning_handler([](auto...) {});
-  const auto restore = [&] {
-    CGAL::set_error_behaviour(errors);
-    CGAL::set_error_handler(error_handler);
-    CGAL::set_warning_handler(warning_handler);
-  };
-  try {
-    auto result = work();
-    restore();
-    return result;
-  } catch (const OracleFailed&) {
-    restore();
-    throw;
-  } catch (const std::exception& e) {
-    restore();
-    throw OracleFailed(e.what());
-  }
+    if (v->mark() && v->svertices_begin() == v->svertices_end()) cells.vertices.push_back(from_cgal(v->point()));
 }
 
 }  // namespace
