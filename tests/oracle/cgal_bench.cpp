@@ -1,5 +1,7 @@
 // cgal_bench KERNEL CASE [options]: what CGAL takes for the same operation, from arrays to arrays; prints JSON like
-// strata-bench. Kernels: corefine_epick, corefine_epeck, nef. CGAL works on one thread.
+// strata-bench. Kernels: corefine_epick, corefine_epeck, nef; of the first mesh alone autorefine_epick and
+// autorefine_epeck (cut where it crosses itself) and remove_epick and remove_epeck (the same, then inner parts go).
+// CGAL works on one thread.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
@@ -157,11 +159,33 @@ Mesh by_nef_polyhedra(const bench::Request& request, std::span<const Mesh> meshe
   return to_arrays(combine_all(request, std::move(operands)));
 }
 
+/// The first mesh, with its faces cut where they cross. Experimental in CGAL.
+template <typename Kernel>
+Mesh autorefined(const bench::Request& /*request*/, std::span<const Mesh> meshes) {
+  Surface<Kernel> surface = to_surface<Kernel>(meshes.front());
+  corefinement::experimental::autorefine(surface);
+  return to_arrays<Kernel>(surface);
+}
+
+/// The same, without what is not seen from outside, as far as CGAL finds it. Experimental, too.
+template <typename Kernel>
+Mesh without_crossings(const bench::Request& /*request*/, std::span<const Mesh> meshes) {
+  Surface<Kernel> surface = to_surface<Kernel>(meshes.front());
+  if (!corefinement::experimental::autorefine_and_remove_self_intersections(surface))
+    throw std::runtime_error("CGAL says that crossings are left");
+  return to_arrays<Kernel>(surface);
+}
+
 using Engine = Mesh (*)(const bench::Request&, std::span<const Mesh>);
 
 const std::map<std::string, Engine>& engines() {
-  static const std::map<std::string, Engine> all = {
-      {"corefine_epick", corefined<Epick>}, {"corefine_epeck", corefined<Epeck>}, {"nef", by_nef_polyhedra}};
+  static const std::map<std::string, Engine> all = {{"corefine_epick", corefined<Epick>},
+                                                    {"corefine_epeck", corefined<Epeck>},
+                                                    {"nef", by_nef_polyhedra},
+                                                    {"autorefine_epick", autorefined<Epick>},
+                                                    {"autorefine_epeck", autorefined<Epeck>},
+                                                    {"remove_epick", without_crossings<Epick>},
+                                                    {"remove_epeck", without_crossings<Epeck>}};
   return all;
 }
 
@@ -185,7 +209,7 @@ int main(int argc, char** argv) {
   CLI::App app("Measures CGAL on a case file; prints JSON", "cgal_bench");
   std::string engine;
   bench::Request request;
-  app.add_option("KERNEL", engine, "corefine_epick, corefine_epeck or nef")
+  app.add_option("KERNEL", engine, "corefine_epick, corefine_epeck, nef, autorefine_epick, ...")
       ->required()
       ->check(CLI::IsMember(engines()));
   add_options(app, request);

@@ -17,11 +17,11 @@ import collections
 import concurrent.futures
 import csv
 import json
-import os
 import pathlib
 import subprocess
-import sys
 import tempfile
+
+from corpus import meshes
 
 TOOL = pathlib.Path(__file__).resolve().parents[2] / "build/bench/tools/strata/strata"
 
@@ -58,26 +58,20 @@ def main():
     parser.add_argument("--seconds", type=int, default=60, help="for one file and class")
     parser.add_argument("-o", "--output", help="a CSV file of all outcomes")
     options = parser.parse_args()
-    corpus = os.environ.get("STRATA_CORPUS")
-    if not corpus:
-        sys.exit("input_classes: skipped: STRATA_CORPUS does not name a collection")
-    corpus = pathlib.Path(corpus)
-    with open(corpus / "INDEX.csv", newline="") as index:
-        rows = [row for row in csv.DictReader(index)
-                if not row["duplicate_of"] and int(row["nF"] or 0) <= options.most_triangles]
+    corpus, paths = meshes("input_classes", options.most_triangles)
     classes = options.classes.split(",")
 
-    def job(row):
+    def job(path):
         with tempfile.TemporaryDirectory() as folder:
-            return [outcome(options.tool, corpus / row["path"], c, folder, options.seconds) for c in classes]
+            return [outcome(options.tool, corpus / path, c, folder, options.seconds) for c in classes]
 
     table = {c: collections.Counter() for c in classes}
     lines = []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for row, found in zip(rows, pool.map(job, rows)):
+        for path, found in zip(paths, pool.map(job, paths)):
             for input_class, (what, why, volume) in zip(classes, found):
                 table[input_class][what] += 1
-                lines.append([row["path"], input_class, what, volume, " ".join(why)])
+                lines.append([path, input_class, what, volume, " ".join(why)])
     if options.output:
         with open(options.output, "w", newline="") as out:
             csv.writer(out).writerows([["path", "class", "outcome", "volume", "reason"], *lines])
@@ -85,8 +79,8 @@ def main():
     print("| class | files | " + " | ".join(columns) + " |")
     print("|---" * (len(columns) + 2) + "|")
     for input_class, counts in table.items():
-        print(f"| {input_class} | {len(rows)} | " + " | ".join(str(counts[what]) for what in columns) + " |")
-    readable = len(rows) - table[classes[-1]]["unreadable"]
+        print(f"| {input_class} | {len(paths)} | " + " | ".join(str(counts[what]) for what in columns) + " |")
+    readable = len(paths) - table[classes[-1]]["unreadable"]
     if readable:
         solids = table[classes[-1]]["taken"] + table[classes[-1]]["resolved"]
         print(f"{classes[-1]}: {solids} of {readable} readable files become solids ({100 * solids / readable:.1f} %)")

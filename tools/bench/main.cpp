@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -16,6 +17,8 @@
 #include "strata/check.h"
 #include "strata/combine.h"
 #include "strata/incremental.h"
+#include "strata/io.h"
+#include "strata/resolve.h"
 #include "strata/solid.h"
 
 namespace bench {
@@ -46,6 +49,13 @@ void make_case(const std::string& name, const std::string& file) {
   std::size_t triangles = 0;
   for (const Mesh& mesh : meshes) triangles += mesh.triangles.size();
   std::cout << json{{"operands", meshes.size()}, {"triangles", triangles}}.dump() << '\n';
+}
+
+/// The mesh of a file as a case: other engines get the triangles that Strata reads.
+void read_mesh_file(const std::string& from, const std::string& file) {
+  const Mesh mesh = strata::read_mesh(from).mesh;
+  write_case(file, {&mesh, 1});
+  std::cout << json{{"operands", 1}, {"triangles", mesh.triangles.size()}}.dump() << '\n';
 }
 
 /// The result of the last run, and what is known about it.
@@ -84,6 +94,24 @@ void test_embedding(const Request& request) {
   answer["threads"] = request.threads;
   answer["triangles"] = mesh.triangles.size();
   answer["embedded"] = embedded;
+  std::cout << answer.dump() << '\n';
+}
+
+/// The first mesh, resolved: from arrays to a solid, of which the exact vertices are known as well.
+void resolve_case(const Request& request, strata::Inside inside) {
+  const Mesh mesh = read_case(request.case_file).front();
+  const strata::Options options{.input = request.input, .threads = request.threads};
+  strata::Solid solid;
+  const Measurement measurement = measure({[&] { solid = {}; },
+                                           [&] {
+                                             solid = strata::resolve(strata::ExactMesh{mesh, {}}, inside, options);
+                                           }},
+                                          request);
+  json answer = to_json(measurement);
+  answer["threads"] = request.threads;
+  answer["triangles"] = solid.mesh().triangles.size();
+  answer["vertices"] = solid.mesh().vertices.size();
+  if (!request.result_file.empty()) write_case(request.result_file, {&solid.mesh(), 1});
   std::cout << answer.dump() << '\n';
 }
 
@@ -170,6 +198,12 @@ int work(int argc, char** argv) {
   make->add_option("FILE", file)->required();
   make->callback([&] { make_case(name, file); });
 
+  std::string from;
+  CLI::App* reading = app.add_subcommand("read", "Writes a case file of one mesh file");
+  reading->add_option("MESH", from)->required()->check(CLI::ExistingFile);
+  reading->add_option("FILE", file)->required();
+  reading->callback([&] { read_mesh_file(from, file); });
+
   Request request;
   CLI::App* run = app.add_subcommand("run", "Measures one operation on a case file; prints JSON");
   add_options(*run, request);
@@ -178,6 +212,16 @@ int work(int argc, char** argv) {
   CLI::App* embedding = app.add_subcommand("embedded", "Measures the test of one mesh for self-intersections");
   add_options(*embedding, request);
   embedding->callback([&] { test_embedding(request); });
+
+  strata::Inside inside = strata::Inside::winding;
+  std::map<std::string, strata::Inside> insides;
+  for (const strata::Inside each : strata::all_insides) insides.emplace(strata::name(each), each);
+  CLI::App* resolving = app.add_subcommand("resolve", "Measures the resolution of one mesh that crosses itself");
+  add_options(*resolving, request);
+  resolving->add_option("--keep", inside, "winding, even-odd or outer")
+      ->transform(CLI::Transformer(insides))
+      ->default_str("winding");
+  resolving->callback([&] { resolve_case(request, inside); });
 
   CLI::App* judging = app.add_subcommand("judge", "Volume and closedness of a result; prints JSON");
   judging->add_option("FILE", file)->required();
