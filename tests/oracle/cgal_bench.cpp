@@ -5,10 +5,13 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
 
+#include <array>
 #include <deque>
 #include <exception>
 #include <iostream>
@@ -159,10 +162,23 @@ Mesh by_nef_polyhedra(const bench::Request& request, std::span<const Mesh> meshe
   return to_arrays(combine_all(request, std::move(operands)));
 }
 
+/// Of any closed mesh: edges and vertices of several sheets are doubled, since CGAL's surfaces have none.
+template <typename Kernel>
+Surface<Kernel> to_divided_surface(const Mesh& mesh) {
+  std::vector<typename Kernel::Point_3> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (const auto& [x, y, z] : mesh.vertices) points.emplace_back(x, y, z);
+  for (const auto& [a, b, c] : mesh.triangles) triangles.push_back({a, b, c});
+  corefinement::orient_polygon_soup(points, triangles);
+  Surface<Kernel> surface;
+  corefinement::polygon_soup_to_polygon_mesh(points, triangles, surface);
+  return surface;
+}
+
 /// The first mesh, with its faces cut where they cross. Experimental in CGAL.
 template <typename Kernel>
 Mesh autorefined(const bench::Request& /*request*/, std::span<const Mesh> meshes) {
-  Surface<Kernel> surface = to_surface<Kernel>(meshes.front());
+  Surface<Kernel> surface = to_divided_surface<Kernel>(meshes.front());
   corefinement::experimental::autorefine(surface);
   return to_arrays<Kernel>(surface);
 }
@@ -170,7 +186,7 @@ Mesh autorefined(const bench::Request& /*request*/, std::span<const Mesh> meshes
 /// The same, without what is not seen from outside, as far as CGAL finds it. Experimental, too.
 template <typename Kernel>
 Mesh without_crossings(const bench::Request& /*request*/, std::span<const Mesh> meshes) {
-  Surface<Kernel> surface = to_surface<Kernel>(meshes.front());
+  Surface<Kernel> surface = to_divided_surface<Kernel>(meshes.front());
   if (!corefinement::experimental::autorefine_and_remove_self_intersections(surface))
     throw std::runtime_error("CGAL says that crossings are left");
   return to_arrays<Kernel>(surface);

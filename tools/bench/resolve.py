@@ -4,8 +4,8 @@
 Usage: tools/bench/resolve.py BUILD [--most N] [--threads N] [--rounds R] [--budget SECONDS] [--list FILE] [MESH...]
 
 BUILD is a build folder with the programs strata, strata-bench and, for CGAL, cgal_bench. Meshes are those named, in the collection of
-STRATA_CORPUS, or else the N closed ones of it with the most pairs of faces that cross (`strata check`; --list keeps what was found). Needs the
-peers' Python with trueform and libigl. Arrays in, arrays out; every structure is built anew; medians of the rounds after one to warm up. All
+STRATA_CORPUS, or else the N closed ones of it with the most pairs of faces that cross (`strata check`; --list keeps what was found).
+`case:NAME` is a case of strata-bench with all its operands in one mesh. Needs the peers' Python with trueform and libigl. Arrays in, arrays out; every structure is built anew; medians of the rounds after one to warm up. All
 on the same processors, in turn, each in a process of its own. A peer that takes longer than the budget is measured once. Engines do one of:
 
   cut       cut faces where they cross, no more: trueform polygon_arrangements, libigl remesh_self_intersections, CGAL's experimental
@@ -108,9 +108,10 @@ def crossing_meshes(strata, corpus, paths, seconds):
                            capture_output=True)
             if not report.exists():
                 continue
-            counts = {d["kind"]: d["count"] for d in json.loads(report.read_text())["operands"][0]["defects"]}
-            if counts.get("self intersection") and not counts.keys() & {"open edge", "inconsistent orientation"}:
-                found.append((counts["self intersection"], path))
+            defects = json.loads(report.read_text())["operands"][0]["defects"]
+            counts = {d["kind"]: d["count"] for d in defects if d["severity"] == "error"}
+            if counts.get("self-intersection") and not counts.keys() & {"open edge", "inconsistent orientation"}:
+                found.append((counts["self-intersection"], path))
     return sorted(found, reverse=True)
 
 
@@ -157,7 +158,7 @@ def main():
     parser.add_argument("--peer", help=argparse.SUPPRESS)
     parser.add_argument("--result", help=argparse.SUPPRESS)
     parser.add_argument("--repetitions", type=int, help=argparse.SUPPRESS)
-    request = parser.parse_args()
+    request = parser.parse_intermixed_args()
     if request.peer:
         measure_peer(request.peer, request.meshes[0], request.result, request.repetitions, request.budget)
     build = request.build.resolve()
@@ -174,18 +175,33 @@ def main():
     print("| mesh | triangles | pairs | engine | keeps | ms | ratio | result | triangles |\n|---|---|---|---|---|---|---|---|---|")
     for pairs, name in found[:request.most]:
         with tempfile.TemporaryDirectory() as folder:
-            measure_mesh(build, request, pinned, pathlib.Path(folder), corpus / name, pairs)
+            measure_mesh(build, request, pinned, pathlib.Path(folder), corpus, name, pairs)
 
 
-def measure_mesh(build, request, pinned, folder, path, pairs):
+def make_case(bench, corpus, name, case):
+    """A case of one mesh; its number of triangles."""
+    if not name.startswith("case:"):
+        made = subprocess.run([bench, "read", corpus / name, case], check=True, capture_output=True, text=True)
+        return json.loads(made.stdout)["triangles"]
+    import numpy
+
+    subprocess.run([bench, "make", name.removeprefix("case:"), case], check=True, stdout=subprocess.DEVNULL)
+    operands = peer.read_case(case)
+    first = numpy.cumsum([0] + [len(vertices) for vertices, _ in operands])
+    triangles = numpy.concatenate([corners + start for (_, corners), start in zip(operands, first)])
+    peer.write_result(case, numpy.concatenate([vertices for vertices, _ in operands]), triangles)
+    return len(triangles)
+
+
+def measure_mesh(build, request, pinned, folder, corpus, name, pairs):
     bench, case, result = build / "tools/bench/strata-bench", folder / "case", folder / "result"
-    triangles = json.loads(subprocess.run([bench, "read", path, case], check=True, capture_output=True, text=True).stdout)["triangles"]
+    triangles = make_case(bench, corpus, name, case)
     volumes = {"cut": json.loads(subprocess.run([bench, "judge", case], check=True, capture_output=True, text=True).stdout)["volume"]}
     mine = {}
     for engine, (kind, command) in engines(build, request).items():
         result.unlink(missing_ok=True)
         command = [*pinned, *(case if word == "CASE" else word for word in command), "--result", result]
-        start = f"| {path.name} | {triangles} | {pairs} | {engine} | {kind} |"
+        start = f"| {name.split('/')[-1]} | {triangles} | {pairs} | {engine} | {kind} |"
         try:
             done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=request.limit, check=False)
         except subprocess.TimeoutExpired:

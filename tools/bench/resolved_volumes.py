@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """The volume of every mesh of a collection that crosses itself, resolved by Strata and by libigl.
 
-Usage: tools/bench/resolved_volumes.py BUILD [--most-triangles N] [--seconds N] [--only TEXT] [-o CSV]
+Usage: tools/bench/resolved_volumes.py BUILD [--all] [--most-triangles N] [--seconds N] [-o CSV] [MESH...]
 
 BUILD is a build folder with the programs strata and strata-bench, the collection the folder that STRATA_CORPUS names. Closed meshes of
 which `strata resolve --keep winding` says that they cross themselves, or have winding numbers other than 0 and 1, are resolved by libigl
 as well: its union with nothing, which keeps the points with a positive winding number, too. It is exact until it rounds its result. Volumes
 are computed from the results; Strata's is that of its report, before rounding. They are equal if they differ by 1e-12, relatively.
-Needs the peers' Python with libigl. Every difference is explained:
+Needs the peers' Python with libigl. With --all what crosses nothing is compared as well: Strata does not change it, and libigl would show what
+it overlooked. Every difference is explained:
 
   rounding    no more than what moving all of the surface by half of the last place of its largest coordinate explains
   strata, libigl, both, nobody is right    by winding numbers about points which one result contains and the other does not, and which are far
@@ -17,6 +18,7 @@ Needs the peers' Python with libigl. Every difference is explained:
 import argparse
 import collections
 import csv
+import fractions
 import json
 import os
 import pathlib
@@ -118,7 +120,7 @@ def verdict(tools, folder, given, ours, theirs):
     return f"{' and '.join(right)} right at {sum(right.values())} points:{example}"
 
 
-def compared(tools, folder, path):
+def compared(tools, folder, path, all_meshes):
     """Outcome, volumes, triangles, seconds of both, and what explains a difference; None for what does not cross itself."""
     ours, report = folder / "ours.off", folder / "report.json"
     done = tools.run(tools.strata, "resolve", path, "--keep", "winding", "-o", ours, "--report", report)
@@ -128,9 +130,10 @@ def compared(tools, folder, path):
         return ("unreadable" if done.returncode == 3 else "refused" if done.returncode == 4 else f"strata: exit {done.returncode}",
                 None, None, None, None, (done.stderr.strip().splitlines() or [""])[0])
     facts = json.loads(report.read_text())
-    if not any(d["kind"] in ("self intersection", "inside out") for d in facts["operands"][0]["defects"]):
+    if not all_meshes and not any(d["kind"] in ("self-intersection", "inside-out") for d in facts["operands"][0]["defects"]):
         return None
-    mine, seconds = facts["result"]["volume"], facts["seconds"]["evaluate"]
+    exact, seconds = fractions.Fraction(facts["result"]["volume_exact"]), facts["seconds"]["evaluate"]
+    mine = float(exact)
     given = tools.mesh(path, folder)
     case = folder / "case"
     peer.write_result(case, *given)
@@ -142,10 +145,10 @@ def compared(tools, folder, path):
     if done.returncode != 0:
         return "libigl: failed", mine, None, seconds, None, (done.stderr.strip().splitlines() or [f"signal {-done.returncode}"])[-1]
     vertices, triangles = peer.read_case(result)[0]
-    exact = exact_winding.volume(vertices, triangles)
-    yours, took = float(exact), float(done.stdout)
-    off = abs(yours - mine)
-    if off <= EQUAL * max(abs(mine), abs(yours)):
+    other = exact_winding.volume(vertices, triangles)
+    yours, took = float(other), float(done.stdout)
+    off = abs(other - exact)
+    if off <= EQUAL * abs(exact):
         return "equal", mine, yours, seconds, took, ""
     import numpy
 
@@ -153,12 +156,12 @@ def compared(tools, folder, path):
     area = numpy.linalg.norm(numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
     if off <= area * numpy.spacing(abs(vertices).max()) / 2:
         return "rounding", mine, yours, seconds, took, ""
-    other = folder / "theirs.off"
-    with open(other, "w") as out:
+    file = folder / "theirs.off"
+    with open(file, "w") as out:
         out.write(f"OFF\n{len(vertices)} {len(triangles)} 0\n")
         out.writelines(" ".join(map(repr, row)) + "\n" for row in vertices.tolist())
         out.writelines("3 " + " ".join(map(str, row)) + "\n" for row in triangles.tolist())
-    return "differ", mine, yours, seconds, took, verdict(tools, folder, given, ours, other)
+    return "differ", mine, yours, seconds, took, verdict(tools, folder, given, ours, file)
 
 
 def main():
@@ -166,19 +169,19 @@ def main():
         libigl(*sys.argv[2:])
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("meshes", nargs="*", help="these of the collection, or other files")
     parser.add_argument("--most-triangles", type=int, default=300000)
     parser.add_argument("--seconds", type=int, default=120, help="for one mesh and engine")
-    parser.add_argument("--only", default="", help="meshes with this in their paths")
+    parser.add_argument("--all", action="store_true", help="also meshes that cross nothing")
     parser.add_argument("-o", "--output", help="a CSV file of all that was compared or refused")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
+    sys.set_int_max_str_digits(0)  # exact volumes are long
     corpus, paths = meshes("resolved_volumes", options.most_triangles)
     tools = Tools(options.build.resolve(), options.seconds)
     table, lines = collections.Counter(), []
-    for name in paths:
-        if options.only not in name:
-            continue
+    for name in options.meshes or paths:
         with tempfile.TemporaryDirectory() as folder:
-            found = compared(tools, pathlib.Path(folder), corpus / name)
+            found = compared(tools, pathlib.Path(folder), corpus / name, options.all)
         table[found[0] if found else "crosses nothing"] += 1
         if found is None or found[0] in ("unreadable", "refused"):
             continue
