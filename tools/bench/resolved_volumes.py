@@ -34,7 +34,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent / "peers"))
 import peer  # noqa: E402
 
 EQUAL = 1e-12
-POINTS = 40  # that are tried in the symmetric difference of two results
+POINTS = 40  # of so many components of the symmetric difference of two results some points are tried
 
 
 def libigl(case, result):
@@ -69,29 +69,49 @@ class Tools:
         return peer.read_case(case)[0]
 
 
+def components(vertices, triangles):
+    """The number of the connected component of every triangle."""
+    import numpy
+
+    label = numpy.arange(len(vertices))
+    while True:
+        lowest = label[triangles].min(1)
+        before = label.copy()
+        for corner in range(3):
+            numpy.minimum.at(label, triangles[:, corner], lowest)
+        label = label[label]
+        if (label == before).all():
+            return label[triangles[:, 0]]
+
+
 def inner_points(vertices, triangles):
-    """Points in the middle of what lies behind the largest triangles, those farthest from the surface first."""
+    """Points in the middle of what lies behind the largest triangles of the thickest components, those farthest from the surface first."""
     import numpy
 
     corners = vertices[triangles]
-    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    normals = numpy.cross(first, second)
     area = numpy.linalg.norm(normals, axis=1)
+    label = components(vertices, triangles)
+    size = numpy.bincount(label, area)
+    volume = numpy.bincount(label, ((corners[:, 0] - vertices[label]) * normals).sum(1))
+    thickness = numpy.where(size > 0, abs(volume) / numpy.maximum(size, 1e-300), 0)
     found = []
-    for face in numpy.argsort(-area)[:POINTS]:
-        if area[face] == 0:
-            continue
-        origin, inwards = corners[face].mean(0), -normals[face] / area[face]
-        with numpy.errstate(all="ignore"):
-            first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-            across = numpy.cross(inwards, second)
-            scale = 1 / (first * across).sum(1)
-            offset = origin - corners[:, 0]
-            u = (offset * across).sum(1) * scale
-            turned = numpy.cross(offset, first)
-            v, t = turned @ inwards * scale, (second * turned).sum(1) * scale
-            hit = (u >= 0) & (v >= 0) & (u + v <= 1) & (t > 0) & (numpy.arange(len(t)) != face)
-        if hit.any():
-            found.append((t[hit].min() / 2, origin + inwards * t[hit].min() / 2))
+    for component in numpy.argsort(-thickness)[:POINTS]:
+        for face in (faces := numpy.flatnonzero(label == component))[numpy.argsort(-area[faces])[:4]]:
+            if area[face] == 0:
+                continue
+            origin, inwards = corners[face].mean(0), -normals[face] / area[face]
+            with numpy.errstate(all="ignore"):
+                across = numpy.cross(inwards, second)
+                scale = 1 / (first * across).sum(1)
+                offset = origin - corners[:, 0]
+                u = (offset * across).sum(1) * scale
+                turned = numpy.cross(offset, first)
+                v, t = turned @ inwards * scale, (second * turned).sum(1) * scale
+                hit = (u >= 0) & (v >= 0) & (u + v <= 1) & (t > 0) & (numpy.arange(len(t)) != face)
+            if hit.any():
+                found.append((t[hit].min() / 2, origin + inwards * t[hit].min() / 2))
     return sorted(found, key=lambda f: -f[0])
 
 
