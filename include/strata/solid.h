@@ -101,9 +101,10 @@ class Solid {
   /// that a line through it meets.
   [[nodiscard]] std::vector<Solid> components() const;
 
-  /// This solid and its cavities, with what is inside them: all that it closes off from infinity. Sources are those of
-  /// this solid. Laws: it contains this solid; it is its own; each of its components has one shell. The same
-  /// requirement as `components`. Exact. O(n log n); where there is a solid within a cavity, that of a union.
+  /// This solid and its cavities, with what is inside them: all that it closes off from infinity. What is connected to
+  /// the outside in edges or vertices only is closed off. Sources are those of this solid. Laws: it contains this
+  /// solid; it is its own; the exterior is connected. The same requirement as `components`. Exact. O(n log n); where
+  /// there is a solid within a cavity, that of a union.
   [[nodiscard]] Solid without_cavities(const Options& options = {}) const;
 
   /// This solid with edges and vertices of its own for every sheet of the boundary: where the solid touches itself in

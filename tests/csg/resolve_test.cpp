@@ -65,6 +65,18 @@ TEST_CASE("a box in a box in a box", "[csg]") {
   CHECK(resolved(nested, Inside::outer) == winding);
 }
 
+TEST_CASE("what touches the outside in edges only is closed off", "[csg]") {
+  const Solid cube(test::box({0, 0, 0}, {6, 6, 6}));
+  const Solid cavity(Mesh{{{2, 1, 6}, {2, 3, 6}, {1, 2, 3}, {3, 2, 3}}, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}});
+  CHECK((cube - cavity).without_cavities() == cube);
+  CHECK(resolved((cube - cavity).mesh(), Inside::outer) == cube);
+  const Solid lid(Mesh{{{2, 2, 6}, {4, 2, 6}, {4, 4, 6}, {2, 4, 6}, {3, 3, 7}, {3, 3, 5}},
+                       {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}}});
+  const Solid closed = (cube - Solid(test::box({2, 2, 2}, {4, 4, 6}))) | lid;
+  CHECK(closed.components().size() == 2);
+  CHECK(closed.without_cavities() == (cube | lid));
+}
+
 TEST_CASE("a solid stays as it is", "[csg]") {
   const Mesh sphere = test::icosphere({0, 0, 0}, 1, 3);
   for (const Inside inside : all_insides) {

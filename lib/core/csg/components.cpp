@@ -13,11 +13,12 @@
 namespace strata {
 namespace {
 
-/// A part of the boundary that is connected over edges as seen from the interior. It bounds a component of the interior
-/// from outside, or it is the boundary of a cavity of one.
+/// A part of the boundary that is connected over edges as seen from one side. From the interior: it bounds a component
+/// of the interior from outside, or it is the boundary of a cavity of one. From the exterior: it is what a component of
+/// the exterior surrounds, or it bounds such a component from outside, which then is closed off from infinity.
 struct Shell {
   std::vector<std::uint32_t> faces;  ///< rising
-  bool is_outer = false;
+  bool is_outer = false;             ///< its volume is positive
 };
 
 /// The boundary of a solid as shells.
@@ -140,6 +141,11 @@ std::vector<std::size_t> outer_shells(const Boundary& boundary, const std::vecto
   return outer;
 }
 
+ExactMesh reversed(ExactMesh mesh) {
+  for (Triangle& t : mesh.mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
 /// Some triangles of a solid, rising, with the vertices that they use, in their order.
 Solid::Data part_of(const Solid& solid, const std::vector<std::uint32_t>& faces, std::vector<std::uint32_t>& number) {
   const ExactMesh& whole = solid.exact_mesh();
@@ -191,8 +197,10 @@ std::vector<Solid> Solid::components() const {
 
 Solid Solid::without_cavities(const Options& options) const {
   if (is_empty()) return *this;
-  const Boundary boundary(exact_mesh());
-  const std::vector<Shell> shells = boundary.shells();
+  // What is closed off is a component of the exterior, which may touch others, and infinity, in edges and vertices.
+  const ExactMesh exterior = reversed(exact_mesh());
+  std::vector<Shell> shells = Boundary(exterior).shells();
+  for (Shell& s : shells) s.is_outer = !s.is_outer;
   if (std::all_of(shells.begin(), shells.end(), [](const Shell& s) { return s.is_outer; })) return *this;
   std::vector<Solid> parts;
   std::vector<std::uint32_t> number(mesh().vertices.size());
