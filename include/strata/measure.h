@@ -5,10 +5,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "strata/mesh.h"
+#include "strata/options.h"
 #include "strata/rational.h"
 
 namespace strata {
@@ -35,6 +37,20 @@ struct Topology {
 
 /// Requires indices in range. Any mesh: it need not be closed. O(n log d) for vertices of degree d.
 [[nodiscard]] Topology topology(const ExactMesh& mesh);
+
+/// What can be said about one mesh, from a few passes.
+struct Measures {
+  Topology topology;
+  std::optional<Rational> volume;  ///< none if the mesh is not closed
+  double area = 0;
+  /// Sets of coplanar triangles of one orientation, connected over whole edges. Of the boundary of a solid whose
+  /// triangles meet in whole edges these are the facets of its canonical form.
+  std::uint64_t facets = 0;
+};
+
+/// The functions above at once, in parallel. Requires indices in range and finite coordinates. Of the options,
+/// `threads` counts; the result does not depend on it. O(n log d), and k^2 for k triangles at one edge.
+[[nodiscard]] Measures measure(const ExactMesh& mesh, const Options& options = {});
 
 /// An oriented plane a x + b y + c z = d with coprime integer coefficients; (a, b, c) points outwards.
 struct CanonicalPlane {

@@ -18,6 +18,7 @@
 #include "strata/primitives.h"
 #include "strata/rational.h"
 #include "strata/resolve.h"
+#include "strata/rounding.h"
 #include "strata/shared.h"
 #include "strata/solid.h"
 #include "strata/transform.h"

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <limits>
 #include <random>
 
 #include "shapes.h"
@@ -143,4 +144,24 @@ TEST_CASE("measures of a million triangles take well under a second", "[mesh][sl
                  << std::chrono::duration<double>(end - middle).count() << " s");
   CHECK(to_nearest_double(v) == Approx(4.18879).epsilon(1e-4));
   CHECK(area(mesh) == Approx(12.56637).epsilon(1e-4));
+}
+
+TEST_CASE("the volume is exact where some coordinates are on the lattice of the largest, and some are not", "[mesh]") {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> fraction(-1, 1);
+  for (const int size : {-1070, -1000, -300, 0, 300, 960, 1020}) {
+    for (const int spread : {0, 5, 9, 30, 600}) {
+      ExactMesh mesh;
+      std::uniform_int_distribution<int> exponent(size - spread, size);
+      for (std::uint32_t i = 0; i < 60; ++i) {
+        mesh.mesh.vertices.push_back({});
+        for (double& x : mesh.mesh.vertices.back()) x = std::ldexp(fraction(random), exponent(random));
+        if (i >= 2) mesh.mesh.triangles.push_back({i - 2, i - 1, i});
+      }
+      CHECK(volume(mesh) == volume_by_rationals(mesh));
+    }
+  }
+  const double huge = std::numeric_limits<double>::max();
+  for (const Vertex& corner : {Vertex{huge, huge, huge}, Vertex{-huge, huge, -huge}, Vertex{huge, 1, huge / 512}})
+    CHECK(volume({box({0, 0, 0}, corner), {}}) == volume_by_rationals({box({0, 0, 0}, corner), {}}));
 }

@@ -36,7 +36,7 @@ verify::NewCase asked(strata::Operation operation, std::span<const LoadedMesh> o
 // An operand was refused: the report says which defects it has.
 void report_refusal(const char* name, std::span<const LoadedMesh> operands, const strata::InputError& error,
                     const Settings& settings) {
-  Json report = {{"operation", name}, {"operands", operand_reports(operands, settings.input)}, {"result", nullptr}};
+  Json report = {{"operation", name}, {"operands", operand_reports(operands, settings)}, {"result", nullptr}};
   report["operands"].at(error.operand())["defects"] = to_json(error.defects());
   write_report(settings.report, std::move(report));
 }
@@ -80,7 +80,7 @@ ExitCode run_boolean(strata::Operation operation, const char* name, const Settin
 
   watch.on_stop(OnStop::leave);
   add_profile(report, result.profile);
-  if (!settings.report.empty()) report["operands"] = operand_reports(operands, settings.input);
+  if (!settings.report.empty()) report["operands"] = operand_reports(operands, result.notes, settings);
   return write_result({std::move(result.mesh), std::move(result.exact)}, format, std::move(report), settings, watch,
                       name, question);
 }

@@ -11,6 +11,7 @@
 #include "common/watch.h"
 #include "files.h"
 #include "report.h"
+#include "rounded_output.h"
 #include "verbs.h"
 
 namespace {
@@ -104,13 +105,13 @@ ExitCode run_bsp(const Settings& settings) {
   watch.on_stop(OnStop::finish);
   stopwatch.lap();
   if (!is_picture)
-    write_output(settings, output_format(settings), strata::bsp::exact_mesh_of(region));
+    write_solid(settings, output_format(settings), strata::bsp::exact_mesh_of(region));
   else if (!settings.output.empty())
     write_leaves(settings.output, region);
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.quiet && settings.report != "-") print_facts(report["result"], settings);
   if (settings.report.empty()) return ExitCode::ok;
-  report["operands"] = operand_reports(operands, settings.input);
+  report["operands"] = operand_reports(operands, settings);
   write_report(settings.report, std::move(report));
   return ExitCode::ok;
 }

@@ -22,12 +22,11 @@ void ChainOperands::read(const ChainOperand& operand) {
   if (!is_new) return;
   const LoadedMesh& mesh = mesh_of(operand);
   found->second.solid = make(mesh, operand, operand.input);
-  announce(mesh, operand, found->second.solid);
+  announce(mesh, found->second.solid);
 }
 
-void ChainOperands::announce(const LoadedMesh& mesh, const ChainOperand& operand, const strata::Solid& solid) {
-  if (!settings_.report.empty())
-    reports_.push_back(operand_report(mesh, strata::defects_as_operand(mesh.mesh, operand.input)));
+void ChainOperands::announce(const LoadedMesh& mesh, const strata::Solid& solid) {
+  if (!settings_.report.empty()) reports_.push_back(operand_report(mesh, solid.notes(), settings_));
   print_notes(mesh, solid);
 }
 
@@ -53,7 +52,7 @@ strata::Solid ChainOperands::make(const LoadedMesh& mesh, const ChainOperand& op
   try {
     return strata::Solid(mesh.mesh, input);
   } catch (const strata::InputError& error) {
-    if (!settings_.report.empty()) reports_.push_back(operand_report(mesh, error.defects()));
+    if (!settings_.report.empty()) reports_.push_back(operand_report(mesh, error.defects(), settings_));
     settings_.operands = {fmt::format("{}: {}: {}", document_.name, operand.title(), mesh.path)};
     throw;
   }

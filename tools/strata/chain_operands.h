@@ -34,7 +34,7 @@ class ChainOperands {
   };
 
   void read(const ChainOperand& operand);
-  void announce(const LoadedMesh& mesh, const ChainOperand& operand, const strata::Solid& solid);
+  void announce(const LoadedMesh& mesh, const strata::Solid& solid);
   void print_notes(const LoadedMesh& mesh, const strata::Solid& solid) const;
   const LoadedMesh& mesh_of(const ChainOperand& operand);
   strata::ExactMesh moved(const strata::Solid& solid, const ChainOperand& operand) const;

@@ -56,7 +56,7 @@ ExitCode run_check(const Settings& settings) {
   watch.on_stop(OnStop::leave);
   report["solid"] = solid;
   if (!settings.report.empty()) {
-    report["operands"] = Json::array({operand_report(operand, defects)});
+    report["operands"] = Json::array({operand_report(operand, defects, settings)});
     write_report(settings.report, std::move(report));
   }
   if (!settings.quiet && settings.report != "-") print_verdict(operand, solid, defects, settings.max_defects);

@@ -48,6 +48,33 @@ void add_resolve(CommandLine& line) {
   line.on(*verb, [&settings] { return run_resolve(settings); });
 }
 
+void add_round(CommandLine& line) {
+  Settings& settings = line.settings;
+  CLI::App* verb = line.app.add_subcommand("round", "A solid with coordinates of fewer digits that is a solid still");
+  add_common_options(*verb, settings, 1, 1);
+  add_input_class(*verb, settings);
+  verb->add_option("--to", settings.target,
+                   "What coordinates become: float64, float32, or multiples of a step, as 0.001 or 1/1024")
+      ->required()
+      ->type_name("float64|float32|STEP");
+  verb->add_option("-o,--output", settings.output, "Where the result goes; - is standard output")
+      ->required()
+      ->type_name("OUT");
+  verb->add_option("--format", settings.output_format, "Format of the result, instead of the extension of OUT")
+      ->type_name("FORMAT");
+  verb->footer(fmt::format(
+      R"(Faces stay as they are where rounded ones do not cross, and are rearranged where they do. What is thinner than
+the grid may vanish; the report says so.
+
+Examples:
+  strata round part.xoff --to float32 -o part.ply
+  strata round part.obj --to 0.001 -o part.stl --report -
+
+{})",
+      exit_codes));
+  line.on(*verb, [&settings] { return run_round(settings); });
+}
+
 void add_eval(CommandLine& line) {
   Settings& settings = line.settings;
   CLI::App* verb = line.app.add_subcommand("eval", "An expression over meshes, or a .csg model, evaluated at once");
@@ -115,6 +142,7 @@ void add_boolean_verbs(CommandLine& line) {
   add_boolean(line, Operation::difference, "What is in the first mesh and in no other");
   add_boolean(line, Operation::symmetric_difference, "What is in an odd number of the meshes");
   add_resolve(line);
+  add_round(line);
   add_eval(line);
   add_check(line);
   add_info(line);

@@ -23,7 +23,8 @@ ExitCode run_compare(const Settings& settings) {
   report["equal"] = equal;
   if (!settings.report.empty()) {
     for (const LoadedMesh& operand : operands) {
-      report["operands"].push_back(operand_report(operand, strata::defects_as_operand(operand.mesh, settings.input)));
+      report["operands"].push_back(
+          operand_report(operand, strata::defects_as_operand(operand.mesh, settings.input), settings));
     }
     write_report(settings.report, std::move(report));
   }

@@ -17,6 +17,7 @@
 #include "contact_file.h"
 #include "files.h"
 #include "report.h"
+#include "rounded_output.h"
 #include "threads.h"
 #include "verbs.h"
 
@@ -183,7 +184,7 @@ void write_overlaps(std::vector<PairFacts>& pairs, Json& reports, const Settings
     const std::string name = fmt::format("overlap-{}-{}.{}", pairs[i].pair.a, pairs[i].pair.b, extension);
     of_overlap.output = (folder / name).string();
     of_overlap.output_format.clear();
-    write_output(of_overlap, output_format(of_overlap), pairs[i].overlap.exact_mesh());
+    write_solid(of_overlap, output_format(of_overlap), pairs[i].overlap.exact_mesh());
     reports[i]["file"] = name;
   }
 }
@@ -267,7 +268,7 @@ ExitCode run_contacts(const Settings& settings) {
   if (!settings.quiet && settings.report != "-")
     print_table(report["result"], operands, settings.output == "-" ? stderr : stdout);
   if (settings.report.empty()) return ExitCode::ok;
-  report["operands"] = operand_reports(operands, settings.input);
+  report["operands"] = operand_reports(operands, settings);
   write_report(settings.report, std::move(report));
   return ExitCode::ok;
 }

@@ -140,7 +140,7 @@ ExitCode run_decompose(const Settings& settings) {
       fmt::print(settings.output == "-" ? stderr : stdout, "{:12} {}\n", key, value.dump());
   if (settings.report.empty()) return ExitCode::ok;
   if (settings.volumes) report["volumes"] = volumes(solid, d);
-  report["operands"] = operand_reports(operands, settings.input);
+  report["operands"] = operand_reports(operands, settings);
   write_report(settings.report, std::move(report));
   return ExitCode::ok;
 }

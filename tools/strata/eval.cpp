@@ -150,7 +150,7 @@ ExitCode run_eval(Settings& settings) {
   report["peak_bytes"] = peak_bytes();
   if (!settings.report.empty()) {
     report["expression"] = expression_report(*input.expression);
-    report["operands"] = operand_reports(input.operands, settings.input);
+    report["operands"] = operand_reports(input.operands, settings);
   }
   return write_result(solid.exact_mesh(), format, std::move(report), settings, watch, "eval", question);
 }

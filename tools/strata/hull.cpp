@@ -69,7 +69,7 @@ ExitCode run_hull(const Settings& settings) {
   for (const LoadedMesh& operand : operands) append(points, operand.mesh);
   if (!settings.points.empty()) append_points(points, settings.points, watch);
   if (!settings.report.empty())
-    for (const LoadedMesh& operand : operands) report["operands"].push_back(operand_report(operand, {}));
+    for (const LoadedMesh& operand : operands) report["operands"].push_back(operand_report(operand, {}, settings));
   report["points"] = points.mesh.vertices.size();
   report["seconds"]["read"] = stopwatch.lap();
 

@@ -46,7 +46,7 @@ ExitCode run_info(const Settings& settings) {
   const LoadedMesh operand = std::move(read_operands(settings).front());
   report["seconds"]["read"] = stopwatch.lap();
   const std::vector<strata::Defect> defects = strata::diagnose(operand.mesh);
-  Json facts = operand_report(operand, defects);
+  Json facts = operand_report(operand, defects, settings);
   facts["bounding_box"] = bounding_box(operand.mesh.mesh);
   facts["rational_vertices"] = operand.mesh.exact.size();
   facts["volume_exact"] = facts["volume"].is_null() ? Json(nullptr) : Json(strata::volume(operand.mesh).str());

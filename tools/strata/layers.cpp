@@ -101,7 +101,7 @@ ExitCode run_layers(const Settings& settings) {
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.quiet && settings.report != "-") print_facts(report["result"], settings);
   if (settings.report.empty()) return ExitCode::ok;
-  report["operands"] = operand_reports(operands, settings.input);
+  report["operands"] = operand_reports(operands, settings);
   write_report(settings.report, std::move(report));
   return ExitCode::ok;
 }

@@ -156,7 +156,7 @@ ExitCode run_locate(const Settings& settings) {
   watch.on_stop(OnStop::finish);
   if (!settings.quiet && settings.output != "-" && settings.report != "-") print_counts(report["points"]);
   if (settings.report.empty()) return ExitCode::ok;
-  report["operands"] = operand_reports(operands, settings.input);
+  report["operands"] = operand_reports(operands, settings);
   write_report(settings.report, std::move(report));
   return ExitCode::ok;
 }

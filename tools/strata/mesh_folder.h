@@ -10,6 +10,8 @@
 /// --format names, or XOFF, which keeps rationals.
 class MeshFolder {
  public:
+  enum class Content { solid, surface };  ///< solids are rounded such that they stay solids
+
   /// Throws UsageError where -o names a file or a folder that is not empty: meshes of different runs would mix.
   static void check(const Settings& settings);
 
@@ -17,7 +19,8 @@ class MeshFolder {
   MeshFolder(const Settings& settings, std::string stem, std::size_t count);
 
   /// Writes one mesh, whole or not at all; returns the name of its file. Throws strata::IoError.
-  [[nodiscard]] std::string write(std::size_t number, const strata::ExactMesh& mesh) const;
+  [[nodiscard]] std::string write(std::size_t number, const strata::ExactMesh& mesh,
+                                  Content content = Content::solid) const;
   /// A file in the folder.
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
 

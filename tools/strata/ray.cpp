@@ -132,7 +132,7 @@ ExitCode run_ray(const Settings& settings) {
     for (const auto& [key, value] : report["rays"].items())
       fmt::print("{:14} {}\n", key == "count" ? "rays" : key, value.dump());
   if (settings.report.empty()) return ExitCode::ok;
-  report["operands"] = operand_reports(operands, settings.input);
+  report["operands"] = operand_reports(operands, settings);
   write_report(settings.report, std::move(report));
   return ExitCode::ok;
 }

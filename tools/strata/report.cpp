@@ -21,8 +21,8 @@ bool measurable(const ExactMesh& mesh) {
   return true;
 }
 
-/// Without a topology: of a mesh that cannot be measured.
-Json measures(const ExactMesh& mesh, const std::optional<strata::Topology>& topology) {
+/// Null for a mesh that cannot be measured.
+Json to_json(const ExactMesh& mesh, const std::optional<strata::Measures>& measures) {
   Json facts = {{"vertices", mesh.mesh.vertices.size()},
                 {"triangles", mesh.mesh.triangles.size()},
                 {"volume", nullptr},
@@ -30,13 +30,19 @@ Json measures(const ExactMesh& mesh, const std::optional<strata::Topology>& topo
                 {"components", nullptr},
                 {"euler", nullptr},
                 {"closed", nullptr}};
-  if (!topology) return facts;
-  facts["area"] = strata::area(mesh);
-  facts["components"] = topology->components;
-  facts["euler"] = topology->euler;
-  facts["closed"] = topology->open_edges == 0;
-  if (topology->open_edges == 0) facts["volume"] = strata::to_nearest_double(strata::volume(mesh));
+  if (!measures) return facts;
+  facts["area"] = measures->area;
+  facts["components"] = measures->topology.components;
+  facts["euler"] = measures->topology.euler;
+  facts["closed"] = measures->topology.open_edges == 0;
+  if (measures->volume) facts["volume"] = strata::to_nearest_double(*measures->volume);
   return facts;
+}
+
+strata::Measures measure(const ExactMesh& mesh, const Settings& settings) {
+  strata::Options options;
+  options.threads = settings.threads;
+  return strata::measure(mesh, options);
 }
 
 }  // namespace
@@ -62,32 +68,39 @@ Json to_json(std::span<const Defect> defects) {
   return list;
 }
 
-Json measures(const ExactMesh& mesh) {
-  return measurable(mesh) ? measures(mesh, strata::topology(mesh)) : measures(mesh, std::nullopt);
+Json measures(const ExactMesh& mesh, const Settings& settings) {
+  return measurable(mesh) ? to_json(mesh, measure(mesh, settings)) : to_json(mesh, std::nullopt);
 }
 
-Json operand_report(const LoadedMesh& operand, std::span<const Defect> defects) {
+Json operand_report(const LoadedMesh& operand, std::span<const Defect> defects, const Settings& settings) {
   Json report = {{"path", operand.path}};
-  report.update(measures(operand.mesh));
+  report.update(measures(operand.mesh, settings));
   report["defects"] = to_json(defects);
   return report;
 }
 
-Json result_report(const ExactMesh& mesh, std::optional<bool> rounded_valid) {
-  const strata::Topology topology = strata::topology(mesh);
-  Json report = measures(mesh, topology);
-  report["touching_edges"] = topology.non_manifold_edges;
-  report["touching_vertices"] = topology.non_manifold_vertices;
-  report["facets"] = strata::canonical_form(mesh).facet_count();
-  report["volume_exact"] = strata::volume(mesh).str();
+Json result_report(const ExactMesh& mesh, std::optional<bool> rounded_valid, const Settings& settings) {
+  const strata::Measures measures = measure(mesh, settings);
+  Json report = to_json(mesh, measures);
+  report["touching_edges"] = measures.topology.non_manifold_edges;
+  report["touching_vertices"] = measures.topology.non_manifold_vertices;
+  report["facets"] = measures.facets;
+  report["volume_exact"] = measures.volume ? Json(measures.volume->str()) : Json(nullptr);
   report["empty"] = mesh.mesh.triangles.empty();
   report["rounded_valid"] = rounded_valid ? Json(*rounded_valid) : Json(nullptr);
   return report;
 }
 
-Json operand_reports(std::span<const LoadedMesh> operands, strata::InputClass input) {
+Json operand_reports(std::span<const LoadedMesh> operands, const Settings& settings) {
   Json list = Json::array();
   for (const LoadedMesh& operand : operands)
-    list.push_back(operand_report(operand, strata::defects_as_operand(operand.mesh, input)));
+    list.push_back(operand_report(operand, strata::defects_as_operand(operand.mesh, settings.input), settings));
+  return list;
+}
+
+Json operand_reports(std::span<const LoadedMesh> operands, std::span<const Defect> notes, const Settings& settings) {
+  if (!notes.empty()) return operand_reports(operands, settings);  // notes do not say whose they are
+  Json list = Json::array();
+  for (const LoadedMesh& operand : operands) list.push_back(operand_report(operand, {}, settings));
   return list;
 }

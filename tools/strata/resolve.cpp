@@ -50,7 +50,7 @@ ExitCode run_resolve(const Settings& settings) {
     solid =
         with_reproduction(question, "resolve", settings, [&] { return evaluate(operands.front(), settings, watch); });
   } catch (const strata::InputError& error) {
-    report["operands"] = Json::array({operand_report(operands.front(), error.defects())});
+    report["operands"] = Json::array({operand_report(operands.front(), error.defects(), settings)});
     if (!settings.report.empty()) write_report(settings.report, std::move(report));
     throw;
   } catch (const strata::Cancelled&) {
@@ -62,6 +62,7 @@ ExitCode run_resolve(const Settings& settings) {
   report["peak_bytes"] = peak_bytes();
 
   watch.on_stop(OnStop::leave);
-  if (!settings.report.empty()) report["operands"] = Json::array({operand_report(operands.front(), solid.notes())});
+  if (!settings.report.empty())
+    report["operands"] = Json::array({operand_report(operands.front(), solid.notes(), settings)});
   return write_result(solid.exact_mesh(), format, std::move(report), settings, watch, "resolve", question);
 }

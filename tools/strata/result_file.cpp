@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/stopwatch.h"
+#include "rounded_output.h"
 #include "strata/check.h"
 #include "strata/measure.h"
 #include "strata/solid.h"
@@ -41,7 +42,7 @@ ExitCode write_result(const strata::ExactMesh& exact, strata::Format format, Jso
     if (topology.non_manifold_edges + topology.non_manifold_vertices > 0) {
       fmt::print(stderr, "strata: the result touches itself in {} edges and {} vertices; nothing was written\n",
                  topology.non_manifold_edges, topology.non_manifold_vertices);
-      if (!settings.report.empty()) report["result"] = result_report(exact, {});
+      if (!settings.report.empty()) report["result"] = result_report(exact, {}, settings);
       if (!settings.report.empty()) write_report(settings.report, std::move(report));
       return ExitCode::not_certified;
     }
@@ -49,16 +50,22 @@ ExitCode write_result(const strata::ExactMesh& exact, strata::Format format, Jso
   std::optional<strata::Solid> separated;
   if (settings.touching == "separate") separated = strata::Solid::trusted(exact).separated();
   const strata::ExactMesh& result = separated ? separated->exact_mesh() : exact;
+  RoundedOutput rounded = rounded_output(result, format, settings, &watch.token());
+  const strata::ExactMesh& written = rounded.mesh ? *rounded.mesh : result;
+  report["seconds"]["round"] = stopwatch.lap();
   std::optional<bool> rounded_valid;
   if (settings.certify) {
-    rounded_valid = certify(result, format, settings, watch);
+    rounded_valid = certify(written, format, settings, watch);
     report["seconds"]["certify"] = stopwatch.lap();
   }
   watch.on_stop(OnStop::leave);
-  if (!settings.report.empty()) report["result"] = result_report(result, rounded_valid);
+  if (!settings.report.empty()) {
+    report["result"] = result_report(result, rounded_valid, settings);
+    report["result"]["rounding"] = std::move(rounded.report);
+  }
   watch.on_stop(OnStop::finish);
   stopwatch.lap();
-  write_output(settings, format, result);
+  write_output(settings, format, written);
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.report.empty()) write_report(settings.report, std::move(report));
   if (rounded_valid != false) return ExitCode::ok;

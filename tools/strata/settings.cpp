@@ -64,8 +64,20 @@ void add_output_options(CLI::App& verb, Settings& settings) {
       ->type_name("HOW")
       ->check(CLI::IsMember({"shared", "separate", "refuse"}))
       ->default_str("shared");
+  add_rounding_options(verb, settings);
   verb.add_flag("--certify", settings.certify,
                 "Check that no faces cross in the rounded result; exit code 5 if some do");
+}
+
+void add_rounding_options(CLI::App& verb, Settings& settings) {
+  verb.add_option(
+          "--rounding", settings.rounding,
+          "How exact vertices become the numbers that a file can hold: valid (where faces would cross, they are "
+          "rearranged, so that the file holds a solid) or nearest (each by itself)")
+      ->type_name("HOW")
+      ->check(CLI::IsMember({"valid", "nearest"}))
+      ->default_str("valid");
+  verb.add_option("--grid", settings.grid, "Coordinates are multiples of this, as 0.001 or 1/1024")->type_name("STEP");
 }
 
 void add_origin_option(CLI::App& verb, Settings& settings) {

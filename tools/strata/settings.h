@@ -29,6 +29,9 @@ struct Settings {
   std::uint64_t max_defects = 100;         ///< of one kind that are printed
   bool certify = false;
   std::string touching = "shared";  ///< what sheets that touch share: shared, separate or refuse
+  std::string rounding = "valid";   ///< valid: solids again; nearest: each vertex by itself
+  std::string grid;                 ///< step of coordinates; empty: all numbers of the format
+  std::string target;               ///< of round: float64, float32 or a step
   std::string origin = "auto";      ///< x,y,z, direction:x,y,z or auto
   std::string points;               ///< path of the points to locate; "-" is stdin
   std::string rays;                 ///< path of the rays to cast; "-" is stdin
@@ -67,6 +70,9 @@ void add_engine(CLI::App& verb, Settings& settings, const std::vector<const stra
 
 /// -o and what goes with making a mesh.
 void add_output_options(CLI::App& verb, Settings& settings);
+
+/// --rounding valid|nearest, --grid.
+void add_rounding_options(CLI::App& verb, Settings& settings);
 
 /// --origin x,y,z|auto|direction:x,y,z.
 void add_origin_option(CLI::App& verb, Settings& settings);

@@ -24,6 +24,7 @@ using strata::Surface;
 /// What a verb made: meshes of one kind, for a folder.
 struct Product {
   const char* stem = "";  ///< of file names
+  MeshFolder::Content content = MeshFolder::Content::solid;
   std::vector<strata::ExactMesh> meshes;
   std::vector<Json> facts;  ///< per mesh
   Json result = Json::object();
@@ -94,7 +95,7 @@ void write_folder(const Product& product, const char* verb, const Settings& sett
   const MeshFolder folder(settings, product.stem, product.meshes.size());
   Json list = Json::array();
   for (std::size_t i = 0; i < product.meshes.size(); ++i) {
-    Json entry = {{"file", folder.write(i, product.meshes[i])}};
+    Json entry = {{"file", folder.write(i, product.meshes[i], product.content)}};
     entry.update(product.facts[i]);
     list.push_back(std::move(entry));
   }
@@ -155,6 +156,7 @@ ExitCode run_imprint(const Settings& settings) {
       product.meshes.push_back(s.exact_mesh());
       triangles += s.mesh().triangles.size();
     }
+    product.content = MeshFolder::Content::surface;
     product.result = {{"surfaces", product.meshes.size()}, {"triangles", triangles}};
     return product;
   });

@@ -42,7 +42,7 @@ ExitCode VerbRun::end(Json result) {
   if (settings_.report.empty()) return ExitCode::ok;
   report_["result"] = std::move(result);
   for (std::size_t k = 0; k < operands_.size(); ++k)
-    report_["operands"].push_back(operand_report(operands_[k], notes_[k]));
+    report_["operands"].push_back(operand_report(operands_[k], notes_[k], settings_));
   write_report(settings_.report, std::move(report_));
   return ExitCode::ok;
 }
@@ -51,6 +51,6 @@ void VerbRun::write_refusal(const strata::InputError& error) {
   if (settings_.report.empty()) return;
   if (error.operand() < notes_.size()) notes_[error.operand()] = error.defects();
   for (std::size_t k = 0; k < operands_.size(); ++k)
-    report_["operands"].push_back(operand_report(operands_[k], notes_[k]));
+    report_["operands"].push_back(operand_report(operands_[k], notes_[k], settings_));
   write_report(settings_.report, std::move(report_));
 }

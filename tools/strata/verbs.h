@@ -8,6 +8,7 @@
 
 /// A mesh that crosses itself, made a solid.
 [[nodiscard]] ExitCode run_resolve(const Settings& settings);
+[[nodiscard]] ExitCode run_round(const Settings& settings);
 
 /// An expression over meshes, evaluated at once.
 [[nodiscard]] ExitCode run_eval(Settings& settings);

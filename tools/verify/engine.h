@@ -15,7 +15,8 @@ namespace verify {
 struct Answer {
   std::filesystem::path file;  ///< empty: none
   Verdict why_not;
-  double seconds = 0;  ///< of all processes
+  std::string collapsed;  ///< why the file may hold another solid: features that its numbers cannot hold
+  double seconds = 0;     ///< of all processes
   std::uint64_t peak_bytes = 0;
 };
 
@@ -37,9 +38,9 @@ struct EngineFolders {
   std::filesystem::path scripts;
 };
 
-/// "strata" (this program, exact files), "strata-doubles" (the same, results rounded to doubles), the name of a script
-/// in the folder of scripts, or a command: NAME=WORDS or WORDS, to which OPERATION A B OUT is appended for every
-/// operation. Throws std::runtime_error where there is no such script, or it says that it cannot run.
+/// "strata" (this program, exact files), "strata-doubles" and "strata-floats" (the same, results rounded), the name of
+/// a script in the folder of scripts, or a command: NAME=WORDS or WORDS, to which OPERATION A B OUT is appended for
+/// every operation. Throws std::runtime_error where there is no such script, or it says that it cannot run.
 [[nodiscard]] std::unique_ptr<Engine> make_engine(const std::string& name, const EngineFolders& folders);
 
 /// "result": the answer is this file, whatever is asked.

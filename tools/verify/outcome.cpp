@@ -8,6 +8,8 @@ std::string_view name(Outcome outcome) {
       return "exact";
     case Outcome::rounded:
       return "rounded";
+    case Outcome::collapsed:
+      return "collapsed";
     case Outcome::wrong:
       return "wrong";
     case Outcome::invalid:

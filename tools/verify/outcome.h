@@ -9,6 +9,7 @@ namespace verify {
 enum class Outcome {
   exact,           ///< equal as a point set, and a valid mesh
   rounded,         ///< volume, area and topology are right within rounding, and the mesh is valid
+  collapsed,       ///< another solid, and the engine says that its numbers cannot hold some feature; the mesh is valid
   wrong,           ///< another solid
   invalid,         ///< no boundary of a solid: open, crossing or coinciding faces, inverted
   refused,         ///< the engine says that it has no result
@@ -18,9 +19,9 @@ enum class Outcome {
   not_applicable,  ///< the engine cannot be given the operands, or has no such operation
 };
 
-inline constexpr std::array all_outcomes = {Outcome::exact,     Outcome::rounded,       Outcome::wrong,
-                                            Outcome::invalid,   Outcome::refused,       Outcome::crashed,
-                                            Outcome::timed_out, Outcome::oracle_failed, Outcome::not_applicable};
+inline constexpr std::array all_outcomes = {
+    Outcome::exact,   Outcome::rounded, Outcome::collapsed, Outcome::wrong,         Outcome::invalid,
+    Outcome::refused, Outcome::crashed, Outcome::timed_out, Outcome::oracle_failed, Outcome::not_applicable};
 
 [[nodiscard]] std::string_view name(Outcome outcome);  ///< "timed out"
 

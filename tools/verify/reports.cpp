@@ -24,6 +24,7 @@ std::string junit_element(const Verdict& v) {
   switch (v.outcome) {
     case Outcome::exact:
     case Outcome::rounded:
+    case Outcome::collapsed:
       return {};
     case Outcome::wrong:
     case Outcome::invalid:
@@ -118,7 +119,9 @@ std::string summary(const Run& run) {
     text += "\n";
     for (const Finding& f : run.findings) {
       const Outcome o = f.verdict.outcome;
-      if (f.of_engine != e || o == Outcome::exact || o == Outcome::rounded || o == Outcome::not_applicable) continue;
+      if (f.of_engine != e || o == Outcome::exact || o == Outcome::rounded || o == Outcome::collapsed ||
+          o == Outcome::not_applicable)
+        continue;
       constexpr std::size_t longest = 160;
       text += fmt::format("  {}: {}: {}\n", run.cases[f.of_case].slug, name(o), f.verdict.reason.substr(0, longest));
     }

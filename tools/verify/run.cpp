@@ -1,5 +1,7 @@
 #include "verify/run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <mutex>
 #include <utility>
@@ -25,7 +27,10 @@ std::string picture_of(const std::filesystem::path& file) {
   }
 }
 
-bool is_right(const Finding& f) { return f.verdict.outcome == Outcome::exact || f.verdict.outcome == Outcome::rounded; }
+bool is_right(const Finding& f) {
+  const Outcome o = f.verdict.outcome;
+  return o == Outcome::exact || o == Outcome::rounded || o == Outcome::collapsed;
+}
 
 /// Pictures are made of results that are not right, and of those of this engine that are.
 Finding run_case(const Case& c, const Engine& engine, const RunOptions& options) {
@@ -45,6 +50,8 @@ Finding run_case(const Case& c, const Engine& engine, const RunOptions& options)
   finding.verdict = options.judge_apart
                         ? judge_apart(answer.file, c, engine.unit_roundoff(), options.limits, scratch.path())
                         : judge_file(answer.file, c, yardstick_for(c, engine.unit_roundoff()));
+  if (finding.verdict.outcome == Outcome::wrong && !answer.collapsed.empty())
+    finding.verdict = {Outcome::collapsed, fmt::format("{} ({})", finding.verdict.reason, answer.collapsed)};
   if (options.pictures && (!is_right(finding) || engine.name() == "strata")) finding.picture = picture_of(answer.file);
   return finding;
 }

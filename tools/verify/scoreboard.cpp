@@ -16,7 +16,7 @@ constexpr const char* head = R"(<!DOCTYPE html>
 body{font:14px/1.4 system-ui,sans-serif;margin:2em auto;max-width:1200px;padding:0 1em;color:#222}
 table{border-collapse:collapse}td,th{padding:.25em .6em;border:1px solid #ccc;text-align:left;vertical-align:top}
 td.n{text-align:right;white-space:nowrap}th{background:#f4f4f4}a{color:inherit}code{background:#f4f4f4}
-.exact,.rounded{background:#d9f0d9}.rounded{background:#eef6d6}.wrong,.invalid{background:#f8d0d0}
+.exact,.rounded{background:#d9f0d9}.rounded,.collapsed{background:#eef6d6}.wrong,.invalid{background:#f8d0d0}
 .refused,.not{background:#eee}.crashed,.timed,.oracle{background:#f6dcb8}
 section{border-top:1px solid #ccc;margin-top:1.2em}figure{display:inline-block;margin:.3em .8em .3em 0}
 figcaption{font-size:12px;color:#555}.list{display:none}.list:target{display:block;border:2px solid #888;padding:.5em 1em}
@@ -30,7 +30,9 @@ std::string css_class(Outcome outcome) {
   return std::string(text.substr(0, text.find(' ')));
 }
 
-bool is_right(Outcome outcome) { return outcome == Outcome::exact || outcome == Outcome::rounded; }
+bool is_right(Outcome outcome) {
+  return outcome == Outcome::exact || outcome == Outcome::rounded || outcome == Outcome::collapsed;
+}
 
 const Finding& finding(const Run& run, std::size_t of_case, std::size_t of_engine) {
   return run.findings[of_case * run.engines.size() + of_engine];

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "common/exit_code.h"
@@ -23,15 +26,33 @@ Verdict verdict(const ChildEnd& end) {
   return end.code == 0 ? Verdict{} : Verdict{Outcome::crashed, fmt::format("exit status {}: {}", end.code, end.error)};
 }
 
+/// What a report says of features that rounding could not keep; empty: nothing.
+std::string what_collapsed(const fs::path& path) {
+  std::ifstream file(path);
+  const auto report = nlohmann::json::parse(file, nullptr, false);
+  if (report.is_discarded() || !report.contains("result")) return {};
+  const auto& result = report.at("result");
+  if (!result.is_object() || !result.contains("rounding") || result.at("rounding").is_null()) return {};
+  const auto& rounding = result.at("rounding");
+  if (!rounding.contains("exact")) return {};
+  const auto number = [&](const char* which, const char* what) {
+    return rounding.at(which).at(what).get<std::int64_t>();
+  };
+  return fmt::format("rounding: {} of {} components left, Euler characteristic {} of {}, {} faces gone",
+                     number("rounded", "components"), number("exact", "components"), number("rounded", "euler"),
+                     number("exact", "euler"), rounding.at("vanished_faces").get<std::uint64_t>());
+}
+
 /// What this program can be asked under a name of its own.
 struct Variant {
   const char* name;
   const char* engine;  ///< as for --engine
   const char* result;
+  double unit_roundoff = 0x1p-53;
 };
-constexpr std::array variants{Variant{"strata", "arrangement", "result.xoff"},
-                              Variant{"strata-doubles", "arrangement", "result.off"},
-                              Variant{"layers", "layers", "result.xoff"}};
+constexpr std::array variants{
+    Variant{"strata", "arrangement", "result.xoff"}, Variant{"strata-doubles", "arrangement", "result.off"},
+    Variant{"strata-floats", "arrangement", "result.stl", 0x1p-24}, Variant{"layers", "layers", "result.xoff"}};
 
 class StrataEngine : public Engine {
  public:
@@ -40,6 +61,7 @@ class StrataEngine : public Engine {
   }
 
   [[nodiscard]] std::string name() const override { return variant_.name; }
+  [[nodiscard]] double unit_roundoff() const override { return variant_.unit_roundoff; }
 
   [[nodiscard]] Answer ask(const Case& c, const fs::path& folder, const Limits& limits) const override {
     Answer answer;
@@ -49,13 +71,17 @@ class StrataEngine : public Engine {
     for (const std::string& word :
          {std::string("-o"), answer.file.string(), std::string("--input"), std::string(strata::name(c.input)),
           std::string("--engine"), std::string(variant_.engine), std::string("-j"), std::string("1"),
-          std::string("-q")})
+          std::string("--report"), (folder / "report.json").string(), std::string("-q")})
       command.push_back(word);
     const ChildEnd end = run_child(command, limits, folder);
     answer.why_not = verdict(end);
     answer.seconds = end.seconds;
     answer.peak_bytes = end.peak_bytes;
-    if (answer.why_not.outcome != Outcome::exact) answer.file.clear();
+    if (answer.why_not.outcome != Outcome::exact) {
+      answer.file.clear();
+    } else {
+      answer.collapsed = what_collapsed(folder / "report.json");
+    }
     return answer;
   }
 

@@ -111,7 +111,7 @@ bool is_passed(const verify::Run& run, const verify::Finding& f) {
   const Outcome o = f.verdict.outcome;
   if (run.engines[f.of_engine] == "strata")
     return (o == Outcome::exact) != run.cases[f.of_case].has_tag(known_failure) && o != Outcome::oracle_failed;
-  return o == Outcome::exact || o == Outcome::rounded || o == Outcome::not_applicable;
+  return o == Outcome::exact || o == Outcome::rounded || o == Outcome::collapsed || o == Outcome::not_applicable;
 }
 
 bool is_passed(const verify::Run& run) {

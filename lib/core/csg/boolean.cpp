@@ -22,7 +22,10 @@ namespace {
 /// Records the time of each stage at its end, reports progress, throws Cancelled on request.
 class Stages {
  public:
-  Stages(Profile& profile, const Monitor& monitor) : watch_(profile), monitor_(monitor) { monitor.check(); }
+  Stages(Profile& profile, const Monitor& monitor) : profile_(profile), watch_(profile), monitor_(monitor) {
+    monitor.check();
+  }
+  [[nodiscard]] Profile& profile() { return profile_; }
 
   void end(const char* stage, double progress) {
     watch_.lap(stage);
@@ -31,6 +34,7 @@ class Stages {
   }
 
  private:
+  Profile& profile_;
   Stopwatch watch_;
   const Monitor& monitor_;
 };
@@ -59,39 +63,23 @@ void count_tiers(const TierCounts& before, Profile& profile) {
     if (now[i] != before[i]) profile.counts.emplace_back(tier_names[i], now[i] - before[i]);
 }
 
-/// If all operands satisfy their input classes, the boundary is closed. If it is not closed, this finds the operand
-/// that does not.
-void ensure_closed(const Mesh& result, std::span<const Operand> given, const Options& options) {
-  if (chain_is_closed(result)) return;
-  refuse_broken_operands(given, options);
-  throw LogicError("the boundary of a result is not closed");
-}
-
-}  // namespace
-
-BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options) {
+/// The stages after `prepare`.
+BooleanResult evaluate(const Rule& rule, InputComplex complex, const Options& options, const Monitor& monitor,
+                       Stages& stages) {
   BooleanResult result;
-  const Monitor monitor(options.cancel, &options.progress);
-  const TierCounts tiers = tier_counts_now();
-  Stages stages(result.profile, monitor);
-
-  const PreparedOperands operands(given, options.input);
-  result.notes = operands.notes();
-  stages.end("prepare", 0.05);
-
-  const Candidates candidates = find_candidates(operands.complex(), monitor);
+  const Candidates candidates = find_candidates(std::move(complex), monitor);
   const InputComplex& input = candidates.input();
-  count(candidates, result.profile);
+  count(candidates, stages.profile());
   stages.end("find_candidates", 0.3);
 
   Intersections intersections = intersect(candidates, monitor);
-  count(intersections, result.profile);
+  count(intersections, stages.profile());
   stages.end("intersect", 0.55);
 
   const LocalWindings windings(input, candidates.cells());
   const Classifier classifier{rule, windings};
   Subdivision subdivision = subdivide(input, std::move(intersections), classifier, monitor);
-  count(subdivision, result.profile);
+  count(subdivision, stages.profile());
   stages.end("subdivide", 0.8);
 
   const std::vector<Verdict> verdicts = label(input, subdivision, classifier, monitor);
@@ -104,12 +92,47 @@ BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Op
   if (options.exact_vertices) result.exact = exact_positions(input, boundary, result.mesh.vertices, monitor);
   result.mesh.triangles = std::move(boundary.triangles);
   result.sources = std::move(boundary.sources);
+  return result;
+}
+
+/// If all operands satisfy their input classes, the boundary is closed. If it is not closed, this finds the operand
+/// that does not.
+void ensure_closed(const Mesh& result, std::span<const Operand> given, const Options& options) {
+  if (chain_is_closed(result)) return;
+  refuse_broken_operands(given, options);
+  throw LogicError("the boundary of a result is not closed");
+}
+
+}  // namespace
+
+BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options) {
+  Profile profile;
+  const Monitor monitor(options.cancel, &options.progress);
+  const TierCounts tiers = tier_counts_now();
+  Stages stages(profile, monitor);
+
+  const PreparedOperands operands(given, options.input);
+  stages.end("prepare", 0.05);
+
+  BooleanResult result = evaluate(rule, operands.complex(), options, monitor, stages);
   operands.restore(result.sources);
-  count_tiers(tiers, result.profile);
+  count_tiers(tiers, profile);
   stages.end("round", 0.99);
 
   ensure_closed(result.mesh, given, options);
   stages.end("validate", 1);
+  result.notes = operands.notes();
+  result.profile = std::move(profile);
+  return result;
+}
+
+BooleanResult resolved(InputComplex input, Inside inside, const Monitor& monitor) {
+  Options options;
+  options.exact_vertices = true;
+  Profile profile;
+  Stages stages(profile, monitor);
+  BooleanResult result = evaluate(Rule::of_one(inside), std::move(input), options, monitor, stages);
+  if (!chain_is_closed(result.mesh)) throw LogicError("the boundary of a result is not closed");
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 
+#include "core/kernel/input_complex.h"
 #include "core/select/rule.h"
 #include "strata/combine.h"
 
@@ -22,5 +23,9 @@ namespace strata {
 /// Profile::seconds; the last lap, `validate`, ensures that the result is closed.
 /// Throws as `combine` does.
 [[nodiscard]] BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options);
+
+/// The stages after `prepare` for one closed mesh of any orientation, with exact vertices. Requires faces of positive
+/// area. Throws Cancelled.
+[[nodiscard]] BooleanResult resolved(InputComplex input, Inside inside, const Monitor& monitor);
 
 }  // namespace strata

@@ -18,11 +18,13 @@ class DisjointSets {
     return x;
   }
 
-  void unite(Index a, Index b) {
+  /// True if these were two sets.
+  bool unite(Index a, Index b) {
     a = find(a);
     b = find(b);
     if (b < a) std::swap(a, b);
     parent_[b] = a;
+    return a != b;
   }
 
  private:

@@ -1,5 +1,8 @@
 #include "core/mesh/equal_vertices.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <array>
 #include <bit>
 
@@ -20,13 +23,20 @@ Bits bits(const Vertex& v) {
 /// `equal` decides among vertices whose doubles are the same.
 template <class Equal>
 std::vector<std::uint32_t> first_equal(std::span<const Vertex> vertices, Equal equal) {
-  HashIndex table(vertices.size());
+  ConcurrentHashIndex table(vertices.size());
   std::vector<std::uint32_t> first(vertices.size());
-  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    const Bits key = bits(vertices[v]);
-    first[v] = table.find_or_add(hash_of(vertices[v]), v,
-                                 [&](std::uint32_t there) { return bits(vertices[there]) == key && equal(there, v); });
-  }
+  const auto for_each_vertex = [&](const auto& visit) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices.size(), 1 << 12), [&](const auto& range) {
+      for (std::size_t n = range.begin(); n != range.end(); ++n) {
+        const auto v = static_cast<std::uint32_t>(n);
+        const Bits key = bits(vertices[v]);
+        visit(v, [&](std::uint32_t there) { return bits(vertices[there]) == key && equal(there, v); });
+      }
+    });
+  };
+  for_each_vertex([&](std::uint32_t v, const auto& is_equal) { table.add_lowest(hash_of(vertices[v]), v, is_equal); });
+  for_each_vertex(
+      [&](std::uint32_t v, const auto& is_equal) { first[v] = table.find(hash_of(vertices[v]), is_equal); });
   return first;
 }
 

@@ -1,5 +1,8 @@
 #include "strata/measure.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -7,6 +10,7 @@
 #include "core/exact/big_integer.h"
 #include "core/exact/pairwise_sum.h"
 #include "core/exact/scaled_root.h"
+#include "core/mesh/lattice_sum.h"
 #include "core/mesh/product_sum.h"
 
 namespace strata {
@@ -61,35 +65,84 @@ long double fast_double_area(const Vertex& a, const Vertex& b, const Vertex& c) 
   return squared * 65536 > lengths ? std::sqrt(squared) : Real(-1);
 }
 
-}  // namespace
+using Range = tbb::blocked_range<std::size_t>;
+constexpr std::size_t grain = 1 << 13;
 
-Rational volume(ExactMeshView mesh) {
-  const std::vector<bool> flags = exact_flags(mesh);
-  ProductSum doubles;
-  PairwiseSum rationals;
-  for (const Triangle& t : mesh.mesh.triangles) {
-    if (any_exact(flags, t)) {
-      rationals.add(dot(mesh.position(t[0]), cross(mesh.position(t[1]), mesh.position(t[2]))));
-    } else {
-      doubles.add_determinant(mesh.mesh.vertices[t[0]], mesh.mesh.vertices[t[1]], mesh.mesh.vertices[t[2]]);
-    }
+/// Six times the volume of some triangles: most are on a lattice, others consist of doubles or have rational vertices.
+class VolumeSum {
+ public:
+  VolumeSum(ExactMeshView mesh, const std::vector<bool>& is_exact, double largest)
+      : mesh_(mesh), is_exact_(is_exact), largest_(largest), lattice_(largest) {}
+  VolumeSum(VolumeSum& other, tbb::split) : VolumeSum(other.mesh_, other.is_exact_, other.largest_) {}
+
+  void operator()(const Range& range) {
+    for (std::size_t f = range.begin(); f != range.end(); ++f) add(mesh_.mesh.triangles[f]);
   }
-  return (doubles.value() + rationals.value()) / 6;
-}
+  void join(VolumeSum& other) {
+    lattice_.add(other.lattice_);
+    doubles_.add(other.doubles_);
+    rationals_.add(other.rationals_);
+  }
+  [[nodiscard]] Rational value() const { return lattice_.value() + doubles_.value() + rationals_.value(); }
 
-double area(const ExactMesh& mesh) {
-  const std::vector<bool> flags = exact_flags(mesh);
-  long double sum = 0;
-  long double lost = 0;  // Neumaier: the rounding errors of `sum`
-  for (const Triangle& t : mesh.mesh.triangles) {
-    const auto& v = mesh.mesh.vertices;
-    long double term = any_exact(flags, t) ? -1 : fast_double_area(v[t[0]], v[t[1]], v[t[2]]);
-    if (term < 0) term = exact_double_area(mesh, t);
+ private:
+  void add(const Triangle& t) {
+    const auto& v = mesh_.mesh.vertices;
+    if (any_exact(is_exact_, t))
+      rationals_.add(dot(mesh_.position(t[0]), cross(mesh_.position(t[1]), mesh_.position(t[2]))));
+    else if (!lattice_.add_determinant(v[t[0]], v[t[1]], v[t[2]]))
+      doubles_.add_determinant(v[t[0]], v[t[1]], v[t[2]]);
+  }
+
+  ExactMeshView mesh_;
+  const std::vector<bool>& is_exact_;
+  double largest_;
+  LatticeSum lattice_;
+  ProductSum doubles_;
+  PairwiseSum rationals_;
+};
+
+/// A sum with what its roundings lost (Neumaier 1974).
+struct CompensatedSum {
+  long double sum = 0, lost = 0;
+
+  void add(long double term) {
     const long double next = sum + term;
     lost += sum >= term ? (sum - next) + term : (term - next) + sum;
     sum = next;
   }
-  return static_cast<double>((sum + lost) / 2);
+};
+
+}  // namespace
+
+Rational volume(ExactMeshView mesh) {
+  const std::vector<bool> is_exact = exact_flags(mesh);
+  VolumeSum sum(mesh, is_exact, largest_coordinate(mesh.mesh.vertices));
+  tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), grain), sum);
+  return sum.value() / 6;
+}
+
+// Ranges are divided in the same places for any number of threads, so that roundings are the same.
+double area(const ExactMesh& mesh) {
+  const std::vector<bool> is_exact = exact_flags(mesh);
+  const auto& v = mesh.mesh.vertices;
+  const auto add = [&](const Range& range, CompensatedSum sum) {
+    for (std::size_t f = range.begin(); f != range.end(); ++f) {
+      const Triangle& t = mesh.mesh.triangles[f];
+      long double term = any_exact(is_exact, t) ? -1 : fast_double_area(v[t[0]], v[t[1]], v[t[2]]);
+      if (term < 0) term = exact_double_area(mesh, t);
+      sum.add(term);
+    }
+    return sum;
+  };
+  const auto join = [](CompensatedSum a, const CompensatedSum& b) {
+    a.add(b.sum);
+    a.lost += b.lost;
+    return a;
+  };
+  const CompensatedSum total =
+      tbb::parallel_deterministic_reduce(Range(0, mesh.mesh.triangles.size(), grain), CompensatedSum{}, add, join);
+  return static_cast<double>((total.sum + total.lost) / 2);
 }
 
 }  // namespace strata

@@ -72,6 +72,20 @@ void ProductSum::add_determinant(const Vertex& a, const Vertex& b, const Vertex&
   add(-a[2], b[1], c[0]);
 }
 
+void ProductSum::add(const ProductSum& other) {
+  add(positive_, other.positive_);
+  add(negative_, other.negative_);
+}
+
+void ProductSum::add(Limbs& sum, const Limbs& term) {
+  Wide carry = 0;
+  for (std::size_t i = 0; i < limb_count; ++i) {
+    carry += static_cast<Wide>(sum[i]) + term[i];
+    sum[i] = low_word(carry);
+    carry >>= 64;
+  }
+}
+
 int ProductSum::sign() const {
   for (std::size_t i = limb_count; i-- > 0;) {
     if (positive_[i] != negative_[i]) return positive_[i] > negative_[i] ? 1 : -1;

@@ -1,0 +1,67 @@
+#pragma once
+/// Exact solids as meshes of doubles or floats that bound solids.
+///
+/// The vertices of a result are rational. If each is rounded by itself, faces may cross, turn over or lose their area,
+/// and the next program refuses the mesh. `round_to_solid` rounds to the nearest numbers where that is a solid, and
+/// rearranges faces where it is not.
+///
+/// All functions are pure; calls from many threads do not disturb each other.
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "strata/measure.h"
+#include "strata/mesh.h"
+#include "strata/options.h"
+#include "strata/rational.h"
+
+namespace strata {
+
+/// The numbers that coordinates may be.
+struct CoordinateGrid {
+  enum class Format { float64, float32 };
+  Format format = Format::float64;
+  /// If positive, coordinates are the numbers of the format nearest to multiples of it. It must be a double, or the
+  /// inverse of an integer below 2^53, as 1/1000 is. Coordinates should be below 2^50 steps.
+  Rational step = 0;
+};
+
+/// What rounding did to a solid. Lengths are in model units and in the maximum norm.
+struct RoundingReport {
+  /// How often faces were rearranged. 0: the vertices, each rounded to the nearest numbers, bound a solid.
+  std::uint64_t rounds = 0;
+  std::uint64_t moved_vertices = 0;  ///< vertices of the mesh that may be off the exact boundary
+  /// The largest distance from a point of the mesh to the exact boundary: a bound, as the sum of what each round moved.
+  double largest_movement = 0;
+  double unit = 0;  ///< the distance of the numbers near the largest coordinate: one unit in the last place there
+  std::uint64_t far_vertices = 0;          ///< vertices of the mesh that moved by more than four units
+  std::uint64_t vanished_faces = 0;        ///< triangles of the exact boundary of which nothing is left
+  std::optional<Topology> exact, rounded;  ///< before and after, where faces were rearranged
+};
+
+struct RoundedMesh {
+  Mesh mesh;
+  std::vector<std::uint32_t> source_face;  ///< per triangle, the triangle of the exact boundary that it is part of
+  RoundingReport report;
+};
+
+/// The boundary of a solid, rounded to a grid such that it is the boundary of a solid again: the mesh is closed and
+/// oriented, triangles meet in common vertices and edges alone (equal coordinates are one vertex), and winding numbers
+/// are 0 and 1. `check` finds no error in it.
+///
+/// Every vertex takes the nearest coordinates of the grid, ties to even. If the triangles then do not bound a solid,
+/// they are resolved exactly, as by `resolve`, and the vertices that this makes are rounded in turn; after three rounds
+/// to fewer and fewer bits. Triangles that meet nothing stay as they are. Where the grid cannot hold a feature, it
+/// vanishes: of a plate thinner than the grid nothing may be left, and the report says so. Each round ends, and the
+/// last one has no bits left; what it cannot resolve is empty. So this ends for every input. In practice one or two
+/// rounds do.
+///
+/// Laws: a mesh on the grid that bounds a solid is not changed; rounding the result again gives the result. Same bytes
+/// for any number of threads. Requires that `mesh` bounds a solid, as ExactMesh of a Solid does. Of the options,
+/// `threads` and `cancel` count. Throws std::invalid_argument for a step as above is not, and for a coordinate beyond
+/// the largest number of the format; Cancelled. O(n log n) to search for crossings, and the complexity of `resolve` per
+/// round. Source: own, after iterated snap rounding (Halperin and Packer 2002); lib/core/round/theory.md.
+[[nodiscard]] RoundedMesh round_to_solid(const ExactMesh& mesh, const CoordinateGrid& grid = {},
+                                         const Options& options = {});
+
+}  // namespace strata

@@ -1,0 +1,20 @@
+#pragma once
+#include <cstdint>
+
+#include "strata/measure.h"
+#include "strata/mesh.h"
+
+namespace strata {
+
+/// How the triangles of a mesh are connected.
+struct Connections {
+  Topology topology;
+  std::uint64_t facets = 0;  ///< as in Measures; 0 if not asked for
+};
+
+enum class Facets : bool { skip, count };
+
+/// Requires indices in range; to count facets, finite coordinates. O(n log d) for vertices of degree d, in parallel.
+[[nodiscard]] Connections connections(ExactMeshView mesh, Facets facets);
+
+}  // namespace strata

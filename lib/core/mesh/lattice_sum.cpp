@@ -1,0 +1,93 @@
+#include "core/mesh/lattice_sum.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/exact/big_integer.h"
+
+namespace strata {
+namespace {
+
+using Wide = __int128;
+using Unsigned = unsigned __int128;
+using Lattice = std::array<std::int64_t, 3>;
+
+/// p / unit in integers, if it consists of integers below 2^61.
+bool to_lattice(const Vertex& p, double scale, double unit, Lattice& integers) {
+  bool is_exact = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    integers[i] = static_cast<std::int64_t>(p[i] * scale);
+    is_exact &= static_cast<double>(integers[i]) * unit == p[i];
+  }
+  return is_exact;
+}
+
+/// high 2^64 + low.
+struct Product {
+  Wide high, low;
+};
+
+Product product(Wide p, std::int64_t q) {
+  const auto bottom = static_cast<std::uint64_t>(p);
+  const Wide correction = q < 0 ? static_cast<Wide>(static_cast<Unsigned>(bottom) << 64) : 0;
+  return {(p >> 64) * q, static_cast<Wide>(static_cast<Unsigned>(bottom) * static_cast<std::uint64_t>(q)) - correction};
+}
+
+}  // namespace
+
+// The largest coordinate is below 2^(e + 1), e its exponent, so it is below 2^61 units of 2^(e - 60).
+LatticeSum::LatticeSum(double largest)
+    : exponent_(largest == 0 ? 0 : std::clamp(std::ilogb(largest) - 60, -1022, 1022)),
+      unit_(std::ldexp(1.0, exponent_)),
+      scale_(std::ldexp(1.0, -exponent_)) {}
+
+// Products of two coordinates are below 2^122, their differences below 2^123; three products with a coordinate below
+// 2^186. Of each of the latter `high` is below 2^120 and `low` below 2^125.
+bool LatticeSum::add_determinant(const Vertex& a, const Vertex& b, const Vertex& c) {
+  Lattice p, q, r;
+  if (!to_lattice(a, scale_, unit_, p) || !to_lattice(b, scale_, unit_, q) || !to_lattice(c, scale_, unit_, r))
+    return false;
+  const auto minor = [&](std::size_t i, std::size_t j) {
+    return static_cast<Wide>(q[i]) * r[j] - static_cast<Wide>(q[j]) * r[i];
+  };
+  const Product x = product(minor(1, 2), p[0]), y = product(minor(2, 0), p[1]), z = product(minor(0, 1), p[2]);
+  const Wide low = x.low + y.low + z.low;
+  const Wide high = x.high + y.high + z.high + (low >> 64);
+  add({static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high), static_cast<std::uint64_t>(high >> 64),
+       static_cast<std::uint64_t>(high >> 127)});
+  return true;
+}
+
+void LatticeSum::add(const Limbs& other) {
+  Unsigned carry = 0;
+  for (std::size_t i = 0; i < sum_.size(); ++i) {
+    carry += static_cast<Unsigned>(sum_[i]) + other[i];
+    sum_[i] = static_cast<std::uint64_t>(carry);
+    carry >>= 64;
+  }
+}
+
+Rational LatticeSum::value() const {
+  const bool is_negative = sum_.back() >> 63 != 0;
+  Limbs magnitude = sum_;
+  if (is_negative) {
+    std::uint64_t carry = 1;
+    for (std::uint64_t& limb : magnitude) {
+      limb = ~limb + carry;
+      carry = static_cast<std::uint64_t>(carry != 0 && limb == 0);
+    }
+  }
+  const Integer sum = integer_of_limbs(magnitude, is_negative);
+  const auto power = static_cast<std::size_t>(3 * std::abs(exponent_));
+  return exponent_ < 0 ? Rational(sum, Integer(1) << power) : Rational(Integer(sum << power));
+}
+
+double largest_coordinate(std::span<const Vertex> vertices) {
+  double largest = 0;
+  for (const Vertex& v : vertices)
+    for (const double x : v)
+      if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
+}  // namespace strata

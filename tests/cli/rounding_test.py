@@ -1,0 +1,63 @@
+"""Results in doubles, floats and on grids: --rounding, --grid and the verb round."""
+import json
+import unittest
+
+from tool import CUBE_FACES, DATA, FILE, USAGE, ToolTest, cube, off
+
+
+def thin_box(height):
+    base = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    return off([(i, j, k) for k in (0, height) for i, j in base], CUBE_FACES)
+
+
+class Rounding(ToolTest):
+    def test_files_of_every_format_hold_solids(self):
+        for out in ("out.stl", "out.off", "out.ply", "out.obj"):
+            with self.subTest(out=out):
+                report = self.report("difference", DATA / "spot.obj", DATA / "gear.off", "-o", out, "--certify")
+                rounding = report["result"]["rounding"]
+                self.assertTrue(report["result"]["rounded_valid"])
+                self.assertLess(rounding["largest_movement"], 4 * rounding["unit"])
+                self.run_tool("check", out)
+
+    def test_nearest_and_xoff_round_nothing(self):
+        a, b = self.file("a.off", cube()), self.file("b.off", cube(0.5))
+        for options in (("-o", "out.off", "--rounding", "nearest"), ("-o", "out.xoff")):
+            self.assertIsNone(self.report("union", a, b, *options)["result"]["rounding"])
+
+    def test_a_grid_of_decimals(self):
+        self.run_tool("union", DATA / "gear.off", DATA / "torus.off", "-o", "out.off", "--grid", "0.001")
+        numbers = [word for line in self.path("out.off").read_text().splitlines() for word in line.split()
+                   if "." in word]
+        self.assertTrue(all(len(word.split(".")[1]) <= 3 for word in numbers))
+        self.run_tool("check", "out.off")
+        for bad in ("0", "-1", "x", "1e-999", "1/0"):
+            said = self.run_tool("union", DATA / "gear.off", "-o", "o.off", "--grid", bad, expect=USAGE).stderr
+            self.assertIn(b"--grid", said)
+
+    def test_round_to_floats_and_back(self):
+        self.run_tool("round", DATA / "sphere.off", "--to", "float32", "-o", "a.off")
+        self.run_tool("round", DATA / "sphere.off", "--to", "float64", "-o", "b.stl")
+        again = self.report("round", "a.off", "--to", "float32", "-o", "c.off")["result"]["rounding"]
+        self.assertEqual((again["rounds"], again["moved_vertices"]), (0, 0))
+        self.assertEqual(self.path("a.off").read_bytes(), self.path("c.off").read_bytes())
+        self.run_tool("compare", "a.off", "b.stl")
+
+    def test_what_is_too_thin_vanishes_and_is_told(self):
+        plate = self.file("plate.off", thin_box(1e-3))
+        ran = self.run_tool("round", plate, "--to", "0.01", "-o", "none.off", "--report", "r.json")
+        self.assertIn(b"rearranged", ran.stderr)
+        rounding = json.loads(self.path("r.json").read_text())["result"]["rounding"]
+        self.assertEqual((rounding["triangles"], rounding["vanished_faces"]), (0, 12))
+        self.assertEqual((rounding["exact"]["components"], rounding["rounded"]["components"]), (1, 0))
+
+    def test_beyond_floats(self):
+        huge = self.file("huge.off", thin_box(1e39))
+        said = self.run_tool("round", huge, "--to", "float32", "-o", "out.off", expect=FILE).stderr
+        self.assertIn(b"beyond the largest number", said)
+        self.assertFalse(self.path("out.off").exists())
+        self.run_tool("union", huge, "-o", "out.stl", expect=FILE)
+
+
+if __name__ == "__main__":
+    unittest.main()

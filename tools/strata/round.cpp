@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "common/stopwatch.h"
+#include "common/watch.h"
+#include "files.h"
+#include "report.h"
+#include "rounded_output.h"
+#include "verbs.h"
+
+namespace {
+
+using strata::CoordinateGrid;
+
+CoordinateGrid grid_named(const std::string& target) {
+  CoordinateGrid grid;
+  if (target == "float32") grid.format = CoordinateGrid::Format::float32;
+  if (target != "float32" && target != "float64") grid.step = parse_step("--to", target);
+  return grid;
+}
+
+/// Binary STL holds floats, whatever was asked for.
+CoordinateGrid grid_for(const Settings& settings, strata::Format format) {
+  CoordinateGrid grid = grid_named(settings.target);
+  if (format == strata::Format::stl) grid.format = CoordinateGrid::Format::float32;
+  return grid;
+}
+
+void print_facts(const strata::RoundingReport& report, const Settings& settings) {
+  if (settings.quiet || report.rounds == 0) return;
+  fmt::print(stderr, "strata: faces would cross: rearranged in {} rounds; nothing moved by more than {:.3g}\n",
+             report.rounds, report.largest_movement);
+}
+
+}  // namespace
+
+ExitCode run_round(const Settings& settings) {
+  Watch watch(settings.timeout);
+  Stopwatch stopwatch;
+  Json report = {{"operation", "round"}, {"to", settings.target}, {"operands", nullptr}, {"result", nullptr}};
+  const strata::Format format = output_format(settings);
+  const CoordinateGrid grid = grid_for(settings, format);
+  const std::vector<LoadedMesh> operands = read_operands(settings);
+  report["seconds"]["read"] = stopwatch.lap();
+  const strata::Solid solid = make_solid(operands, 0, settings);
+
+  watch.on_stop(OnStop::ask);
+  strata::RoundedMesh rounded;
+  try {
+    rounded = rounded_for_output(solid.exact_mesh(), grid, settings, &watch.token());
+  } catch (const strata::Cancelled&) {
+    watch.on_stop(OnStop::leave);  // says why
+    throw;
+  }
+  report["seconds"]["evaluate"] = stopwatch.lap();
+  report["peak_bytes"] = peak_bytes();
+  print_facts(rounded.report, settings);
+  const strata::ExactMesh mesh{std::move(rounded.mesh), {}};
+  if (!settings.report.empty()) {
+    report["operands"] = Json::array({operand_report(operands.front(), solid.notes(), settings)});
+    report["result"] = result_report(mesh, {}, settings);
+    report["result"]["rounding"] = to_json(rounded.report, mesh.mesh);
+  }
+  watch.on_stop(OnStop::finish);
+  stopwatch.lap();
+  write_output(settings, format, mesh);
+  report["seconds"]["write"] = stopwatch.lap();
+  if (!settings.report.empty()) write_report(settings.report, std::move(report));
+  return ExitCode::ok;
+}

@@ -1,0 +1,102 @@
+#include "rounded_output.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "files.h"
+
+using strata::CoordinateGrid;
+using strata::Format;
+using strata::Rational;
+
+namespace {
+
+Rational power_of_ten(long exponent) {
+  Rational power = 1;
+  for (long i = 0; i < std::abs(exponent); ++i) power *= Rational(10);
+  return exponent < 0 ? Rational(1) / power : power;
+}
+
+/// "0.001", "25.4", "1e-6"; none for other text.
+std::optional<Rational> parse_decimal(std::string_view text) {
+  constexpr long largest_exponent = 400;
+  const std::size_t e = text.find_first_of("eE");
+  long exponent = 0;
+  if (e != std::string_view::npos) {
+    std::string_view digits = text.substr(e + 1);
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    if (error != std::errc{} || end != digits.data() + digits.size() || std::abs(exponent) > largest_exponent)
+      return {};
+  }
+  std::string digits(text.substr(0, e));
+  if (const std::size_t point = digits.find('.'); point != std::string::npos) {
+    exponent -= static_cast<long>(digits.size() - point - 1);
+    digits.erase(point, 1);
+  }
+  const auto integer = strata::parse_integer(digits);
+  if (!integer || digits.size() > static_cast<std::size_t>(largest_exponent)) return {};
+  return Rational(*integer) * power_of_ten(exponent);
+}
+
+}  // namespace
+
+Rational parse_step(const char* option, const std::string& text) {
+  const auto step = text.find('/') != std::string::npos ? strata::parse_quotient(text) : parse_decimal(text);
+  if (step && *step > 0) return *step;
+  throw UsageError(fmt::format("{} {}: expected a positive number, as 0.001, 1e-6 or 1/1024", option, text));
+}
+
+std::optional<CoordinateGrid> grid_of(Format format, const Settings& settings) {
+  CoordinateGrid grid;
+  if (format == Format::stl) grid.format = CoordinateGrid::Format::float32;
+  if (settings.grid.empty()) return format == Format::xoff ? std::nullopt : std::optional(grid);
+  grid.step = parse_step("--grid", settings.grid);
+  return grid;
+}
+
+Json to_json(const strata::RoundingReport& report, const strata::Mesh& mesh) {
+  Json json = {{"rounds", report.rounds},
+               {"vertices", mesh.vertices.size()},
+               {"triangles", mesh.triangles.size()},
+               {"moved_vertices", report.moved_vertices},
+               {"far_vertices", report.far_vertices},
+               {"largest_movement", report.largest_movement},
+               {"unit", report.unit},
+               {"vanished_faces", report.vanished_faces}};
+  if (report.exact && report.rounded)
+    for (const auto& [key, topology] : {std::pair("exact", &*report.exact), std::pair("rounded", &*report.rounded)})
+      json[key] = {{"components", topology->components}, {"euler", topology->euler}};
+  return json;
+}
+
+strata::RoundedMesh rounded_for_output(const strata::ExactMesh& exact, const CoordinateGrid& grid,
+                                       const Settings& settings, const strata::CancelToken* cancel) {
+  strata::Options options;
+  options.threads = settings.threads;
+  options.cancel = cancel;
+  try {
+    return strata::round_to_solid(exact, grid, options);
+  } catch (const std::invalid_argument& error) {
+    throw strata::IoError(settings.output, {}, error.what());
+  }
+}
+
+RoundedOutput rounded_output(const strata::ExactMesh& exact, Format format, const Settings& settings,
+                             const strata::CancelToken* cancel) {
+  const auto grid = grid_of(format, settings);
+  if (settings.rounding == "nearest" || !grid) return {std::nullopt, nullptr};
+  strata::RoundedMesh rounded = rounded_for_output(exact, *grid, settings, cancel);
+  Json report = to_json(rounded.report, rounded.mesh);
+  return {strata::ExactMesh{std::move(rounded.mesh), {}}, std::move(report)};
+}
+
+void write_solid(const Settings& settings, Format format, const strata::ExactMesh& exact) {
+  const RoundedOutput rounded = rounded_output(exact, format, settings);
+  write_output(settings, format, rounded.mesh ? *rounded.mesh : exact);
+}
