@@ -93,6 +93,7 @@ RoundedOutput rounded_output(const strata::ExactMesh& exact, Format format, cons
   if (settings.rounding == "nearest" || !grid) return {std::nullopt, nullptr};
   strata::RoundedMesh rounded = rounded_for_output(exact, *grid, settings, cancel);
   Json report = to_json(rounded.report, rounded.mesh);
+  if (rounded.report.rounds == 0 && settings.grid.empty()) return {std::nullopt, std::move(report)};
   return {strata::ExactMesh{std::move(rounded.mesh), {}}, std::move(report)};
 }
 

@@ -23,7 +23,7 @@
 /// What a file holds in place of the exact boundary of a solid.
 struct RoundedOutput {
   std::optional<strata::ExactMesh> mesh;  ///< none: the exact mesh, as the format keeps or rounds it
-  Json report;                            ///< what rounding did: as RoundingReport; null if there is no mesh
+  Json report;                            ///< what rounding did: as RoundingReport; null if nothing was asked
 };
 /// Rounded such that it bounds a solid, unless the settings ask for the nearest numbers or the format holds all.
 [[nodiscard]] RoundedOutput rounded_output(const strata::ExactMesh& exact, strata::Format format,
