@@ -36,7 +36,7 @@ struct RoundingReport {
   double unit = 0;  ///< the distance of the numbers near the largest coordinate: one unit in the last place there
   std::uint64_t far_vertices = 0;          ///< vertices of the mesh that moved by more than four units
   std::uint64_t vanished_faces = 0;        ///< triangles of the exact boundary of which nothing is left
-  std::optional<Topology> exact, rounded;  ///< before and after, where faces were rearranged
+  std::optional<Topology> exact, rounded;  ///< before and after, where faces were rearranged or vertices met
 };
 
 struct RoundedMesh {

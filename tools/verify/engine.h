@@ -16,7 +16,7 @@ struct Answer {
   std::filesystem::path file;  ///< empty: none
   Verdict why_not;
   std::string collapsed = {};  ///< why the file may hold another solid: features that its numbers cannot hold
-  double seconds = 0;     ///< of all processes
+  double seconds = 0;          ///< of all processes
   std::uint64_t peak_bytes = 0;
 };
 

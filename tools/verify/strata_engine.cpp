@@ -75,6 +75,9 @@ class StrataEngine : public Engine {
       command.push_back(word);
     const ChildEnd end = run_child(command, limits, folder);
     answer.why_not = verdict(end);
+    if (end.how == ChildEnd::How::exited && end.code == static_cast<int>(ExitCode::file) &&
+        end.error.find("beyond the largest number") != std::string::npos)
+      answer.why_not = {Outcome::not_applicable, "coordinates are beyond floats"};
     answer.seconds = end.seconds;
     answer.peak_bytes = end.peak_bytes;
     if (answer.why_not.outcome != Outcome::exact) {

@@ -52,15 +52,22 @@ struct Moving {
   std::vector<double> moved;               ///< per triangle: no point of it is farther from the exact boundary
 };
 
-/// True when the mesh bounds a solid; equal coordinates are one vertex. Requires a closed chain.
-bool bounds_solid(const Mesh& mesh, const Monitor& monitor) {
-  if (mesh.triangles.empty() || is_plainly_solid(mesh, monitor)) return true;
+/// What the triangles of a closed chain bound.
+enum class Bounds {
+  solid,
+  touching_solid,  ///< a solid, if vertices with equal coordinates are one
+  no_solid
+};
+
+Bounds bounds_of(const Mesh& mesh, const Monitor& monitor) {
+  if (mesh.triangles.empty() || is_plainly_solid(mesh, monitor)) return Bounds::solid;
   const std::vector<Triangle> triangles = on_first_vertices(ExactMeshView(mesh, {}));
-  if (std::any_of(triangles.begin(), triangles.end(), repeats_vertex)) return false;
+  if (std::any_of(triangles.begin(), triangles.end(), repeats_vertex)) return Bounds::no_solid;
   const MeshView identified(mesh.vertices, triangles);
   const Screening facts = screen(identified);
-  return facts.orientation > 0 && !facts.degenerate &&
-         Inspection(ExactMeshView(identified, {}), monitor, 1).finds_nothing();
+  const bool is_solid = facts.orientation > 0 && !facts.degenerate &&
+                        Inspection(ExactMeshView(identified, {}), monitor, 1).finds_nothing();
+  return is_solid ? Bounds::touching_solid : Bounds::no_solid;
 }
 
 /// Without triangles that repeat a vertex, and with faces of positive area only.
@@ -88,7 +95,8 @@ class SolidRounding {
   RoundedMesh run() {
     Moving moving = nearest();
     RoundingReport report;
-    while (!bounds_solid(moving.mesh, monitor_)) {
+    Bounds bounds = Bounds::no_solid;
+    while ((bounds = bounds_of(moving.mesh, monitor_)) == Bounds::no_solid) {
       monitor_.check();
       ++report.rounds;
       std::vector<bool> is_new;
@@ -96,6 +104,7 @@ class SolidRounding {
       if (std::none_of(is_new.begin(), is_new.end(), [](bool x) { return x; })) break;  // a solid on the grid
       round_new_vertices(moving, is_new, bits_less_in(report.rounds));
     }
+    if (report.rounds > 0 || bounds == Bounds::touching_solid) compare(moving, report);
     return finished(std::move(moving), report);
   }
 
@@ -199,14 +208,15 @@ class SolidRounding {
     report.unit = grid_.unit_at(largest);
     count_moved_vertices(moving, report);
     for (const double moved : moving.moved) report.largest_movement = std::max(report.largest_movement, moved);
-    if (report.rounds > 0) {
-      std::vector<bool> is_left(exact_.mesh.triangles.size(), false);
-      for (const std::uint32_t f : moving.source_face) is_left[f] = true;
-      report.vanished_faces = static_cast<std::uint64_t>(std::count(is_left.begin(), is_left.end(), false));
-      report.exact = topology(exact_);
-      report.rounded = topology({moving.mesh, {}});
-    }
     return {std::move(moving.mesh), std::move(moving.source_face), report};
+  }
+
+  void compare(const Moving& moving, RoundingReport& report) const {
+    std::vector<bool> is_left(exact_.mesh.triangles.size(), false);
+    for (const std::uint32_t f : moving.source_face) is_left[f] = true;
+    report.vanished_faces = static_cast<std::uint64_t>(std::count(is_left.begin(), is_left.end(), false));
+    report.exact = topology(exact_);
+    report.rounded = topology({moving.mesh, {}});
   }
 
   /// A vertex is as near to the exact boundary as any of its triangles.
