@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <string>
 #include <utility>
 
@@ -28,12 +26,6 @@ CoordinateGrid grid_for(const Settings& settings, strata::Format format) {
   return grid;
 }
 
-void print_facts(const strata::RoundingReport& report, const Settings& settings) {
-  if (settings.quiet || report.rounds == 0) return;
-  fmt::print(stderr, "strata: faces would cross: rearranged in {} rounds; nothing moved by more than {:.3g}\n",
-             report.rounds, report.largest_movement);
-}
-
 }  // namespace
 
 ExitCode run_round(const Settings& settings) {
@@ -56,7 +48,7 @@ ExitCode run_round(const Settings& settings) {
   }
   report["seconds"]["evaluate"] = stopwatch.lap();
   report["peak_bytes"] = peak_bytes();
-  print_facts(rounded.report, settings);
+  print_rounding(rounded.report, settings);
   const strata::ExactMesh mesh{std::move(rounded.mesh), {}};
   if (!settings.report.empty()) {
     report["operands"] = Json::array({operand_report(operands.front(), solid.notes(), settings)});

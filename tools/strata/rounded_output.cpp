@@ -87,11 +87,22 @@ strata::RoundedMesh rounded_for_output(const strata::ExactMesh& exact, const Coo
   }
 }
 
+void print_rounding(const strata::RoundingReport& report, const Settings& settings) {
+  if (settings.quiet || report.rounds == 0) return;
+  std::string lost;
+  if (report.exact && report.rounded && report.exact->components != report.rounded->components)
+    lost = fmt::format("; {} components are now {}", report.exact->components, report.rounded->components);
+  fmt::print(stderr,
+             "strata: rounded faces would cross: rearranged in {} rounds; nothing moved by more than {:.3g}{}\n",
+             report.rounds, report.largest_movement, lost);
+}
+
 RoundedOutput rounded_output(const strata::ExactMesh& exact, Format format, const Settings& settings,
                              const strata::CancelToken* cancel) {
   const auto grid = grid_of(format, settings);
   if (settings.rounding == "nearest" || !grid) return {std::nullopt, nullptr};
   strata::RoundedMesh rounded = rounded_for_output(exact, *grid, settings, cancel);
+  print_rounding(rounded.report, settings);
   Json report = to_json(rounded.report, rounded.mesh);
   if (rounded.report.rounds == 0 && settings.grid.empty()) return {std::nullopt, std::move(report)};
   return {strata::ExactMesh{std::move(rounded.mesh), {}}, std::move(report)};

@@ -20,6 +20,9 @@
 [[nodiscard]] strata::RoundedMesh rounded_for_output(const strata::ExactMesh& exact, const strata::CoordinateGrid& grid,
                                                      const Settings& settings, const strata::CancelToken* cancel);
 
+/// Where faces were rearranged, a line to the standard error, unless `--quiet`.
+void print_rounding(const strata::RoundingReport& report, const Settings& settings);
+
 /// What a file holds in place of the exact boundary of a solid.
 struct RoundedOutput {
   std::optional<strata::ExactMesh> mesh;  ///< none: the exact mesh, as the format keeps or rounds it

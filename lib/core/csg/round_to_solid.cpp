@@ -8,7 +8,7 @@
 
 #include "core/csg/arena.h"
 #include "core/csg/boolean.h"
-#include "core/csg/contraction.h"
+#include "core/csg/clusters.h"
 #include "core/csg/inspection.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/prepare.h"
@@ -22,18 +22,34 @@ namespace {
 /// Rounds in which vertices take the nearest numbers of the grid. Then each round leaves out more bits.
 constexpr std::uint64_t full_rounds = 60;
 constexpr int bits_per_round = 2;
-/// After so many rounds, short sides of faces that cross are contracted.
+/// After so many rounds, near vertices of faces that cross are joined.
 constexpr std::uint64_t plain_rounds = 2;
 
 int bits_less_in(std::uint64_t round) {
   return round < full_rounds ? 0 : bits_per_round * static_cast<int>(round - full_rounds + 1);
 }
 
-/// The length of sides that are contracted, in units. It grows where faces still cross after some rounds.
-double reach_in(std::uint64_t round) {
-  constexpr std::uint64_t few_rounds = 8, rounds_per_doubling = 2;
-  return round < few_rounds ? 1 : std::ldexp(1.0, static_cast<int>((round - few_rounds) / rounds_per_doubling));
-}
+/// The distance of vertices that are joined, in units. It grows where faces still cross after some rounds, and soon
+/// where there are more and more of them.
+class Reach {
+ public:
+  double after(std::uint64_t round, std::size_t pairs) {
+    constexpr std::uint64_t few_rounds = 8;
+    constexpr std::size_t many = 4;
+    fewest_pairs_ = std::min(fewest_pairs_, pairs);
+    if (round < few_rounds) return reach_;
+    if (pairs / many > fewest_pairs_) {
+      reach_ *= 4;
+    } else if (round % 2 == 0) {
+      reach_ *= 2;
+    }
+    return reach_;
+  }
+
+ private:
+  double reach_ = 1;
+  std::size_t fewest_pairs_ = std::numeric_limits<std::size_t>::max();
+};
 
 double distance(const Vertex& a, const Vertex& b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
@@ -145,10 +161,10 @@ class SolidRounding {
   }
 
   /// The next mesh, resolved exactly. Vertices that are not on the grid are new.
-  Moving resolved_again(Moving from, std::uint64_t round, std::vector<bool>& is_new) const {
+  Moving resolved_again(Moving from, std::uint64_t round, std::vector<bool>& is_new) {
     Prepared prepared = without_degenerate_faces(from.mesh);
     if (round > plain_rounds) {
-      contract(from, prepared, reach_in(round));
+      join(from, prepared, round);
       prepared = without_degenerate_faces(from.mesh);
     }
     if (prepared.mesh->triangles.empty()) return {};
@@ -176,10 +192,10 @@ class SolidRounding {
     return complex;
   }
 
-  /// Replaces the mesh by that without degenerate faces, in which short sides of faces that cross are contracted.
-  void contract(Moving& moving, Prepared& prepared, double reach) const {
+  /// Replaces the mesh by that without degenerate faces, in which near vertices of faces that cross are one.
+  void join(Moving& moving, Prepared& prepared, std::uint64_t round) {
     const auto pairs = find_self_intersections(complex_of(prepared), nullptr, monitor_);
-    std::vector<double> moved = contract_short_sides(*prepared.mesh, pairs, grid_, reach);
+    std::vector<double> moved = join_near_vertices(*prepared.mesh, pairs, grid_, reach_.after(round, pairs.size()));
     std::vector<std::uint32_t> source_face;
     for (std::size_t t = 0; t < moved.size(); ++t) {
       moved[t] += moving.moved[prepared.source_face[t]];
@@ -234,6 +250,7 @@ class SolidRounding {
   const ExactMesh& exact_;
   const GridRounding& grid_;
   const Monitor& monitor_;
+  Reach reach_;
 };
 
 }  // namespace
