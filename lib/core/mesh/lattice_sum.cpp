@@ -78,7 +78,7 @@ Rational LatticeSum::value() const {
     }
   }
   const Integer sum = integer_of_limbs(magnitude, is_negative);
-  const auto power = static_cast<std::size_t>(3 * std::abs(exponent_));
+  const std::size_t power = 3 * static_cast<std::size_t>(std::abs(exponent_));
   return exponent_ < 0 ? Rational(sum, Integer(1) << power) : Rational(Integer(sum << power));
 }
 
