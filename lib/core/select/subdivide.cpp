@@ -53,6 +53,11 @@ std::vector<std::pair<PointId, PointId>> add_points(Subdivision& subdivision, st
   return same;
 }
 
+/// True when a face of which nothing is kept may be the only one that knows two names of a point.
+bool needs_positions(const InputComplex& input, const Rule& rule) {
+  return !rule.looks_around() || input.may_self_intersect() || input.operand_count() > 2;
+}
+
 std::vector<PointId> used_points(const std::vector<SubdividedFace>& faces) {
   std::vector<PointId> used;
   for (const SubdividedFace& f : faces) used.insert(used.end(), f.points.begin(), f.points.end());
@@ -76,7 +81,7 @@ Subdivision subdivide(const InputComplex& input, Intersections intersections, co
   });
   std::vector<std::pair<PointId, PointId>> same = add_points(result, found, monitor);
   for (const EqualVertices& e : intersections.equal) same.emplace_back(e.a, e.b);
-  if (!classifier.rule.looks_around()) {
+  if (needs_positions(input, classifier.rule)) {
     const auto more = result.points.equal_positions(used_points(result.faces), monitor);
     same.insert(same.end(), more.begin(), more.end());
   }
