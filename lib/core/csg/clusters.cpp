@@ -37,9 +37,8 @@ std::vector<std::pair<Index, Index>> near_pairs(const Mesh& mesh, const std::vec
     boxes[i].include(Vertex{p[0] + half, p[1] + half, p[2] + half});
   }
   std::vector<std::pair<Index, Index>> near;
-  for_each_overlapping_pair(boxes, [&](Index a, Index b) {
-    near.emplace_back(vertices[std::min(a, b)], vertices[std::max(a, b)]);
-  });
+  for_each_overlapping_pair(
+      boxes, [&](Index a, Index b) { near.emplace_back(vertices[std::min(a, b)], vertices[std::max(a, b)]); });
   std::sort(near.begin(), near.end());
   return near;
 }
