@@ -53,8 +53,9 @@ struct RoundedMesh {
 /// they are resolved exactly, as by `resolve`, and the vertices that this makes are rounded in turn; after three rounds
 /// to fewer and fewer bits. Triangles that meet nothing stay as they are. Where the grid cannot hold a feature, it
 /// vanishes: of a plate thinner than the grid nothing may be left, and the report says so. Each round ends, and the
-/// last one has no bits left; what it cannot resolve is empty. So this ends for every input. In practice one or two
-/// rounds do.
+/// last one has no bits left; what it cannot resolve is empty. So this ends for every input, in one or two rounds in
+/// practice; but where many faces lie within a unit of each other, meshes may grow from round to round and take very
+/// long.
 ///
 /// Laws: a mesh on the grid that bounds a solid is not changed; rounding the result again gives the result. Same bytes
 /// for any number of threads. Requires that `mesh` bounds a solid, as ExactMesh of a Solid does. Of the options,

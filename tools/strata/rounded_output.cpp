@@ -100,7 +100,7 @@ void print_rounding(const strata::RoundingReport& report, const Settings& settin
 RoundedOutput rounded_output(const strata::ExactMesh& exact, Format format, const Settings& settings,
                              const strata::CancelToken* cancel) {
   const auto grid = grid_of(format, settings);
-  if (settings.rounding == "nearest" || !grid) return {std::nullopt, nullptr};
+  if (!grid || (settings.rounding == "nearest" && settings.grid.empty())) return {std::nullopt, nullptr};
   strata::RoundedMesh rounded = rounded_for_output(exact, *grid, settings, cancel);
   print_rounding(rounded.report, settings);
   Json report = to_json(rounded.report, rounded.mesh);

@@ -72,12 +72,14 @@ void add_output_options(CLI::App& verb, Settings& settings) {
 void add_rounding_options(CLI::App& verb, Settings& settings) {
   verb.add_option(
           "--rounding", settings.rounding,
-          "How exact vertices become the numbers that a file can hold: valid (where faces would cross, they are "
-          "rearranged, so that the file holds a solid) or nearest (each by itself)")
+          "How exact vertices become the numbers that a file can hold: nearest (each by itself) or valid (where faces "
+          "would cross, they are rearranged, so that the file holds a solid; this can take long)")
       ->type_name("HOW")
-      ->check(CLI::IsMember({"valid", "nearest"}))
-      ->default_str("valid");
-  verb.add_option("--grid", settings.grid, "Coordinates are multiples of this, as 0.001 or 1/1024")->type_name("STEP");
+      ->check(CLI::IsMember({"nearest", "valid"}))
+      ->default_str("nearest");
+  verb.add_option("--grid", settings.grid,
+                  "Coordinates are multiples of this, as 0.001 or 1/1024; implies --rounding valid")
+      ->type_name("STEP");
 }
 
 void add_origin_option(CLI::App& verb, Settings& settings) {

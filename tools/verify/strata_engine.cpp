@@ -71,7 +71,8 @@ class StrataEngine : public Engine {
     for (const std::string& word :
          {std::string("-o"), answer.file.string(), std::string("--input"), std::string(strata::name(c.input)),
           std::string("--engine"), std::string(variant_.engine), std::string("-j"), std::string("1"),
-          std::string("--report"), (folder / "report.json").string(), std::string("-q")})
+          std::string("--rounding"), std::string("valid"), std::string("--report"), (folder / "report.json").string(),
+          std::string("-q")})
       command.push_back(word);
     const ChildEnd end = run_child(command, limits, folder);
     answer.why_not = verdict(end);
