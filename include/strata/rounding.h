@@ -21,8 +21,8 @@ namespace strata {
 struct CoordinateGrid {
   enum class Format { float64, float32 };
   Format format = Format::float64;
-  /// If positive, coordinates are the numbers of the format nearest to multiples of it. It must be a double, or the
-  /// inverse of an integer below 2^53, as 1/1000 is. Coordinates should be below 2^50 steps.
+  /// If positive, coordinates are the numbers of the format nearest to multiples of it. It must be a quotient of two
+  /// integers that are doubles, as 1/1000 and 3/200 are. Coordinates should be below 2^50 steps.
   Rational step = 0;
 };
 

@@ -2,7 +2,7 @@
 import json
 import unittest
 
-from tool import CUBE_FACES, DATA, FILE, USAGE, ToolTest, cube, off
+from tool import CUBE_FACES, DATA, FILE, NOT_CERTIFIED, USAGE, ToolTest, cube, off
 
 
 def thin_box(height):
@@ -31,7 +31,7 @@ class Rounding(ToolTest):
                    if "." in word]
         self.assertTrue(all(len(word.split(".")[1]) <= 3 for word in numbers))
         self.run_tool("check", "out.off")
-        for bad in ("0", "-1", "x", "1e-999", "1/0"):
+        for bad in ("0", "-1", "x", "1e-999", "1/0", "1/1152921504606846977"):
             said = self.run_tool("union", DATA / "gear.off", "-o", "o.off", "--grid", bad, expect=USAGE).stderr
             self.assertIn(b"--grid", said)
 
@@ -50,6 +50,14 @@ class Rounding(ToolTest):
         rounding = json.loads(self.path("r.json").read_text())["result"]["rounding"]
         self.assertEqual((rounding["triangles"], rounding["vanished_faces"]), (0, 12))
         self.assertEqual((rounding["exact"]["components"], rounding["rounded"]["components"]), (1, 0))
+
+    def test_parts_that_meet_in_floats_touch(self):
+        a, b = self.file("a.off", cube()), self.file("b.off", cube(1.0000000001, 1))
+        self.run_tool("union", a, b, "-o", "out.stl", "--touching", "refuse")
+        said = self.run_tool("union", a, b, "-o", "n.stl", "--touching", "refuse", "--rounding", "valid", expect=NOT_CERTIFIED)
+        self.assertIn(b"touches itself in 1 edges", said.stderr)
+        self.run_tool("union", a, b, "-o", "n.stl", "--touching", "separate", "--rounding", "valid", expect=USAGE)
+        self.assertFalse(self.path("n.stl").exists())
 
     def test_beyond_floats(self):
         huge = self.file("huge.off", thin_box(1e39))

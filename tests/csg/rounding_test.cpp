@@ -108,7 +108,11 @@ TEST_CASE("decimal grids give the doubles nearest to decimals", "[csg][rounding]
   CHECK(r.mesh.vertices.front()[0] == 0.123);
   CHECK(r.mesh.vertices.back()[0] == 2.0);
   CHECK(r.report.largest_movement < 0.0005);
-  CHECK_THROWS_AS(round_to_solid({}, steps(Rational(2, 3))), std::invalid_argument);
+  CHECK(
+      check_rounded(box({0.0151, 0, 0}, {1.9999999, 1, 1}).exact_mesh(), steps(Rational(3, 200))).mesh.vertices[0][0] ==
+      0.015);
+  CHECK(check_rounded(box({0.1, 0, 0}, {1, 1, 1}).exact_mesh(), steps(to_rational(0.1))).report.rounds == 0);
+  CHECK_THROWS_AS(round_to_solid({}, steps(Rational(1, (Integer(1) << 60) + 1))), std::invalid_argument);
   CHECK_THROWS_AS(round_to_solid({}, steps(-1)), std::invalid_argument);
 }
 
@@ -131,6 +135,19 @@ TEST_CASE("extreme magnitudes", "[csg][rounding]") {
                                                       {4 * size, 4 * size, 4 * size}));
     check_rounded(cut.exact_mesh(), {});
   }
+}
+
+TEST_CASE("constructed vertices near the largest double", "[csg][rounding]") {
+  const double m = std::numeric_limits<double>::max();
+  const Solid cut = box({-m, -m, -m}, {m, m, m}) - Solid(test::tetrahedron({m, m, 0}, {0, m, m}, {m, 0, m}, {m, m, m}));
+  const RoundedMesh r = check_rounded(cut.exact_mesh(), {});
+  CHECK(r.mesh.triangles.size() == cut.mesh().triangles.size());
+  CHECK(std::isfinite(r.report.largest_movement));
+  const Solid third =
+      box({0, 0, 0}, {m, m, m}) -
+      box({-1, -1, -1}, {m, m, m})
+          .transformed(Transform({{{1, 0, 0, 0}, {0, Rational(1, 3), 0, 0}, {0, Rational(1, 7), Rational(1, 3), 0}}}));
+  check_rounded(third.exact_mesh(), {});
 }
 
 TEST_CASE("a needle shorter than a unit in the last place", "[csg][rounding]") {

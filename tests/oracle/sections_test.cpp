@@ -226,16 +226,25 @@ void print(const std::string& what, std::size_t solids, const Counts& counts) {
             << " loops, up to " << counts.most_loops << " in one plane, compared with CGAL's Polygon_mesh_slicer\n";
 }
 
-}  // namespace
-
-// Catches: loops turned, joined or lost, crossings on the wrong edges, wrong axes.
-TEST_CASE("sections by planes without vertices are CGAL's, loop by loop", "[oracle][section]") {
+/// Tests every solid, with random numbers of its own, and says how much was compared.
+template <class Test>
+void for_each_solid(const std::string& what, const Test& test) {
   Counts counts;
   const auto list = solids();
   for (const auto& [name, solid] : list) {
     CAPTURE(name);
     const Sliced sliced(solid);
     test::Random random(sliced.points().size());
+    test(solid, sliced, random, counts);
+  }
+  print(what, list.size(), counts);
+}
+
+}  // namespace
+
+// Catches: loops turned, joined or lost, crossings on the wrong edges, wrong axes.
+TEST_CASE("sections by planes without vertices are CGAL's, loop by loop", "[oracle][section]") {
+  for_each_solid("sections", [](const Solid& solid, const Sliced& sliced, test::Random& random, Counts& counts) {
     for (const RationalPoint& normal : normals(random)) {
       const std::vector<Rational> heights = sliced.heights(normal);
       for (int i = 0; i < 3; ++i) {
@@ -243,18 +252,12 @@ TEST_CASE("sections by planes without vertices are CGAL's, loop by loop", "[orac
         compare(plane, section(solid, plane), sliced, counts);
       }
     }
-  }
-  print("sections", list.size(), counts);
+  });
 }
 
 // Catches: the same in `slice`, which has arithmetic of its own, and planes of a stack mixed up.
 TEST_CASE("slices between vertices are CGAL's, loop by loop", "[oracle][section]") {
-  Counts counts;
-  const auto list = solids();
-  for (const auto& [name, solid] : list) {
-    CAPTURE(name);
-    const Sliced sliced(solid);
-    test::Random random(sliced.points().size());
+  for_each_solid("slices", [](const Solid& solid, const Sliced& sliced, test::Random& random, Counts& counts) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::vector<Rational> heights = sliced.heights(axis_normal(axis));
       std::vector<double> at;
@@ -266,49 +269,39 @@ TEST_CASE("slices between vertices are CGAL's, loop by loop", "[oracle][section]
       const std::vector<planar::Region> regions = slice(solid, axis, at);
       for (std::size_t i = 0; i < at.size(); ++i) compare({axis_normal(axis), at[i]}, regions[i], sliced, counts);
     }
-  }
-  print("slices", list.size(), counts);
+  });
 }
 
 // Catches: vertices and faces in the plane taken to be behind it where they are in front, and the reverse.
 TEST_CASE("sections by planes through vertices and faces are limits of CGAL's", "[oracle][section]") {
-  Counts counts;
-  const auto list = solids();
-  for (const auto& [name, solid] : list) {
-    CAPTURE(name);
-    const Sliced sliced(solid);
-    const std::vector<RationalPoint>& points = sliced.points();
-    test::Random random(points.size());
-    for (const RationalPoint& normal : normals(random)) {
-      const Plane plane(normal, product(normal, random.pick(points)));
-      compare_limit(plane, section(solid, plane), sliced, counts);
-    }
-    for (int i = 0; i < 4; ++i) {
-      const auto& [a, b, c] = random.pick(solid.mesh().triangles);
-      const Plane front = Plane::through(points[a], points[b], points[c]), back = front.opposite();
-      compare_limit(front, section(solid, front), sliced, counts);
-      compare_limit(back, section(solid, back), sliced, counts);
-    }
-  }
-  print("sections through vertices", list.size(), counts);
+  for_each_solid("sections through vertices",
+                 [](const Solid& solid, const Sliced& sliced, test::Random& random, Counts& counts) {
+                   const std::vector<RationalPoint>& points = sliced.points();
+                   for (const RationalPoint& normal : normals(random)) {
+                     const Plane plane(normal, product(normal, random.pick(points)));
+                     compare_limit(plane, section(solid, plane), sliced, counts);
+                   }
+                   for (int i = 0; i < 4; ++i) {
+                     const auto& [a, b, c] = random.pick(solid.mesh().triangles);
+                     const Plane front = Plane::through(points[a], points[b], points[c]), back = front.opposite();
+                     compare_limit(front, section(solid, front), sliced, counts);
+                     compare_limit(back, section(solid, back), sliced, counts);
+                   }
+                 });
 }
 
 TEST_CASE("slices through vertices, or beside them by less than an ulp, are limits of CGAL's", "[oracle][section]") {
-  Counts counts;
-  const auto list = solids();
-  for (const auto& [name, solid] : list) {
-    CAPTURE(name);
-    const Sliced sliced(solid);
-    test::Random random(sliced.points().size());
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::vector<double> at;
-      for (int i = 0; i < 4; ++i) at.push_back(random.pick(solid.mesh().vertices)[axis]);
-      std::sort(at.begin(), at.end());
-      const std::vector<planar::Region> regions = slice(solid, axis, at);
-      for (std::size_t i = 0; i < at.size(); ++i) compare_limit({axis_normal(axis), at[i]}, regions[i], sliced, counts);
-    }
-  }
-  print("slices through vertices", list.size(), counts);
+  for_each_solid("slices through vertices",
+                 [](const Solid& solid, const Sliced& sliced, test::Random& random, Counts& counts) {
+                   for (std::size_t axis = 0; axis < 3; ++axis) {
+                     std::vector<double> at;
+                     for (int i = 0; i < 4; ++i) at.push_back(random.pick(solid.mesh().vertices)[axis]);
+                     std::sort(at.begin(), at.end());
+                     const std::vector<planar::Region> regions = slice(solid, axis, at);
+                     for (std::size_t i = 0; i < at.size(); ++i)
+                       compare_limit({axis_normal(axis), at[i]}, regions[i], sliced, counts);
+                   }
+                 });
 }
 
 // Of a solid that touches itself CGAL cuts a copy whose sheets are separated; there loops may be joined otherwise.

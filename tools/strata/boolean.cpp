@@ -18,7 +18,8 @@ strata::BooleanResult evaluate(strata::Operation operation, std::span<const Load
                                const Settings& settings, const Watch& watch) {
   ProgressBar bar(settings.progress, settings.quiet);
   strata::Options options = watched_options(settings, bar, watch);
-  options.exact_vertices = !settings.report.empty() || format == strata::Format::xoff || settings.touching != "shared";
+  options.exact_vertices = !settings.report.empty() || format == strata::Format::xoff ||
+                           settings.touching != "shared" || settings.makes_solids();
   std::vector<strata::Operand> views;
   for (const LoadedMesh& operand : operands) views.push_back({operand.mesh.mesh, operand.mesh.exact});
   return strata::combine(operation, std::span<const strata::Operand>(views), options);

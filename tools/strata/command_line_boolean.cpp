@@ -57,11 +57,7 @@ void add_round(CommandLine& line) {
                    "What coordinates become: float64, float32, or multiples of a step, as 0.001 or 1/1024")
       ->required()
       ->type_name("float64|float32|STEP");
-  verb->add_option("-o,--output", settings.output, "Where the result goes; - is standard output")
-      ->required()
-      ->type_name("OUT");
-  verb->add_option("--format", settings.output_format, "Format of the result, instead of the extension of OUT")
-      ->type_name("FORMAT");
+  add_output_file(*verb, settings);
   verb->footer(fmt::format(
       R"(Faces stay as they are where rounded ones do not cross, and are rearranged where they do. What is thinner than
 the grid may vanish; the report says so.

@@ -22,6 +22,7 @@ void add_bsp(CommandLine& line) {
       ->type_name("OUT");
   verb->add_option("--format", settings.output_format, "Format of a boundary, instead of the extension of OUT")
       ->type_name("FORMAT");
+  add_rounding_options(*verb, settings);
   verb->footer(
       fmt::format("Examples:\n  strata bsp part.stl --report -\n  strata bsp part.stl -o cells.glb\n  strata bsp "
                   "tree.bsp -o part.off\n\n"

@@ -26,6 +26,7 @@ void add_contacts(CommandLine& line) {
   verb->add_option("--format", settings.output_format,
                    "Of the files of that folder: off, obj, stl, ply, ...; xoff, which keeps rationals, unless told")
       ->type_name("FORMAT");
+  add_rounding_options(*verb, settings);
   verb->footer(fmt::format(
       R"(Every file is a part. Parts interfere when their interiors meet, are in contact when only their boundaries do, and
 are apart when they have no point in common: exactly, by the doubles in the files. Gaps of an ulp are gaps.

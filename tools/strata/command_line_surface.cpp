@@ -61,6 +61,7 @@ void add_split(CommandLine& line, const Shared& surface) {
       ->allow_extra_args(false)
       ->take_all();
   add_folder(*verb, settings, "pieces", "split.json");
+  add_rounding_options(*verb, settings);
   verb->footer(fmt::format(
       R"(The first mesh is the solid, the others are surfaces, open or not. Where a surface ends inside the solid it divides
 nothing, unless others go on. Pieces make the solid together, exactly.
@@ -93,6 +94,7 @@ void add_cells(CommandLine& line, const Shared& surface) {
   CLI::App* verb = line.app.add_subcommand("cells", "Every volume that surfaces enclose together, closed or not");
   add_common_options(*verb, settings, 1, 0);
   add_folder(*verb, settings, "cells", "cells.json");
+  add_rounding_options(*verb, settings);
   verb->add_flag("--walls", surface->walls,
                  "Also the walls between cells, and walls.csv: the cells in front and behind, the faces of operands. "
                  "Cell 0 is the unbounded one");

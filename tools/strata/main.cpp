@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   add_extension_verbs(line);
   add_suite_verbs(line);
   const Action checked = [&] {
+    check_combinations(settings);
     check_streams(settings);
     return action();
   };

@@ -10,7 +10,7 @@
 /// --format names, or XOFF, which keeps rationals.
 class MeshFolder {
  public:
-  enum class Content { solid, surface };  ///< solids are rounded such that they stay solids
+  enum class Content { solid, surface };  ///< solids are rounded as --rounding says
 
   /// Throws UsageError where -o names a file or a folder that is not empty: meshes of different runs would mix.
   static void check(const Settings& settings);

@@ -37,8 +37,14 @@ std::string crossing_for_no_rounding(const char* verb, const Asked& asked, const
 ExitCode write_result(const strata::ExactMesh& exact, strata::Format format, Json report, const Settings& settings,
                       Watch& watch, const char* verb, const Asked& asked) {
   Stopwatch stopwatch;
+  std::optional<strata::Solid> separated;
+  if (settings.touching == "separate") separated = strata::Solid::trusted(exact).separated();
+  const strata::ExactMesh& result = separated ? separated->exact_mesh() : exact;
+  RoundedOutput rounded = rounded_output(result, format, settings, &watch.token());
+  const strata::ExactMesh& written = rounded.mesh ? *rounded.mesh : result;
+  report["seconds"]["round"] = stopwatch.lap();
   if (settings.touching == "refuse") {
-    const strata::Topology topology = strata::topology(exact);
+    const strata::Topology topology = strata::topology(written);
     if (topology.non_manifold_edges + topology.non_manifold_vertices > 0) {
       fmt::print(stderr, "strata: the result touches itself in {} edges and {} vertices; nothing was written\n",
                  topology.non_manifold_edges, topology.non_manifold_vertices);
@@ -47,12 +53,6 @@ ExitCode write_result(const strata::ExactMesh& exact, strata::Format format, Jso
       return ExitCode::not_certified;
     }
   }
-  std::optional<strata::Solid> separated;
-  if (settings.touching == "separate") separated = strata::Solid::trusted(exact).separated();
-  const strata::ExactMesh& result = separated ? separated->exact_mesh() : exact;
-  RoundedOutput rounded = rounded_output(result, format, settings, &watch.token());
-  const strata::ExactMesh& written = rounded.mesh ? *rounded.mesh : result;
-  report["seconds"]["round"] = stopwatch.lap();
   std::optional<bool> rounded_valid;
   if (settings.certify) {
     rounded_valid = certify(written, format, settings, watch);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 #include <string_view>
@@ -48,7 +49,11 @@ std::optional<Rational> parse_decimal(std::string_view text) {
 
 Rational parse_step(const char* option, const std::string& text) {
   const auto step = text.find('/') != std::string::npos ? strata::parse_quotient(text) : parse_decimal(text);
-  if (step && *step > 0) return *step;
+  const auto is_double = [](const strata::Integer& x) {
+    const double nearest = strata::to_nearest_double(Rational(x));
+    return std::isfinite(nearest) && Rational(nearest) == Rational(x);
+  };
+  if (step && *step > 0 && is_double(numerator(*step)) && is_double(denominator(*step))) return *step;
   throw UsageError(fmt::format("{} {}: expected a positive number, as 0.001, 1e-6 or 1/1024", option, text));
 }
 
@@ -100,11 +105,11 @@ void print_rounding(const strata::RoundingReport& report, const Settings& settin
 RoundedOutput rounded_output(const strata::ExactMesh& exact, Format format, const Settings& settings,
                              const strata::CancelToken* cancel) {
   const auto grid = grid_of(format, settings);
-  if (!grid || (settings.rounding == "nearest" && settings.grid.empty())) return {std::nullopt, nullptr};
+  if (!grid || !settings.makes_solids()) return {std::nullopt, nullptr};
   strata::RoundedMesh rounded = rounded_for_output(exact, *grid, settings, cancel);
   print_rounding(rounded.report, settings);
   Json report = to_json(rounded.report, rounded.mesh);
-  if (rounded.report.rounds == 0 && settings.grid.empty()) return {std::nullopt, std::move(report)};
+  if (!rounded.report.rounded && settings.grid.empty()) return {std::nullopt, std::move(report)};
   return {strata::ExactMesh{std::move(rounded.mesh), {}}, std::move(report)};
 }
 

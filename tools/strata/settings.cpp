@@ -51,12 +51,16 @@ void add_input_class(CLI::App& verb, Settings& settings) {
       ->default_str("automatic");
 }
 
-void add_output_options(CLI::App& verb, Settings& settings) {
+void add_output_file(CLI::App& verb, Settings& settings) {
   verb.add_option("-o,--output", settings.output, "Where the result goes; - is standard output")
       ->required()
       ->type_name("OUT");
   verb.add_option("--format", settings.output_format, "Format of the result, instead of the extension of OUT")
       ->type_name("FORMAT");
+}
+
+void add_output_options(CLI::App& verb, Settings& settings) {
+  add_output_file(verb, settings);
   verb.add_option(
           "--touching", settings.touching,
           "Edges and vertices in which the result touches itself: shared (listed once), separate (a copy for each "
@@ -87,6 +91,11 @@ void add_origin_option(CLI::App& verb, Settings& settings) {
                   "Where the scene is seen from: a point, a direction along which all rays run, or auto")
       ->type_name("x,y,z|auto|direction:x,y,z")
       ->default_str("auto");
+}
+
+void check_combinations(const Settings& settings) {
+  if (settings.touching == "separate" && settings.makes_solids())
+    throw UsageError("--touching separate cannot be combined with --rounding valid or --grid: rounded sheets may meet");
 }
 
 void check_streams(const Settings& settings) {

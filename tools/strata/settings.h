@@ -54,6 +54,9 @@ struct Settings {
 
   bool volumes = false;  ///< report space as the pieces of a solid divide it
   bool nearest = false;  ///< tell the point of the boundary that is nearest to each point
+
+  /// Must what is rounded be a solid?
+  [[nodiscard]] bool makes_solids() const { return rounding == "valid" || !grid.empty(); }
 };
 
 /// Whatever all verbs have.
@@ -68,7 +71,10 @@ void add_input_class(CLI::App& verb, Settings& settings);
 /// --engine, with the arrangement and these.
 void add_engine(CLI::App& verb, Settings& settings, const std::vector<const strata::Engine*>& engines);
 
-/// -o and what goes with making a mesh.
+/// -o and --format.
+void add_output_file(CLI::App& verb, Settings& settings);
+
+/// The same and what goes with making a solid.
 void add_output_options(CLI::App& verb, Settings& settings);
 
 /// --rounding valid|nearest, --grid.
@@ -76,6 +82,9 @@ void add_rounding_options(CLI::App& verb, Settings& settings);
 
 /// --origin x,y,z|auto|direction:x,y,z.
 void add_origin_option(CLI::App& verb, Settings& settings);
+
+/// Throws UsageError for options that exclude each other.
+void check_combinations(const Settings& settings);
 
 /// Throws UsageError where stdin or stdout would be used twice.
 void check_streams(const Settings& settings);

@@ -5,6 +5,7 @@
 #include "core/csg/arena.h"
 #include "core/csg/found_class.h"
 #include "core/csg/inspection.h"
+#include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
 #include "core/mesh/zero_area.h"
 

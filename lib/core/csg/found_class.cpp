@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/csg/inspection.h"
+#include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
 
 namespace strata {

@@ -6,7 +6,6 @@
 
 #include "core/csg/shell_windings.h"
 #include "core/mesh/defect_list.h"
-#include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
 #include "core/overlap/embedded_stars.h"
 
@@ -82,14 +81,6 @@ bool is_embedded_by_number(ExactMeshView mesh, const Monitor& monitor) {
   std::optional<EmbeddedStars> stars;
   if (chain_is_closed(mesh.mesh)) stars.emplace(complex, monitor);
   return find_self_intersections(complex, stars ? &*stars : nullptr, monitor, 1).empty();
-}
-
-std::vector<Triangle> on_first_vertices(ExactMeshView mesh) {
-  const auto first = equal_vertices(mesh);
-  std::vector<Triangle> triangles(mesh.mesh.triangles.begin(), mesh.mesh.triangles.end());
-  for (Triangle& t : triangles)
-    for (std::uint32_t& v : t) v = first[v];
-  return triangles;
 }
 
 }  // namespace strata

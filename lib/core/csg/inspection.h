@@ -46,7 +46,4 @@ class Inspection {
 /// closed; else the requirements of an Inspection.
 [[nodiscard]] bool is_embedded_by_number(ExactMeshView mesh, const Monitor& monitor);
 
-/// The triangles of a mesh, each on the first of its equal vertices. Sheets that touch in a vertex then share it.
-[[nodiscard]] std::vector<Triangle> on_first_vertices(ExactMeshView mesh);
-
 }  // namespace strata

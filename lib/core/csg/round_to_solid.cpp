@@ -11,6 +11,7 @@
 #include "core/csg/clusters.h"
 #include "core/csg/inspection.h"
 #include "core/mesh/edge_table.h"
+#include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
 #include "core/overlap/self_intersections.h"
 #include "core/round/grid_rounding.h"
@@ -58,7 +59,13 @@ double distance(const Vertex& a, const Vertex& b) {
 /// At least the rounding error of a coordinate rounded to the nearest double.
 double half_unit(const Vertex& v) {
   const double size = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-  return (std::nextafter(size, std::numeric_limits<double>::infinity()) - size) / 2;
+  const double next = std::nextafter(size, std::numeric_limits<double>::infinity());
+  const double unit = std::isfinite(next) ? next - size : size - std::nextafter(size, 0.0);
+  return std::max(unit / 2, std::numeric_limits<double>::denorm_min());
+}
+
+bool is_finite(const Vertex& v) {
+  return std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); });
 }
 
 /// A mesh on its way to the grid.
@@ -131,7 +138,7 @@ class SolidRounding {
     for (const ExactVertex& e : exact_.exact) way[e.vertex] = half_unit(exact_.mesh.vertices[e.vertex]);
     for (std::size_t v = 0; v < way.size(); ++v) {
       way[v] += move(moving.mesh.vertices[v], 0);
-      if (!std::isfinite(way[v])) refuse(v);
+      if (!is_finite(moving.mesh.vertices[v])) refuse(v);
     }
     add_ways(way, moving);
     moving.source_face.resize(moving.mesh.triangles.size());

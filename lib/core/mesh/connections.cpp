@@ -21,15 +21,6 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// The triangles, each on the first of its equal vertices.
-std::vector<Triangle> identified_triangles(ExactMeshView mesh) {
-  const std::vector<Index> first = equal_vertices(mesh);
-  std::vector<Triangle> triangles(mesh.mesh.triangles.begin(), mesh.mesh.triangles.end());
-  for (Triangle& t : triangles)
-    for (Index& v : t) v = first[v];
-  return triangles;
-}
-
 /// A use of an edge at the vertex whose star is visited.
 struct Spoke {
   Index other;     ///< the vertex at the other end
@@ -156,7 +147,7 @@ std::uint64_t spanning_edges(std::span<const Triangle> triangles, std::size_t ve
 
 Connections connections(ExactMeshView mesh, Facets facets) {
   const std::size_t vertex_count = mesh.mesh.vertices.size();
-  const std::vector<Triangle> triangles = identified_triangles(mesh);
+  const std::vector<Triangle> triangles = on_first_vertices(mesh);
   const auto proper = static_cast<std::uint64_t>(
       std::count_if(triangles.begin(), triangles.end(), [](const Triangle& t) { return !repeats_vertex(t); }));
   InputComplex complex;

@@ -56,4 +56,12 @@ std::vector<std::uint32_t> equal_vertices(ExactMeshView mesh) {
   });
 }
 
+std::vector<Triangle> on_first_vertices(ExactMeshView mesh) {
+  const std::vector<std::uint32_t> first = equal_vertices(mesh);
+  std::vector<Triangle> triangles(mesh.mesh.triangles.begin(), mesh.mesh.triangles.end());
+  for (Triangle& t : triangles)
+    for (std::uint32_t& v : t) v = first[v];
+  return triangles;
+}
+
 }  // namespace strata

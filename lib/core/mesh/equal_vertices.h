@@ -14,4 +14,7 @@ namespace strata {
 /// The same for exact coordinates.
 [[nodiscard]] std::vector<std::uint32_t> equal_vertices(ExactMeshView mesh);
 
+/// The triangles of a mesh, each on the first of its equal vertices. Sheets that touch in a vertex then share it.
+[[nodiscard]] std::vector<Triangle> on_first_vertices(ExactMeshView mesh);
+
 }  // namespace strata

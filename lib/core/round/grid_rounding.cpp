@@ -22,16 +22,11 @@ double with_bits(double x, int bits) {
 
 GridRounding::GridRounding(const CoordinateGrid& grid) : format_(grid.format) {
   if (grid.step == 0) return;
-  constexpr double largest = 0x1p53;
-  const double step = to_nearest_double(grid.step);
-  const double inverse = step > 0 ? to_nearest_double(Rational(1) / grid.step) : 0;
-  if (inverse >= 1 && inverse <= largest && std::floor(inverse) == inverse && to_rational(inverse) * grid.step == 1) {
-    inverse_ = inverse;
-  } else if (step > 0 && std::isfinite(step) && to_rational(step) == grid.step) {
-    step_ = step;
-  } else {
-    throw std::invalid_argument("the step of a grid must be positive, and a double or the inverse of an integer");
-  }
+  numerator_ = to_nearest_double(Rational(numerator(grid.step)));
+  denominator_ = to_nearest_double(Rational(denominator(grid.step)));
+  if (!(numerator_ > 0) || !std::isfinite(numerator_) || !std::isfinite(denominator_) ||
+      to_rational(numerator_) / to_rational(denominator_) != grid.step)
+    throw std::invalid_argument("the step of a grid must be positive, and a quotient of integers that are doubles");
 }
 
 double GridRounding::to_format(double x) const {
@@ -41,15 +36,14 @@ double GridRounding::to_format(double x) const {
 double GridRounding::operator()(double x) const { return (*this)(x, 0); }
 
 double GridRounding::operator()(double x, int bits_less) const {
-  if (step_ == 0 && inverse_ == 0) {
+  if (numerator_ == 0) {
     const int bits = format_ == CoordinateGrid::Format::float32 ? 24 : 53;
     return bits_less == 0 ? to_format(x) : to_format(with_bits(x, bits - bits_less));
   }
   if (bits_less >= most_bits) return 0;
-  const double steps = inverse_ != 0 ? x * inverse_ : x / step_;
-  const double rounded = std::ldexp(std::nearbyint(std::ldexp(steps, -bits_less)), bits_less);
-  if (!std::isfinite(rounded)) return to_format(x);  // the grid is finer than the format
-  return to_format(inverse_ != 0 ? rounded / inverse_ : rounded * step_);
+  const double steps = std::ldexp(x * denominator_ / numerator_, -bits_less);
+  const double rounded = std::ldexp(std::nearbyint(steps), bits_less) * numerator_ / denominator_;
+  return to_format(std::isfinite(rounded) ? rounded : x);  // beyond that, the grid is finer than the format
 }
 
 Vertex GridRounding::operator()(const Vertex& v, int bits_less) const {
@@ -67,7 +61,7 @@ double GridRounding::unit_at(double x) const {
           ? static_cast<double>(std::nextafter(static_cast<float>(size), std::numeric_limits<float>::infinity())) -
                 static_cast<double>(static_cast<float>(size))
           : std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
-  return std::max({of_format, step_, inverse_ == 0 ? 0 : 1 / inverse_});
+  return std::max(of_format, numerator_ / denominator_);
 }
 
 }  // namespace strata

@@ -8,7 +8,7 @@ namespace strata {
 /// one place.
 class GridRounding {
  public:
-  /// Throws std::invalid_argument for a step that is neither a double nor the inverse of an integer.
+  /// Throws std::invalid_argument for a step that is negative or no quotient of two integers that are doubles.
   explicit GridRounding(const CoordinateGrid& grid);
 
   /// The number of the grid nearest to x. Infinite where the format has none.
@@ -27,8 +27,7 @@ class GridRounding {
   [[nodiscard]] double to_format(double x) const;
 
   CoordinateGrid::Format format_;
-  double step_ = 0;     ///< the step, if it is a double and not 0
-  double inverse_ = 0;  ///< its inverse, if that is an integer
+  double numerator_ = 0, denominator_ = 1;  ///< of the step; 0: none
 };
 
 }  // namespace strata
