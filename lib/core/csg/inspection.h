@@ -42,6 +42,10 @@ class Inspection {
 /// passes, and the search for intersections. False as soon as one is found.
 [[nodiscard]] bool is_plainly_solid(MeshView mesh, const Monitor& monitor);
 
+/// True when the winding numbers of a mesh are 0 and 1. Requires that no faces share a point other than vertices of the
+/// same number and their edges, and what an Inspection does.
+[[nodiscard]] bool windings_are_those_of_a_solid(MeshView mesh, const Monitor& monitor);
+
 /// True when no faces share a point other than vertices of the same number and their edges. The mesh need not be
 /// closed; else the requirements of an Inspection.
 [[nodiscard]] bool is_embedded_by_number(ExactMeshView mesh, const Monitor& monitor);

@@ -8,13 +8,13 @@
 
 #include "core/csg/arena.h"
 #include "core/csg/boolean.h"
-#include "core/csg/clusters.h"
 #include "core/csg/inspection.h"
-#include "core/mesh/edge_table.h"
 #include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
-#include "core/overlap/self_intersections.h"
 #include "core/round/grid_rounding.h"
+#include "core/round/moving_mesh.h"
+#include "core/round/repair.h"
+#include "core/round/wrong_faces.h"
 #include "strata/rounding.h"
 
 namespace strata {
@@ -23,23 +23,23 @@ namespace {
 /// Rounds in which vertices take the nearest numbers of the grid. Then each round leaves out more bits.
 constexpr std::uint64_t full_rounds = 60;
 constexpr int bits_per_round = 2;
-/// After so many rounds, near vertices of faces that cross are joined.
-constexpr std::uint64_t plain_rounds = 2;
+/// Wrong faces are repaired so often before they are resolved.
+constexpr int most_repairs = 3;
 
 int bits_less_in(std::uint64_t round) {
   return round < full_rounds ? 0 : bits_per_round * static_cast<int>(round - full_rounds + 1);
 }
 
-/// The distance of vertices that are joined, in units. It grows where faces still cross after some rounds, and soon
-/// where there are more and more of them.
+/// How far repairs may move something, in units of the grid. It grows where faces are still wrong after some rounds,
+/// and soon where there are more and more of them.
 class Reach {
  public:
-  double after(std::uint64_t round, std::size_t pairs) {
-    constexpr std::uint64_t few_rounds = 8;
+  double after(std::uint64_t round, std::size_t wrong_faces) {
+    constexpr std::uint64_t few_rounds = 12;
     constexpr std::size_t many = 4;
-    fewest_pairs_ = std::min(fewest_pairs_, pairs);
+    fewest_ = std::min(fewest_, wrong_faces);
     if (round < few_rounds) return reach_;
-    if (pairs / many > fewest_pairs_) {
+    if (wrong_faces / many > fewest_) {
       reach_ *= 4;
     } else if (round % 2 == 0) {
       reach_ *= 2;
@@ -49,7 +49,7 @@ class Reach {
 
  private:
   double reach_ = 1;
-  std::size_t fewest_pairs_ = std::numeric_limits<std::size_t>::max();
+  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
 };
 
 double distance(const Vertex& a, const Vertex& b) {
@@ -66,31 +66,6 @@ double half_unit(const Vertex& v) {
 
 bool is_finite(const Vertex& v) {
   return std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); });
-}
-
-/// A mesh on its way to the grid.
-struct Moving {
-  Mesh mesh;
-  std::vector<std::uint32_t> source_face;  ///< per triangle, of the exact boundary
-  std::vector<double> moved;               ///< per triangle: no point of it is farther from the exact boundary
-};
-
-/// What the triangles of a closed chain bound.
-enum class Bounds {
-  solid,
-  touching_solid,  ///< a solid, if vertices with equal coordinates are one
-  no_solid
-};
-
-Bounds bounds_of(const Mesh& mesh, const Monitor& monitor) {
-  if (mesh.triangles.empty() || is_plainly_solid(mesh, monitor)) return Bounds::solid;
-  const std::vector<Triangle> triangles = on_first_vertices(ExactMeshView(mesh, {}));
-  if (std::any_of(triangles.begin(), triangles.end(), repeats_vertex)) return Bounds::no_solid;
-  const MeshView identified(mesh.vertices, triangles);
-  const Screening facts = screen(identified);
-  const bool is_solid = facts.orientation > 0 && !facts.degenerate &&
-                        Inspection(ExactMeshView(identified, {}), monitor, 1).finds_nothing();
-  return is_solid ? Bounds::touching_solid : Bounds::no_solid;
 }
 
 /// Without triangles that repeat a vertex, and with faces of positive area only.
@@ -110,39 +85,57 @@ Prepared without_degenerate_faces(const Mesh& mesh) {
   return prepared;
 }
 
+/// An embedded mesh: are its winding numbers 0 and 1? Where vertices have equal coordinates, they are one.
+bool winds_like_a_solid(const Mesh& mesh, const Monitor& monitor) {
+  std::vector<Triangle> triangles = on_first_vertices(ExactMeshView(mesh, {}));
+  std::erase_if(triangles, repeats_vertex);
+  return triangles.empty() || windings_are_those_of_a_solid({mesh.vertices, triangles}, monitor);
+}
+
 class SolidRounding {
  public:
   SolidRounding(const ExactMesh& exact, const GridRounding& grid, const Monitor& monitor)
       : exact_(exact), grid_(grid), monitor_(monitor) {}
 
   RoundedMesh run() {
-    Moving moving = nearest();
+    MovingMesh moving = nearest();
     RoundingReport report;
-    Bounds bounds = Bounds::no_solid;
-    while ((bounds = bounds_of(moving.mesh, monitor_)) == Bounds::no_solid) {
+    int repairs = 0;
+    for (;;) {
       monitor_.check();
-      ++report.rounds;
-      std::vector<bool> is_new;
-      moving = resolved_again(std::move(moving), report.rounds, is_new);
-      if (std::none_of(is_new.begin(), is_new.end(), [](bool x) { return x; })) break;  // a solid on the grid
-      round_new_vertices(moving, is_new, bits_less_in(report.rounds));
+      const ChangedRegion region(moving, monitor_);
+      const std::vector<std::uint32_t> wrong = region.wrong_faces(monitor_);
+      moving.set_searched(wrong);
+      if (wrong.empty() && (region.keeps_windings() || winds_like_a_solid(moving.mesh(), monitor_))) {
+        return finished(std::move(moving), report, !region.equal_vertices().empty());
+      }
+      const double reach = reach_.after(++report.rounds, wrong.size());
+      if (!wrong.empty() && repairs < most_repairs && repair(moving, region, wrong, grid_, reach)) {
+        ++repairs;
+        continue;
+      }
+      repairs = 0;
+      if (!resolve_again(moving, report.rounds)) return finished(std::move(moving), report, false);
     }
-    if (report.rounds > 0 || bounds == Bounds::touching_solid) compare(moving, report);
-    return finished(std::move(moving), report);
   }
 
  private:
-  [[nodiscard]] Moving nearest() const {
-    Moving moving{exact_.mesh, {}, std::vector<double>(exact_.mesh.triangles.size(), 0)};
-    std::vector<double> way(exact_.mesh.vertices.size(), 0);
-    for (const ExactVertex& e : exact_.exact) way[e.vertex] = half_unit(exact_.mesh.vertices[e.vertex]);
-    for (std::size_t v = 0; v < way.size(); ++v) {
-      way[v] += move(moving.mesh.vertices[v], 0);
-      if (!is_finite(moving.mesh.vertices[v])) refuse(v);
+  [[nodiscard]] MovingMesh nearest() const {
+    const std::vector<Vertex>& points = exact_.mesh.vertices;
+    std::vector<VertexMove> moves;
+    auto exact = exact_.exact.begin();
+    for (std::uint32_t v = 0; v < points.size(); ++v) {
+      const bool is_exact = exact != exact_.exact.end() && exact->vertex == v;
+      const Vertex to = grid_(points[v], 0);
+      if (is_exact || to != points[v])
+        moves.push_back({v, v, to, distance(points[v], to) + (is_exact ? half_unit(points[v]) : 0)});
+      if (is_exact) ++exact;
+      if (!is_finite(to)) refuse(v);
     }
-    add_ways(way, moving);
-    moving.source_face.resize(moving.mesh.triangles.size());
-    std::iota(moving.source_face.begin(), moving.source_face.end(), 0U);
+    std::vector<std::uint32_t> source_face(exact_.mesh.triangles.size());
+    std::iota(source_face.begin(), source_face.end(), 0U);
+    MovingMesh moving(exact_.mesh, std::move(source_face), std::vector<double>(exact_.mesh.triangles.size(), 0));
+    moving.move(moves);
     return moving;
   }
 
@@ -153,100 +146,77 @@ class SolidRounding {
                                 ") is beyond the largest number of the format");
   }
 
-  /// Rounds a vertex; returns how far that is.
-  [[nodiscard]] double move(Vertex& v, int bits_less) const {
-    const Vertex before = std::exchange(v, grid_(v, bits_less));
-    return distance(before, v);
-  }
-
-  /// A triangle moves by no more than that corner of it which moves most.
-  static void add_ways(const std::vector<double>& way, Moving& moving) {
-    for (std::size_t t = 0; t < moving.moved.size(); ++t) {
-      const Triangle& corners = moving.mesh.triangles[t];
-      moving.moved[t] += std::max({way[corners[0]], way[corners[1]], way[corners[2]]});
+  /// The mesh becomes the regular set of points with a positive winding number, its new vertices rounded. Returns false
+  /// if there are none: then it is a solid on the grid.
+  bool resolve_again(MovingMesh& moving, std::uint64_t round) const {
+    MovingMesh::Parts from = std::move(moving).take();
+    const Prepared prepared = without_degenerate_faces(from.mesh);
+    if (prepared.mesh->triangles.empty()) {
+      moving = MovingMesh({}, {}, {});
+      return false;
     }
-  }
-
-  /// The next mesh, resolved exactly. Vertices that are not on the grid are new.
-  Moving resolved_again(Moving from, std::uint64_t round, std::vector<bool>& is_new) {
-    Prepared prepared = without_degenerate_faces(from.mesh);
-    if (round > plain_rounds) {
-      join(from, prepared, round);
-      prepared = without_degenerate_faces(from.mesh);
-    }
-    if (prepared.mesh->triangles.empty()) return {};
-    BooleanResult result = resolved(complex_of(prepared), Inside::winding, monitor_);
-    Moving to{std::move(result.mesh), {}, {}};
-    for (const Source& s : result.sources) {
-      const std::uint32_t source = prepared.source_face[s.face];
-      to.source_face.push_back(from.source_face[source]);
-      to.moved.push_back(from.moved[source]);
-    }
-    std::vector<double> way(to.mesh.vertices.size(), 0);
-    is_new.resize(to.mesh.vertices.size());
-    for (std::size_t v = 0; v < is_new.size(); ++v) is_new[v] = !grid_.holds(to.mesh.vertices[v]);
-    for (const ExactVertex& e : result.exact) {
-      is_new[e.vertex] = true;
-      way[e.vertex] = half_unit(to.mesh.vertices[e.vertex]);
-    }
-    add_ways(way, to);
-    return to;
-  }
-
-  static InputComplex complex_of(const Prepared& prepared) {
     InputComplex complex(SelfIntersections::possible);
     complex.add(prepared.mesh->vertices, prepared.mesh->triangles, {}, prepared.bounds);
-    return complex;
-  }
-
-  /// Replaces the mesh by that without degenerate faces, in which near vertices of faces that cross are one.
-  void join(Moving& moving, Prepared& prepared, std::uint64_t round) {
-    const auto pairs = find_self_intersections(complex_of(prepared), nullptr, monitor_);
-    std::vector<double> moved = join_near_vertices(*prepared.mesh, pairs, grid_, reach_.after(round, pairs.size()));
+    BooleanResult result = resolved(std::move(complex), Inside::winding, monitor_);
     std::vector<std::uint32_t> source_face;
-    for (std::size_t t = 0; t < moved.size(); ++t) {
-      moved[t] += moving.moved[prepared.source_face[t]];
-      source_face.push_back(moving.source_face[prepared.source_face[t]]);
+    std::vector<double> moved;
+    for (const Source& s : result.sources) {
+      const std::uint32_t source = prepared.source_face[s.face];
+      source_face.push_back(from.source_face[source]);
+      moved.push_back(from.moved[source]);
     }
-    moving = {std::move(*prepared.mesh), std::move(source_face), std::move(moved)};
+    const std::vector<VertexMove> moves = moves_of_new_vertices(result, bits_less_in(round));
+    moving = MovingMesh(std::move(result.mesh), std::move(source_face), std::move(moved));
+    moving.move(moves);
+    return !moves.empty();
   }
 
   /// With fewer bits, the other vertices of triangles with new ones are rounded, too, so that all that is in the way
   /// becomes coarser; without any bits, all vertices are.
-  void round_new_vertices(Moving& moving, const std::vector<bool>& is_new, int bits_less) const {
+  [[nodiscard]] std::vector<VertexMove> moves_of_new_vertices(const BooleanResult& result, int bits_less) const {
+    const std::vector<Vertex>& points = result.mesh.vertices;
+    std::vector<bool> is_new(points.size()), is_exact(points.size(), false);
+    for (const ExactVertex& e : result.exact) is_exact[e.vertex] = true;
+    for (std::size_t v = 0; v < is_new.size(); ++v) is_new[v] = is_exact[v] || !grid_.holds(points[v]);
+    std::vector<VertexMove> moves;
+    if (std::none_of(is_new.begin(), is_new.end(), [](bool x) { return x; })) return moves;
     std::vector<bool> is_rounded = is_new;
-    for (const Triangle& t : moving.mesh.triangles)
+    for (const Triangle& t : result.mesh.triangles)
       if (bits_less > 0 && (is_new[t[0]] || is_new[t[1]] || is_new[t[2]]))
         for (const std::uint32_t v : t) is_rounded[v] = true;
-    std::vector<double> way(is_new.size(), 0);
-    for (std::size_t v = 0; v < way.size(); ++v)
-      if (is_rounded[v] || bits_less >= GridRounding::most_bits) way[v] = move(moving.mesh.vertices[v], bits_less);
-    add_ways(way, moving);
+    for (std::uint32_t v = 0; v < points.size(); ++v) {
+      if (!is_rounded[v] && bits_less < GridRounding::most_bits) continue;
+      const Vertex to = grid_(points[v], bits_less);
+      moves.push_back({v, v, to, distance(points[v], to) + (is_exact[v] ? half_unit(points[v]) : 0)});
+    }
+    return moves;
   }
 
-  RoundedMesh finished(Moving moving, RoundingReport report) const {
+  RoundedMesh finished(MovingMesh moving, RoundingReport report, bool has_equal_vertices) const {
     double largest = 0;
     for (const Vertex& v : exact_.mesh.vertices)
       for (const double x : v) largest = std::max(largest, std::abs(x));
     report.unit = grid_.unit_at(largest);
-    count_moved_vertices(moving, report);
-    for (const double moved : moving.moved) report.largest_movement = std::max(report.largest_movement, moved);
-    return {std::move(moving.mesh), std::move(moving.source_face), report};
+    MovingMesh::Parts parts = std::move(moving).take();
+    if (report.rounds > 0 || has_equal_vertices) compare(parts, report);
+    count_moved_vertices(parts, report);
+    for (const double moved : parts.moved) report.largest_movement = std::max(report.largest_movement, moved);
+    return {std::move(parts.mesh), std::move(parts.source_face), report};
   }
 
-  void compare(const Moving& moving, RoundingReport& report) const {
+  void compare(const MovingMesh::Parts& rounded, RoundingReport& report) const {
     std::vector<bool> is_left(exact_.mesh.triangles.size(), false);
-    for (const std::uint32_t f : moving.source_face) is_left[f] = true;
+    for (const std::uint32_t f : rounded.source_face) is_left[f] = true;
     report.vanished_faces = static_cast<std::uint64_t>(std::count(is_left.begin(), is_left.end(), false));
     report.exact = topology(exact_);
-    report.rounded = topology({moving.mesh, {}});
+    report.rounded = topology({rounded.mesh, {}});
   }
 
   /// A vertex is as near to the exact boundary as any of its triangles.
-  static void count_moved_vertices(const Moving& moving, RoundingReport& report) {
-    std::vector<double> of_vertex(moving.mesh.vertices.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t t = 0; t < moving.moved.size(); ++t)
-      for (const std::uint32_t v : moving.mesh.triangles[t]) of_vertex[v] = std::min(of_vertex[v], moving.moved[t]);
+  static void count_moved_vertices(const MovingMesh::Parts& rounded, RoundingReport& report) {
+    std::vector<double> of_vertex(rounded.mesh.vertices.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t t = 0; t < rounded.moved.size(); ++t)
+      for (const std::uint32_t v : rounded.mesh.triangles[t]) of_vertex[v] = std::min(of_vertex[v], rounded.moved[t]);
     for (const double moved : of_vertex) {
       if (std::isinf(moved)) continue;  // no triangle has it
       report.moved_vertices += moved > 0;

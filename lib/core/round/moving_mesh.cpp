@@ -1,0 +1,136 @@
+#include "core/round/moving_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <iterator>
+
+#include "core/containers/collect.h"
+
+namespace strata {
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+/// The point and, if its doubles are rounded, the point that they stand for. What is beyond the largest double meets no
+/// other box.
+void include_around(Box& box, const Vertex& p) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.lower[i] = std::min(box.lower[i], std::nextafter(p[i], -largest));
+    box.upper[i] = std::max(box.upper[i], std::nextafter(p[i], largest));
+  }
+}
+
+std::pair<std::uint32_t, std::uint32_t> side(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
+
+void drop_unused_vertices(Mesh& mesh) {
+  std::vector<std::uint32_t> number(mesh.vertices.size(), none);
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t v : t) number[v] = 0;
+  std::uint32_t count = 0;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] == none) continue;
+    mesh.vertices[count] = mesh.vertices[v];
+    number[v] = count++;
+  }
+  mesh.vertices.resize(count);
+  for (Triangle& t : mesh.triangles)
+    for (std::uint32_t& v : t) v = number[v];
+}
+
+}  // namespace
+
+MovingMesh::MovingMesh(Mesh mesh, std::vector<std::uint32_t> source_face, std::vector<double> moved)
+    : mesh_(std::move(mesh)), source_face_(std::move(source_face)), moved_(std::move(moved)), swept_(std::in_place) {}
+
+Box MovingMesh::box(std::uint32_t face) const {
+  Box box;
+  for (const std::uint32_t v : mesh_.triangles[face]) box.include(mesh_.vertices[v]);
+  return box;
+}
+
+void MovingMesh::move(std::span<const VertexMove> moves) {
+  if (moves.empty()) return;
+  std::vector<std::uint32_t> move_of(mesh_.vertices.size(), none);
+  for (std::size_t m = 0; m < moves.size(); ++m) move_of[moves[m].vertex] = static_cast<std::uint32_t>(m);
+  std::vector<std::uint32_t> touched = collect(mesh_.triangles.size(), [&](std::uint32_t f) {
+    const Triangle& t = mesh_.triangles[f];
+    return is_left(f) && std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return move_of[v] != none; });
+  });
+  if (2 * touched.size() > mesh_.triangles.size()) swept_.reset();
+  for (const std::uint32_t f : touched) {
+    double way = 0;
+    Box passed;
+    for (std::uint32_t& v : mesh_.triangles[f]) {
+      include_around(passed, mesh_.vertices[v]);
+      if (move_of[v] == none) continue;
+      const VertexMove& m = moves[move_of[v]];
+      passed.include(m.to);
+      way = std::max(way, m.way);
+      v = m.becomes;
+    }
+    moved_[f] += way;
+    if (swept_) swept_->push_back(passed);
+  }
+  for (const VertexMove& m : moves) mesh_.vertices[m.vertex] = m.to;
+  add_changed(std::move(touched));
+}
+
+void MovingMesh::flip(std::span<const FlatFlip> flips) {
+  std::vector<std::uint32_t> touched;
+  for (const auto& [cap, base, corner, way] : flips) {
+    const Triangle t = mesh_.triangles[cap], u = mesh_.triangles[base];
+    const std::uint32_t c = t[corner], a = t[(corner + 1) % 3], b = t[(corner + 2) % 3];
+    const std::uint32_t d = *std::find_if(u.begin(), u.end(), [&](std::uint32_t v) { return v != a && v != b; });
+    Box passed = box(cap);
+    passed.include(box(base));
+    if (swept_) swept_->push_back(passed);
+    mesh_.triangles[cap] = {a, d, c};
+    mesh_.triangles[base] = {d, b, c};
+    source_face_[cap] = source_face_[base];
+    moved_[base] += way;
+    moved_[cap] = moved_[base];
+    lost_sides_.insert(side(a, b));
+    touched.insert(touched.end(), {cap, base});
+  }
+  add_changed(std::move(touched));
+}
+
+void MovingMesh::cancel(std::span<const std::pair<std::uint32_t, std::uint32_t>> opposites) {
+  for (const auto& [face, opposite] : opposites) {
+    const Triangle t = mesh_.triangles[face];
+    for (std::size_t i = 0; i < 3; ++i) lost_sides_.insert(side(t[i], t[(i + 1) % 3]));
+    mesh_.triangles[face] = mesh_.triangles[opposite] = {t[0], t[0], t[0]};
+  }
+}
+
+void MovingMesh::set_searched(const std::vector<std::uint32_t>& wrong) {
+  if (!swept_) changed_ = wrong;
+}
+
+void MovingMesh::add_changed(std::vector<std::uint32_t> faces) {
+  std::sort(faces.begin(), faces.end());
+  std::vector<std::uint32_t> all;
+  std::set_union(changed_.begin(), changed_.end(), faces.begin(), faces.end(), std::back_inserter(all));
+  changed_ = std::move(all);
+}
+
+MovingMesh::Parts MovingMesh::take() && {
+  std::size_t kept = 0;
+  for (std::uint32_t f = 0; f < mesh_.triangles.size(); ++f) {
+    if (!is_left(f)) continue;
+    mesh_.triangles[kept] = mesh_.triangles[f];
+    source_face_[kept] = source_face_[f];
+    moved_[kept++] = moved_[f];
+  }
+  if (kept < mesh_.triangles.size()) {
+    mesh_.triangles.resize(kept);
+    source_face_.resize(kept);
+    moved_.resize(kept);
+    drop_unused_vertices(mesh_);
+  }
+  return {std::move(mesh_), std::move(source_face_), std::move(moved_)};
+}
+
+}  // namespace strata

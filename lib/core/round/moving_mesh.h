@@ -1,0 +1,79 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/kernel/box.h"
+#include "core/mesh/edge_table.h"
+#include "strata/mesh.h"
+
+namespace strata {
+
+/// A vertex that goes to another place, and perhaps becomes another vertex.
+struct VertexMove {
+  std::uint32_t vertex = 0;
+  std::uint32_t becomes = 0;  ///< itself, or the vertex that takes its place in all triangles
+  Vertex to{};                ///< its new place; that of `becomes`
+  double way = 0;             ///< at least the distance, in the maximum norm
+};
+
+/// Triangles a b c and b a d become a d c and d b c: what the first covers beside the segment a b goes there.
+struct FlatFlip {
+  std::uint32_t cap = 0, base = 0;  ///< the two triangles
+  std::uint32_t corner = 0;         ///< where c is in the first
+  double way = 0;                   ///< at least the distance from c to the segment a b
+};
+
+/// A closed chain of triangles on its way to a grid. Triangles are changed in place; those that repeat a vertex are no
+/// longer there. It remembers which were changed, and where the surface passed on its way: elsewhere, winding numbers
+/// are those of the start.
+class MovingMesh {
+ public:
+  /// Per triangle: the face of the exact boundary that it is part of, and how far it is from that boundary at most.
+  MovingMesh(Mesh mesh, std::vector<std::uint32_t> source_face, std::vector<double> moved);
+
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const std::vector<std::uint32_t>& source_face() const { return source_face_; }
+  [[nodiscard]] const std::vector<double>& moved() const { return moved_; }
+  [[nodiscard]] bool is_left(std::uint32_t face) const { return !repeats_vertex(mesh_.triangles[face]); }
+  [[nodiscard]] Box box(std::uint32_t face) const;
+
+  /// At most one move per vertex, by increasing vertex; what a vertex becomes does not move. O(n), in parallel.
+  void move(std::span<const VertexMove> moves);
+  /// Each triangle in one flip at most.
+  void flip(std::span<const FlatFlip> flips);
+  /// Takes pairs of triangles out that have the same vertices, the one the reverse of the other.
+  void cancel(std::span<const std::pair<std::uint32_t, std::uint32_t>> opposites);
+
+  /// Triangles that were changed since the start, by increasing number; if all of it moved, since the last search.
+  [[nodiscard]] const std::vector<std::uint32_t>& changed() const { return changed_; }
+  /// Boxes of all that the surface passed; none if that is everywhere.
+  [[nodiscard]] const std::optional<std::vector<Box>>& swept() const { return swept_; }
+  /// Edges, from the lower to the higher vertex, that triangles no longer have without a move of a vertex.
+  [[nodiscard]] const std::set<std::pair<std::uint32_t, std::uint32_t>>& lost_sides() const { return lost_sides_; }
+  /// All triangles were searched for intersections, and these have some.
+  void set_searched(const std::vector<std::uint32_t>& wrong);
+
+  /// The mesh as it is, without triangles and vertices that are no longer there.
+  struct Parts {
+    Mesh mesh;
+    std::vector<std::uint32_t> source_face;
+    std::vector<double> moved;
+  };
+  [[nodiscard]] Parts take() &&;
+
+ private:
+  void add_changed(std::vector<std::uint32_t> faces);
+
+  Mesh mesh_;
+  std::vector<std::uint32_t> source_face_;
+  std::vector<double> moved_;
+  std::vector<std::uint32_t> changed_;
+  std::optional<std::vector<Box>> swept_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> lost_sides_;
+};
+
+}  // namespace strata

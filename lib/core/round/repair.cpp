@@ -1,0 +1,185 @@
+#include "core/round/repair.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "core/containers/box_sweep.h"
+#include "core/containers/collect.h"
+#include "strata/rational.h"
+
+namespace strata {
+namespace {
+
+using Index = std::uint32_t;
+
+double size(const Vertex& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
+
+double distance(const Vertex& p, const Vertex& q) { return size({p[0] - q[0], p[1] - q[1], p[2] - q[2]}); }
+
+bool identify_equal_vertices(MovingMesh& mesh, const ChangedRegion& region) {
+  std::vector<VertexMove> moves;
+  for (const auto& [vertex, first] : region.equal_vertices())
+    moves.push_back({vertex, first, mesh.mesh().vertices[vertex], 0});
+  mesh.move(moves);
+  return !moves.empty();
+}
+
+/// The vertices of some faces, by increasing number.
+std::vector<Index> vertices_of(const MovingMesh& mesh, std::span<const Index> faces) {
+  std::vector<Index> vertices;
+  for (const Index f : faces)
+    vertices.insert(vertices.end(), mesh.mesh().triangles[f].begin(), mesh.mesh().triangles[f].end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+/// Pairs of vertices that may be near, the lower one first, in order.
+std::vector<std::pair<Index, Index>> near_pairs(const Mesh& mesh, const std::vector<Index>& vertices,
+                                                const GridRounding& grid, double reach) {
+  std::vector<Box> boxes(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vertex& p = mesh.vertices[vertices[i]];
+    const double half = reach * grid.unit_at(size(p)) / 2;
+    boxes[i].include(Vertex{p[0] - half, p[1] - half, p[2] - half});
+    boxes[i].include(Vertex{p[0] + half, p[1] + half, p[2] + half});
+  }
+  std::vector<std::pair<Index, Index>> near;
+  for_each_overlapping_pair(
+      boxes, [&](Index a, Index b) { near.emplace_back(vertices[std::min(a, b)], vertices[std::max(a, b)]); });
+  std::sort(near.begin(), near.end());
+  return near;
+}
+
+bool join_near_vertices(MovingMesh& mesh, std::span<const Index> wrong, const GridRounding& grid, double reach) {
+  enum class State : std::uint8_t { free, stays, goes };
+  const std::vector<Vertex>& points = mesh.mesh().vertices;
+  std::map<Index, State> states;
+  std::vector<VertexMove> moves;
+  for (const auto& [stays, goes] : near_pairs(mesh.mesh(), vertices_of(mesh, wrong), grid, reach)) {
+    State &first = states[stays], &second = states[goes];
+    if (first == State::goes || second != State::free) continue;
+    const double way = distance(points[stays], points[goes]);
+    if (way > reach * grid.unit_at(size(points[stays]))) continue;
+    first = State::stays;
+    second = State::goes;
+    moves.push_back({goes, stays, points[stays], way});
+  }
+  std::sort(moves.begin(), moves.end(), [](const VertexMove& a, const VertexMove& b) { return a.vertex < b.vertex; });
+  mesh.move(moves);
+  return !moves.empty();
+}
+
+bool cancel_opposite_faces(MovingMesh& mesh) {
+  std::map<Triangle, std::array<std::vector<Index>, 2>> by_vertices;  // that order, and the reverse
+  for (const Index f : mesh.changed()) {
+    if (!mesh.is_left(f)) continue;
+    Triangle t = mesh.mesh().triangles[f];
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    const bool is_reverse = t[1] > t[2];
+    if (is_reverse) std::swap(t[1], t[2]);
+    by_vertices[t][is_reverse ? 1 : 0].push_back(f);
+  }
+  std::vector<std::pair<Index, Index>> opposites;
+  for (const auto& [vertices, faces] : by_vertices)
+    for (std::size_t i = 0; i < std::min(faces[0].size(), faces[1].size()); ++i)
+      opposites.emplace_back(faces[0][i], faces[1][i]);
+  mesh.cancel(opposites);
+  return !opposites.empty();
+}
+
+/// A face that lies within some units of one of its sides.
+struct Cap {
+  Index face = 0, corner = 0;  ///< the corner that is near the other corners' side
+  double way = 0;
+};
+
+/// At least the distance from p to the point a + t (b - a), in the maximum norm.
+double distance_to(const Vertex& p, const Vertex& a, const Vertex& b, double t) {
+  double largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Rational from = to_rational(a[i]), to = to_rational(b[i]);
+    const Rational way = abs(Rational(to_rational(p[i]) - from - to_rational(t) * (to - from)));
+    largest = std::max(largest, std::nextafter(to_nearest_double(way), Box::infinity));
+  }
+  return largest;
+}
+
+std::optional<Cap> cap_of(const MovingMesh& mesh, Index face, const GridRounding& grid, double reach) {
+  const Triangle& t = mesh.mesh().triangles[face];
+  const auto point = [&](std::size_t k) { return mesh.mesh().vertices[t[k % 3]]; };
+  std::array<double, 3> squares{};  // of the sides opposite to each corner
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vertex a = point(k + 1), b = point(k + 2);
+    for (std::size_t i = 0; i < 3; ++i) squares[k] += (b[i] - a[i]) * (b[i] - a[i]);
+  }
+  const auto corner = static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
+  const Vertex c = point(corner), a = point(corner + 1), b = point(corner + 2);
+  double along = 0;
+  for (std::size_t i = 0; i < 3; ++i) along += (c[i] - a[i]) * (b[i] - a[i]);
+  const double at = along / squares[corner];
+  if (!(at > 0 && at < 1)) return {};
+  Vertex foot;
+  for (std::size_t i = 0; i < 3; ++i) foot[i] = a[i] + at * (b[i] - a[i]);
+  if (!(distance(c, foot) <= reach * grid.unit_at(size(c)))) return {};
+  return Cap{face, static_cast<Index>(corner), distance_to(c, a, b, at)};
+}
+
+bool flip_caps(MovingMesh& mesh, std::span<const Index> wrong, const GridRounding& grid, double reach) {
+  const std::vector<Triangle>& triangles = mesh.mesh().triangles;
+  std::map<std::pair<Index, Index>, std::vector<Cap>> caps;  // by the side that a neighbour has
+  std::vector<bool> has_cap(mesh.mesh().vertices.size(), false);
+  for (const Index f : wrong) {
+    if (!mesh.is_left(f)) continue;
+    const auto cap = cap_of(mesh, f, grid, reach);
+    if (!cap) continue;
+    const Triangle& t = triangles[f];
+    const Index a = t[(cap->corner + 1) % 3], b = t[(cap->corner + 2) % 3];
+    has_cap[a] = has_cap[b] = true;
+    caps[{b, a}].push_back(*cap);
+  }
+  if (caps.empty()) return false;
+
+  const std::vector<Index> bases = collect(triangles.size(), [&](Index f) {
+    const Triangle& t = triangles[f];
+    const int corners =
+        static_cast<int>(has_cap[t[0]]) + static_cast<int>(has_cap[t[1]]) + static_cast<int>(has_cap[t[2]]);
+    return corners >= 2 && mesh.is_left(f);
+  });
+  std::vector<FlatFlip> flips;
+  std::vector<bool> is_taken(triangles.size(), false);
+  const auto flip_onto = [&](Index base, std::size_t k) {
+    const Triangle& t = triangles[base];
+    const auto found = caps.find({t[k], t[(k + 1) % 3]});
+    if (found == caps.end()) return;
+    for (const Cap& cap : found->second) {
+      if (is_taken[base] || is_taken[cap.face] || triangles[cap.face][cap.corner] == t[(k + 2) % 3]) continue;
+      is_taken[base] = is_taken[cap.face] = true;
+      flips.push_back({cap.face, base, cap.corner, cap.way});
+    }
+  };
+  for (const Index base : bases)
+    for (std::size_t k = 0; k < 3; ++k) flip_onto(base, k);
+  mesh.flip(flips);
+  return !flips.empty();
+}
+
+}  // namespace
+
+bool repair(MovingMesh& mesh, const ChangedRegion& region, const std::vector<std::uint32_t>& wrong,
+            const GridRounding& grid, double reach) {
+  bool is_changed = identify_equal_vertices(mesh, region);
+  is_changed |= join_near_vertices(mesh, wrong, grid, reach);
+  is_changed |= cancel_opposite_faces(mesh);
+  constexpr int passes = 3;  // a flip can make another cap
+  for (int n = 0; n < passes && flip_caps(mesh, wrong, grid, reach); ++n) is_changed = true;
+  return is_changed;
+}
+
+}  // namespace strata

@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/round/moving_mesh.h"
+#include "strata/monitor.h"
+
+namespace strata {
+
+/// The faces near those that changed: all of a closed mesh that rounding can have made wrong. Vertices with equal
+/// coordinates are one here.
+class ChangedRegion {
+ public:
+  /// Faces that meet a box of `swept`, or, if that is everything, the box of a changed face. O(n + m log m) for m of
+  /// them, in parallel.
+  ChangedRegion(const MovingMesh& mesh, const Monitor& monitor);
+
+  /// By increasing number: faces that meet others elsewhere than along common edges and vertices, or have no area. At
+  /// least one if there is one; all, as a rule, but no more than can be handled. Exact.
+  [[nodiscard]] std::vector<std::uint32_t> wrong_faces(const Monitor& monitor) const;
+
+  /// True where it is certain that winding numbers are 0 and 1 everywhere, as they were at the start. Requires that no
+  /// faces are wrong. See round/theory.md.
+  [[nodiscard]] bool keeps_windings() const;
+
+  /// The faces of the region by increasing number.
+  [[nodiscard]] const std::vector<std::uint32_t>& faces() const { return faces_; }
+  /// Vertices that have the coordinates of one with a lower number, by increasing number, and that one.
+  [[nodiscard]] const std::vector<std::pair<std::uint32_t, std::uint32_t>>& equal_vertices() const { return equal_; }
+
+ private:
+  const MovingMesh& mesh_;
+  std::vector<std::uint32_t> faces_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> equal_;
+  Mesh part_;                            ///< those faces; equal vertices are one
+  std::vector<std::uint32_t> vertices_;  ///< the mesh's number of each of its vertices
+};
+
+}  // namespace strata
