@@ -18,12 +18,12 @@ BoxCover::BoxCover(std::vector<Box> boxes) : boxes_(std::move(boxes)), rows_(wid
     for (std::uint32_t z = lower[2]; z <= upper[2]; ++z)
       for (std::uint32_t y = lower[1]; y <= upper[1]; ++y) rows_[z * width + y] |= bits;
   }
-  tree_ = BoxTree::by_surface_area(static_cast<std::uint32_t>(boxes_.size()),
-                                   [&](std::span<const std::uint32_t> items) {
-                                     Box all;
-                                     for (const std::uint32_t i : items) all.include(boxes_[i]);
-                                     return all;
-                                   });
+  tree_ =
+      BoxTree::by_surface_area(static_cast<std::uint32_t>(boxes_.size()), [&](std::span<const std::uint32_t> items) {
+        Box all;
+        for (const std::uint32_t i : items) all.include(boxes_[i]);
+        return all;
+      });
 }
 
 /// Monotone in each coordinate, so boxes that meet have a cell in common.

@@ -76,10 +76,10 @@ bool is_plainly_solid(MeshView mesh, const Monitor& monitor) {
          Inspection(ExactMeshView(mesh, {}), monitor, 1).finds_nothing();
 }
 
-bool windings_are_those_of_a_solid(MeshView mesh, const Monitor& monitor) {
+bool windings_are_those_of_a_solid(MeshView mesh, const EmbeddedStars* stars, const Monitor& monitor) {
   const ExactMeshView view(mesh, {});
   const InputComplex complex = complex_of(view);
-  const Shells shells = find_shells(complex, EmbeddedStars(complex, monitor));
+  const Shells shells = find_shells(complex, stars != nullptr ? *stars : EmbeddedStars(complex, monitor));
   const std::vector<std::int32_t> above = windings_above(view, shells, monitor);
   return std::all_of(above.begin(), above.end(), [](int w) { return w == 0; });
 }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/overlap/embedded_stars.h"
 #include "core/overlap/self_intersections.h"
 #include "core/overlap/shells.h"
 #include "strata/errors.h"
@@ -43,8 +44,8 @@ class Inspection {
 [[nodiscard]] bool is_plainly_solid(MeshView mesh, const Monitor& monitor);
 
 /// True when the winding numbers of a mesh are 0 and 1. Requires that no faces share a point other than vertices of the
-/// same number and their edges, and what an Inspection does.
-[[nodiscard]] bool windings_are_those_of_a_solid(MeshView mesh, const Monitor& monitor);
+/// same number and their edges, and what an Inspection does. `stars`: of this mesh, or null.
+[[nodiscard]] bool windings_are_those_of_a_solid(MeshView mesh, const EmbeddedStars* stars, const Monitor& monitor);
 
 /// True when no faces share a point other than vertices of the same number and their edges. The mesh need not be
 /// closed; else the requirements of an Inspection.

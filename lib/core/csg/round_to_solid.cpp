@@ -30,20 +30,15 @@ int bits_less_in(std::uint64_t round) {
   return round < full_rounds ? 0 : bits_per_round * static_cast<int>(round - full_rounds + 1);
 }
 
-/// How far repairs may move something, in units of the grid. It grows where faces are still wrong after some rounds,
-/// and soon where there are more and more of them.
+/// How far repairs may move something, in units of the grid. After some rounds it grows with each that does not leave
+/// fewer wrong faces than ever before, and soon where there are more and more of them.
 class Reach {
  public:
   double after(std::uint64_t round, std::size_t wrong_faces) {
-    constexpr std::uint64_t few_rounds = 12;
+    constexpr std::uint64_t few_rounds = 8;
     constexpr std::size_t many = 4;
+    if (round > few_rounds && wrong_faces >= fewest_) reach_ *= wrong_faces / many > fewest_ ? 4 : 2;
     fewest_ = std::min(fewest_, wrong_faces);
-    if (round < few_rounds) return reach_;
-    if (wrong_faces / many > fewest_) {
-      reach_ *= 4;
-    } else if (round % 2 == 0) {
-      reach_ *= 2;
-    }
     return reach_;
   }
 
@@ -85,11 +80,14 @@ Prepared without_degenerate_faces(const Mesh& mesh) {
   return prepared;
 }
 
-/// An embedded mesh: are its winding numbers 0 and 1? Where vertices have equal coordinates, they are one.
-bool winds_like_a_solid(const Mesh& mesh, const Monitor& monitor) {
-  std::vector<Triangle> triangles = on_first_vertices(ExactMeshView(mesh, {}));
+/// A mesh whose faces near changes are not wrong: are its winding numbers 0 and 1?
+bool winds_like_a_solid(const MovingMesh& mesh, const ChangedRegion& region, const Monitor& monitor) {
+  if (region.keeps_windings()) return true;
+  if (region.is_all())
+    return windings_are_those_of_a_solid(region.part(), region.stars() ? &*region.stars() : nullptr, monitor);
+  std::vector<Triangle> triangles = on_first_vertices(ExactMeshView(mesh.mesh(), {}));
   std::erase_if(triangles, repeats_vertex);
-  return triangles.empty() || windings_are_those_of_a_solid({mesh.vertices, triangles}, monitor);
+  return triangles.empty() || windings_are_those_of_a_solid({mesh.mesh().vertices, triangles}, nullptr, monitor);
 }
 
 class SolidRounding {
@@ -103,12 +101,11 @@ class SolidRounding {
     int repairs = 0;
     for (;;) {
       monitor_.check();
-      const ChangedRegion region(moving, monitor_);
+      ChangedRegion region(moving, monitor_);
       const std::vector<std::uint32_t> wrong = region.wrong_faces(monitor_);
       moving.set_searched(wrong);
-      if (wrong.empty() && (region.keeps_windings() || winds_like_a_solid(moving.mesh(), monitor_))) {
+      if (wrong.empty() && winds_like_a_solid(moving, region, monitor_))
         return finished(std::move(moving), report, !region.equal_vertices().empty());
-      }
       const double reach = reach_.after(++report.rounds, wrong.size());
       if (!wrong.empty() && repairs < most_repairs && repair(moving, region, wrong, grid_, reach)) {
         ++repairs;

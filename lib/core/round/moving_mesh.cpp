@@ -1,9 +1,11 @@
 #include "core/round/moving_mesh.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <iterator>
+#include <limits>
 
 #include "core/containers/collect.h"
 
@@ -12,14 +14,17 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// The point and, if its doubles are rounded, the point that they stand for. What is beyond the largest double meets no
-/// other box.
-void include_around(Box& box, const Vertex& p) {
+/// Of a triangle, and, where doubles are rounded, of the points that they stand for. What is beyond the largest double
+/// meets no other box.
+Box box_around(const Mesh& mesh, std::uint32_t face) {
   constexpr double largest = std::numeric_limits<double>::max();
+  Box box;
+  for (const std::uint32_t v : mesh.triangles[face]) box.include(mesh.vertices[v]);
   for (std::size_t i = 0; i < 3; ++i) {
-    box.lower[i] = std::min(box.lower[i], std::nextafter(p[i], -largest));
-    box.upper[i] = std::max(box.upper[i], std::nextafter(p[i], largest));
+    box.lower[i] = std::nextafter(box.lower[i], -largest);
+    box.upper[i] = std::nextafter(box.upper[i], largest);
   }
+  return box;
 }
 
 std::pair<std::uint32_t, std::uint32_t> side(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
@@ -59,20 +64,21 @@ void MovingMesh::move(std::span<const VertexMove> moves) {
     return is_left(f) && std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return move_of[v] != none; });
   });
   if (2 * touched.size() > mesh_.triangles.size()) swept_.reset();
-  for (const std::uint32_t f : touched) {
+  const std::size_t before = swept_ ? swept_->size() : 0;
+  if (swept_) swept_->resize(before + touched.size());
+  tbb::parallel_for(std::size_t{0}, touched.size(), [&](std::size_t n) {
+    const std::uint32_t f = touched[n];
+    if (swept_) (*swept_)[before + n] = box_around(mesh_, f);
     double way = 0;
-    Box passed;
     for (std::uint32_t& v : mesh_.triangles[f]) {
-      include_around(passed, mesh_.vertices[v]);
       if (move_of[v] == none) continue;
       const VertexMove& m = moves[move_of[v]];
-      passed.include(m.to);
+      if (swept_) (*swept_)[before + n].include(m.to);
       way = std::max(way, m.way);
       v = m.becomes;
     }
     moved_[f] += way;
-    if (swept_) swept_->push_back(passed);
-  }
+  });
   for (const VertexMove& m : moves) mesh_.vertices[m.vertex] = m.to;
   add_changed(std::move(touched));
 }
@@ -110,7 +116,9 @@ void MovingMesh::set_searched(const std::vector<std::uint32_t>& wrong) {
 }
 
 void MovingMesh::add_changed(std::vector<std::uint32_t> faces) {
-  std::sort(faces.begin(), faces.end());
+  if (!std::is_sorted(faces.begin(), faces.end())) std::sort(faces.begin(), faces.end());
+  if (changed_.empty()) std::swap(changed_, faces);
+  if (faces.empty()) return;
   std::vector<std::uint32_t> all;
   std::set_union(changed_.begin(), changed_.end(), faces.begin(), faces.end(), std::back_inserter(all));
   changed_ = std::move(all);

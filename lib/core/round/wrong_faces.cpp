@@ -1,8 +1,9 @@
 #include "core/round/wrong_faces.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -13,7 +14,6 @@
 #include "core/mesh/edge_table.h"
 #include "core/mesh/equal_vertices.h"
 #include "core/mesh/zero_area.h"
-#include "core/overlap/embedded_stars.h"
 #include "core/overlap/self_intersections.h"
 
 namespace strata {
@@ -33,26 +33,36 @@ std::vector<Box> boxes_to_search(const MovingMesh& mesh) {
 std::vector<std::uint32_t> faces_to_search(const MovingMesh& mesh) {
   const std::size_t count = mesh.mesh().triangles.size();
   if (mesh.changed().empty()) return {};
-  if (2 * mesh.changed().size() > count)
-    return collect(count, [&](std::uint32_t f) { return mesh.is_left(f); });
+  if (2 * mesh.changed().size() > count) return collect(count, [&](std::uint32_t f) { return mesh.is_left(f); });
   const BoxCover cover(boxes_to_search(mesh));
   return collect(count, [&](std::uint32_t f) { return mesh.is_left(f) && cover.meets(mesh.box(f)); });
 }
 
 /// Some triangles of a mesh, as a mesh; `numbers` are the vertices' numbers in the whole.
 Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces, std::vector<std::uint32_t>& numbers) {
-  for (const std::uint32_t f : faces) numbers.insert(numbers.end(), mesh.triangles[f].begin(), mesh.triangles[f].end());
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> number_in_part(mesh.vertices.size(), unused);
+  for (const std::uint32_t f : faces)
+    for (const std::uint32_t v : mesh.triangles[f]) number_in_part[v] = 0;
   Mesh part;
-  for (const std::uint32_t v : numbers) part.vertices.push_back(mesh.vertices[v]);
-  std::vector<std::uint32_t> number_in_part(mesh.vertices.size());
-  for (std::uint32_t n = 0; n < numbers.size(); ++n) number_in_part[numbers[n]] = n;
-  for (const std::uint32_t f : faces) {
-    const auto& [a, b, c] = mesh.triangles[f];
-    part.triangles.push_back({number_in_part[a], number_in_part[b], number_in_part[c]});
+  for (std::uint32_t v = 0; v < number_in_part.size(); ++v) {
+    if (number_in_part[v] == unused) continue;
+    number_in_part[v] = static_cast<std::uint32_t>(numbers.size());
+    numbers.push_back(v);
+    part.vertices.push_back(mesh.vertices[v]);
   }
+  part.triangles.resize(faces.size());
+  tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t n) {
+    const auto& [a, b, c] = mesh.triangles[faces[n]];
+    part.triangles[n] = {number_in_part[a], number_in_part[b], number_in_part[c]};
+  });
   return part;
+}
+
+InputComplex complex_of(std::span<const Vertex> vertices, std::span<const Triangle> triangles) {
+  InputComplex complex(SelfIntersections::possible);
+  complex.add(vertices, triangles);
+  return complex;
 }
 
 }  // namespace
@@ -69,24 +79,24 @@ ChangedRegion::ChangedRegion(const MovingMesh& mesh, const Monitor& monitor)
     for (std::uint32_t& v : t) v = first[v];
 }
 
-std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor) const {
+std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor) {
   const ZeroAreaTest has_no_area(part_);
-  const std::vector<std::uint32_t> flat = collect(
-      faces_.size(), [&](std::uint32_t f) { return repeats_vertex(part_.triangles[f]) || has_no_area(f); });
-  std::vector<std::uint32_t> sound(faces_.size());
-  std::iota(sound.begin(), sound.end(), 0U);
-  std::erase_if(sound, [&](std::uint32_t f) { return std::binary_search(flat.begin(), flat.end(), f); });
-  std::vector<Triangle> triangles;
-  for (const std::uint32_t f : sound) triangles.push_back(part_.triangles[f]);
-
-  InputComplex complex(SelfIntersections::possible);
-  complex.add(part_.vertices, triangles);
-  std::optional<EmbeddedStars> stars;
-  if (flat.empty() && faces_.size() == mesh_.mesh().triangles.size()) stars.emplace(complex, monitor);  // it is closed
+  const auto is_flat = [&](std::uint32_t f) { return repeats_vertex(part_.triangles[f]) || has_no_area(f); };
+  const std::vector<std::uint32_t> flat = collect(faces_.size(), is_flat);
+  std::vector<SelfIntersection> pairs;
   std::vector<std::uint32_t> wrong = flat;
-  for (const SelfIntersection& s : find_self_intersections(complex, stars ? &*stars : nullptr, monitor, most_pairs)) {
-    wrong.push_back(sound[s.face]);
-    wrong.push_back(sound[s.other]);
+  if (flat.empty()) {
+    const InputComplex complex = complex_of(part_.vertices, part_.triangles);
+    if (is_all()) stars_.emplace(complex, monitor);
+    pairs = find_self_intersections(complex, stars_ ? &*stars_ : nullptr, monitor, most_pairs);
+    for (const SelfIntersection& s : pairs) wrong.insert(wrong.end(), {s.face, s.other});
+  } else {
+    const std::vector<std::uint32_t> sound =
+        collect(faces_.size(), [&](std::uint32_t f) { return !std::binary_search(flat.begin(), flat.end(), f); });
+    std::vector<Triangle> triangles;
+    for (const std::uint32_t f : sound) triangles.push_back(part_.triangles[f]);
+    pairs = find_self_intersections(complex_of(part_.vertices, triangles), nullptr, monitor, most_pairs);
+    for (const SelfIntersection& s : pairs) wrong.insert(wrong.end(), {sound[s.face], sound[s.other]});
   }
   std::sort(wrong.begin(), wrong.end());
   wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
@@ -105,7 +115,8 @@ bool ChangedRegion::keeps_windings() const {
   DisjointSets<std::uint32_t> patches(faces_.size());
   std::vector<std::uint32_t> beside_known;  // faces with a side that a face outside the region has, too
   for_each_edge(edge_table(part_.triangles, part_.vertices.size()), [&](std::span<const EdgeUse> uses) {
-    const bool changed = std::any_of(uses.begin(), uses.end(), [&](const EdgeUse& u) { return is_changed[u.triangle]; });
+    const bool changed =
+        std::any_of(uses.begin(), uses.end(), [&](const EdgeUse& u) { return is_changed[u.triangle]; });
     if (changed ? uses.size() != 2 || net_uses(uses) != 0 : is_lost(uses[0])) return;
     for (const EdgeUse& use : uses) patches.unite(uses[0].triangle, use.triangle);
     if (net_uses(uses) != 0) beside_known.push_back(uses[0].triangle);

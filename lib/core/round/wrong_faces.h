@@ -1,7 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "core/overlap/embedded_stars.h"
 #include "core/round/moving_mesh.h"
 #include "strata/monitor.h"
 
@@ -17,11 +20,19 @@ class ChangedRegion {
 
   /// By increasing number: faces that meet others elsewhere than along common edges and vertices, or have no area. At
   /// least one if there is one; all, as a rule, but no more than can be handled. Exact.
-  [[nodiscard]] std::vector<std::uint32_t> wrong_faces(const Monitor& monitor) const;
+  [[nodiscard]] std::vector<std::uint32_t> wrong_faces(const Monitor& monitor);
 
   /// True where it is certain that winding numbers are 0 and 1 everywhere, as they were at the start. Requires that no
   /// faces are wrong. See round/theory.md.
   [[nodiscard]] bool keeps_windings() const;
+
+  /// True when the region is the whole mesh, without triangles that are no longer there.
+  [[nodiscard]] bool is_all() const { return faces_.size() == mesh_.mesh().triangles.size(); }
+  /// Its faces and their vertices, equal ones with one number. If it is the whole mesh, vertices that no face has are
+  /// left out.
+  [[nodiscard]] const Mesh& part() const { return part_; }
+  /// Of that part, if `wrong_faces` needed them.
+  [[nodiscard]] const std::optional<EmbeddedStars>& stars() const { return stars_; }
 
   /// The faces of the region by increasing number.
   [[nodiscard]] const std::vector<std::uint32_t>& faces() const { return faces_; }
@@ -32,7 +43,8 @@ class ChangedRegion {
   const MovingMesh& mesh_;
   std::vector<std::uint32_t> faces_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> equal_;
-  Mesh part_;                            ///< those faces; equal vertices are one
+  Mesh part_;  ///< those faces; equal vertices are one
+  std::optional<EmbeddedStars> stars_;
   std::vector<std::uint32_t> vertices_;  ///< the mesh's number of each of its vertices
 };
 
