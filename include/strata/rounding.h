@@ -28,7 +28,7 @@ struct CoordinateGrid {
 
 /// What rounding did to a solid. Lengths are in model units and in the maximum norm.
 struct RoundingReport {
-  /// How often faces were rearranged. 0: the vertices, each rounded to the nearest numbers, bound a solid.
+  /// How often faces were repaired or resolved. 0: the vertices, each rounded to the nearest numbers, bound a solid.
   std::uint64_t rounds = 0;
   std::uint64_t moved_vertices = 0;  ///< vertices of the mesh that may be off the exact boundary
   /// The largest distance from a point of the mesh to the exact boundary: a bound, as the sum of what each round moved.
@@ -49,19 +49,19 @@ struct RoundedMesh {
 /// oriented, triangles meet in common vertices and edges alone (equal coordinates are one vertex), and winding numbers
 /// are 0 and 1. `check` finds no error in it.
 ///
-/// Every vertex takes the nearest coordinates of the grid, ties to even. If the triangles then do not bound a solid,
-/// they are resolved exactly, as by `resolve`, and the vertices that this makes are rounded in turn; after three rounds
-/// to fewer and fewer bits. Triangles that meet nothing stay as they are. Where the grid cannot hold a feature, it
-/// vanishes: of a plate thinner than the grid nothing may be left, and the report says so. Each round ends, and the
-/// last one has no bits left; what it cannot resolve is empty. So this ends for every input, in one or two rounds in
-/// practice; but where many faces lie within a unit of each other, meshes may grow from round to round and take very
-/// long.
+/// Every vertex takes the nearest coordinates of the grid, ties to even. Only triangles near vertices that moved can be
+/// wrong then: cross others, have no area, or turn a shell inside out. Wrong ones are repaired: near vertices are
+/// joined, flat triangles are flipped. What is wrong still is resolved exactly, as by `resolve`, and the vertices that
+/// this makes are rounded in turn. Triangles that meet nothing stay as they are. Where the grid cannot hold a feature,
+/// it vanishes: of a plate thinner than the grid nothing may be left, and the report says so. It ends for every input:
+/// late rounds leave out bits. In practice two or three rounds do, and nothing moves by more than a few units.
 ///
 /// Laws: a mesh on the grid that bounds a solid is not changed; rounding the result again gives the result. Same bytes
 /// for any number of threads. Requires that `mesh` bounds a solid, as ExactMesh of a Solid does. Of the options,
 /// `threads` and `cancel` count. Throws std::invalid_argument for a step as above is not, and for a coordinate beyond
-/// the largest number of the format; Cancelled. O(n log n) to search for crossings, and the complexity of `resolve` per
-/// round. Source: own, after iterated snap rounding (Halperin and Packer 2002); lib/core/round/theory.md.
+/// the largest number of the format; Cancelled. O(n + m log m) to search for crossings near m triangles that moved; the
+/// complexity of `resolve` for each time that faces are resolved. Source: own, after iterated snap rounding (Halperin
+/// and Packer 2002); lib/core/round/theory.md.
 [[nodiscard]] RoundedMesh round_to_solid(const ExactMesh& mesh, const CoordinateGrid& grid = {},
                                          const Options& options = {});
 

@@ -14,7 +14,7 @@ class Rounding(ToolTest):
     def test_files_of_every_format_hold_solids(self):
         for out in ("out.stl", "out.off", "out.ply", "out.obj"):
             with self.subTest(out=out):
-                report = self.report("difference", DATA / "spot.obj", DATA / "gear.off", "-o", out, "--rounding", "valid", "--certify")
+                report = self.report("difference", DATA / "spot.obj", DATA / "gear.off", "-o", out, "--certify")
                 rounding = report["result"]["rounding"]
                 self.assertTrue(report["result"]["rounded_valid"])
                 self.assertLess(rounding["largest_movement"], 4 * rounding["unit"])
@@ -22,7 +22,7 @@ class Rounding(ToolTest):
 
     def test_nearest_and_xoff_round_nothing(self):
         a, b = self.file("a.off", cube()), self.file("b.off", cube(0.5))
-        for options in (("-o", "out.off"), ("-o", "out.xoff", "--rounding", "valid")):
+        for options in (("-o", "out.off", "--rounding", "nearest"), ("-o", "out.xoff")):
             self.assertIsNone(self.report("union", a, b, *options)["result"]["rounding"])
 
     def test_a_grid_of_decimals(self):
@@ -53,18 +53,23 @@ class Rounding(ToolTest):
 
     def test_parts_that_meet_in_floats_touch(self):
         a, b = self.file("a.off", cube()), self.file("b.off", cube(1.0000000001, 1))
-        self.run_tool("union", a, b, "-o", "out.stl", "--touching", "refuse")
-        said = self.run_tool("union", a, b, "-o", "n.stl", "--touching", "refuse", "--rounding", "valid", expect=NOT_CERTIFIED)
+        self.run_tool("union", a, b, "-o", "out.stl", "--touching", "refuse", "--rounding", "nearest")
+        said = self.run_tool("union", a, b, "-o", "n.stl", "--touching", "refuse", expect=NOT_CERTIFIED)
         self.assertIn(b"touches itself in 1 edges", said.stderr)
-        self.run_tool("union", a, b, "-o", "n.stl", "--touching", "separate", "--rounding", "valid", expect=USAGE)
         self.assertFalse(self.path("n.stl").exists())
+
+    def test_sheets_that_meet_by_rounding_are_separated(self):
+        a, b = self.file("a.off", cube()), self.file("b.off", cube(1.0001, 1))
+        for how, vertices in (("shared", 14), ("separate", 16)):
+            self.run_tool("union", a, b, "-o", "out.off", "--touching", how, "--grid", "0.001")
+            self.assertEqual(int(self.path("out.off").read_text().split()[1]), vertices)
 
     def test_beyond_floats(self):
         huge = self.file("huge.off", thin_box(1e39))
         said = self.run_tool("round", huge, "--to", "float32", "-o", "out.off", expect=FILE).stderr
         self.assertIn(b"beyond the largest number", said)
         self.assertFalse(self.path("out.off").exists())
-        self.run_tool("union", huge, "-o", "out.stl", "--rounding", "valid", expect=FILE)
+        self.run_tool("union", huge, "-o", "out.stl", expect=FILE)
 
 
 if __name__ == "__main__":

@@ -19,7 +19,8 @@ using FaceBox = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Fac
 
 Kernel::Triangle_3 triangle(const Face& f) { return {f[0], f[1], f[2]}; }
 
-/// Do faces with one corner in common share more than that? Then the side opposite to it in one of them meets the other.
+/// Do faces with one corner in common share more than that? Then the side opposite to it in one of them meets the
+/// other.
 bool meet_beyond_corner(const Face& f, const Face& g, std::size_t i, std::size_t k) {
   return CGAL::do_intersect(triangle(f), Kernel::Segment_3(g[(k + 1) % 3], g[(k + 2) % 3])) ||
          CGAL::do_intersect(triangle(g), Kernel::Segment_3(f[(i + 1) % 3], f[(i + 2) % 3]));

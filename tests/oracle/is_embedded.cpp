@@ -1,10 +1,9 @@
 // strata_is_embedded MESH: exit code 0 if no triangles of a mesh cross, touch or overlap other than along common edges
 // and vertices, by CGAL; else 1. What tools/bench/rounded.py asks.
-#include "oracle/embedding.h"
-
 #include <exception>
 #include <iostream>
 
+#include "oracle/embedding.h"
 #include "strata/io.h"
 
 int main(int count, char** arguments) {

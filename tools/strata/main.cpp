@@ -36,7 +36,6 @@ int main(int argc, char** argv) {
   add_extension_verbs(line);
   add_suite_verbs(line);
   const Action checked = [&] {
-    check_combinations(settings);
     check_streams(settings);
     return action();
   };

@@ -25,6 +25,22 @@ bool certify(const strata::ExactMesh& mesh, strata::Format format, const Setting
   return strata::is_embedded(strata::read_mesh(std::string_view(bytes), format, settings.output).mesh, options);
 }
 
+strata::ExactMesh separated(const strata::ExactMesh& mesh) {
+  return strata::Solid::trusted(mesh).separated().exact_mesh();
+}
+
+/// Gives sheets of what is written copies of their own. Edges that this divides have new vertices, which are rounded in
+/// turn. Returns false if that is no solid any more.
+bool separate(RoundedOutput& rounded, const strata::ExactMesh& exact, strata::Format format, const Settings& settings,
+              const Watch& watch) {
+  rounded.mesh = separated(rounded.mesh ? *rounded.mesh : exact);
+  const auto grid = grid_of(format, settings);
+  if (!grid || !settings.makes_solids()) return true;
+  strata::RoundedMesh again = rounded_for_output(*rounded.mesh, *grid, settings, &watch.token());
+  rounded.mesh = strata::ExactMesh{std::move(again.mesh), {}};
+  return again.report.rounds == 0;
+}
+
 /// Exact results of solids are solids.
 std::string crossing_for_no_rounding(const char* verb, const Asked& asked, const Settings& settings) {
   constexpr const char* error = "faces of the exact result cross";
@@ -37,11 +53,13 @@ std::string crossing_for_no_rounding(const char* verb, const Asked& asked, const
 ExitCode write_result(const strata::ExactMesh& exact, strata::Format format, Json report, const Settings& settings,
                       Watch& watch, const char* verb, const Asked& asked) {
   Stopwatch stopwatch;
-  std::optional<strata::Solid> separated;
-  if (settings.touching == "separate") separated = strata::Solid::trusted(exact).separated();
-  const strata::ExactMesh& result = separated ? separated->exact_mesh() : exact;
-  RoundedOutput rounded = rounded_output(result, format, settings, &watch.token());
-  const strata::ExactMesh& written = rounded.mesh ? *rounded.mesh : result;
+  RoundedOutput rounded = rounded_output(exact, format, settings, &watch.token());
+  if (settings.touching == "separate" && !separate(rounded, exact, format, settings, watch)) {
+    fmt::print(stderr,
+               "strata: sheets that touch cannot be separated in the numbers of the format; nothing was written\n");
+    return ExitCode::not_certified;
+  }
+  const strata::ExactMesh& written = rounded.mesh ? *rounded.mesh : exact;
   report["seconds"]["round"] = stopwatch.lap();
   if (settings.touching == "refuse") {
     const strata::Topology topology = strata::topology(written);
@@ -60,7 +78,8 @@ ExitCode write_result(const strata::ExactMesh& exact, strata::Format format, Jso
   }
   watch.on_stop(OnStop::leave);
   if (!settings.report.empty()) {
-    report["result"] = result_report(result, rounded_valid, settings);
+    report["result"] =
+        result_report(settings.touching == "separate" ? separated(exact) : exact, rounded_valid, settings);
     report["result"]["rounding"] = std::move(rounded.report);
   }
   watch.on_stop(OnStop::finish);

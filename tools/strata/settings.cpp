@@ -74,13 +74,12 @@ void add_output_options(CLI::App& verb, Settings& settings) {
 }
 
 void add_rounding_options(CLI::App& verb, Settings& settings) {
-  verb.add_option(
-          "--rounding", settings.rounding,
-          "How exact vertices become the numbers that a file can hold: nearest (each by itself) or valid (where faces "
-          "would cross, they are rearranged, so that the file holds a solid; this can take long)")
+  verb.add_option("--rounding", settings.rounding,
+                  "How exact vertices become the numbers that a file can hold: valid (where faces would cross, they "
+                  "are rearranged, so that the file holds a solid) or nearest (each by itself)")
       ->type_name("HOW")
-      ->check(CLI::IsMember({"nearest", "valid"}))
-      ->default_str("nearest");
+      ->check(CLI::IsMember({"valid", "nearest"}))
+      ->default_str("valid");
   verb.add_option("--grid", settings.grid,
                   "Coordinates are multiples of this, as 0.001 or 1/1024; implies --rounding valid")
       ->type_name("STEP");
@@ -91,11 +90,6 @@ void add_origin_option(CLI::App& verb, Settings& settings) {
                   "Where the scene is seen from: a point, a direction along which all rays run, or auto")
       ->type_name("x,y,z|auto|direction:x,y,z")
       ->default_str("auto");
-}
-
-void check_combinations(const Settings& settings) {
-  if (settings.touching == "separate" && settings.makes_solids())
-    throw UsageError("--touching separate cannot be combined with --rounding valid or --grid: rounded sheets may meet");
 }
 
 void check_streams(const Settings& settings) {

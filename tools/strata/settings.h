@@ -28,23 +28,23 @@ struct Settings {
   std::string report;                      ///< path of the JSON report; "-" is stdout; empty: none
   std::uint64_t max_defects = 100;         ///< of one kind that are printed
   bool certify = false;
-  std::string touching = "shared";   ///< what sheets that touch share: shared, separate or refuse
-  std::string rounding = "nearest";  ///< nearest: each vertex by itself; valid: solids again
-  std::string grid;                  ///< step of coordinates; empty: all numbers of the format
-  std::string target;                ///< of round: float64, float32 or a step
-  std::string origin = "auto";       ///< x,y,z, direction:x,y,z or auto
-  std::string points;                ///< path of the points to locate; "-" is stdin
-  std::string rays;                  ///< path of the rays to cast; "-" is stdin
-  bool all = false;                  ///< list all solids at a point, or all hits of a ray
-  bool first = false;                ///< list the first hit of a ray only
-  bool exploded = false;             ///< pieces pulled apart
-  bool exact = false;                ///< rationals beside doubles
-  bool distances = false;            ///< of all parts that are apart
-  std::optional<double> within;      ///< of parts that are apart by this at most
-  std::string overlaps;              ///< folder for what parts have in common
-  double distance = 0;               ///< by which a solid is grown, or shrunk if it is negative
-  std::uint32_t facets = 320;        ///< of the ball that does it, about
-  unsigned threads = 0;              ///< 0: all cores
+  std::string touching = "shared";  ///< what sheets that touch share: shared, separate or refuse
+  std::string rounding = "valid";   ///< valid: solids again; nearest: each vertex by itself
+  std::string grid;                 ///< step of coordinates; empty: all numbers of the format
+  std::string target;               ///< of round: float64, float32 or a step
+  std::string origin = "auto";      ///< x,y,z, direction:x,y,z or auto
+  std::string points;               ///< path of the points to locate; "-" is stdin
+  std::string rays;                 ///< path of the rays to cast; "-" is stdin
+  bool all = false;                 ///< list all solids at a point, or all hits of a ray
+  bool first = false;               ///< list the first hit of a ray only
+  bool exploded = false;            ///< pieces pulled apart
+  bool exact = false;               ///< rationals beside doubles
+  bool distances = false;           ///< of all parts that are apart
+  std::optional<double> within;     ///< of parts that are apart by this at most
+  std::string overlaps;             ///< folder for what parts have in common
+  double distance = 0;              ///< by which a solid is grown, or shrunk if it is negative
+  std::uint32_t facets = 320;       ///< of the ball that does it, about
+  unsigned threads = 0;             ///< 0: all cores
   bool quiet = false;
   bool progress = false;
   double timeout = 0;  ///< seconds; 0: none
@@ -82,9 +82,6 @@ void add_rounding_options(CLI::App& verb, Settings& settings);
 
 /// --origin x,y,z|auto|direction:x,y,z.
 void add_origin_option(CLI::App& verb, Settings& settings);
-
-/// Throws UsageError for options that exclude each other.
-void check_combinations(const Settings& settings);
 
 /// Throws UsageError where stdin or stdout would be used twice.
 void check_streams(const Settings& settings);

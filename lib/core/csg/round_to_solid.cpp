@@ -104,8 +104,11 @@ class SolidRounding {
       ChangedRegion region(moving, monitor_);
       const std::vector<std::uint32_t> wrong = region.wrong_faces(monitor_);
       moving.set_searched(wrong);
-      if (wrong.empty() && winds_like_a_solid(moving, region, monitor_))
-        return finished(std::move(moving), report, !region.equal_vertices().empty());
+      if (wrong.empty() && winds_like_a_solid(moving, region, monitor_)) {
+        const std::vector<VertexMove> met = vertices_that_met(moving, region, report.rounds == 0);
+        moving.move(met);
+        return finished(std::move(moving), report, !met.empty());
+      }
       const double reach = reach_.after(++report.rounds, wrong.size());
       if (!wrong.empty() && repairs < most_repairs && repair(moving, region, wrong, grid_, reach)) {
         ++repairs;
@@ -134,6 +137,16 @@ class SolidRounding {
     MovingMesh moving(exact_.mesh, std::move(source_face), std::vector<double>(exact_.mesh.triangles.size(), 0));
     moving.move(moves);
     return moving;
+  }
+
+  /// Vertices that became equal are one; copies of one vertex in the exact mesh stay copies.
+  [[nodiscard]] std::vector<VertexMove> vertices_that_met(const MovingMesh& moving, const ChangedRegion& region,
+                                                          bool are_those_of_the_exact_mesh) const {
+    std::vector<VertexMove> met;
+    for (const auto& [vertex, first] : region.equal_vertices())
+      if (!are_those_of_the_exact_mesh || exact_.position(vertex) != exact_.position(first))
+        met.push_back({vertex, first, moving.mesh().vertices[vertex], 0});
+    return met;
   }
 
   [[noreturn]] void refuse(std::size_t v) const {
@@ -189,13 +202,13 @@ class SolidRounding {
     return moves;
   }
 
-  RoundedMesh finished(MovingMesh moving, RoundingReport report, bool has_equal_vertices) const {
+  RoundedMesh finished(MovingMesh moving, RoundingReport report, bool have_vertices_met) const {
     double largest = 0;
     for (const Vertex& v : exact_.mesh.vertices)
       for (const double x : v) largest = std::max(largest, std::abs(x));
     report.unit = grid_.unit_at(largest);
     MovingMesh::Parts parts = std::move(moving).take();
-    if (report.rounds > 0 || has_equal_vertices) compare(parts, report);
+    if (report.rounds > 0 || have_vertices_met) compare(parts, report);
     count_moved_vertices(parts, report);
     for (const double moved : parts.moved) report.largest_movement = std::max(report.largest_movement, moved);
     return {std::move(parts.mesh), std::move(parts.source_face), report};

@@ -79,7 +79,10 @@ void MovingMesh::move(std::span<const VertexMove> moves) {
     }
     moved_[f] += way;
   });
-  for (const VertexMove& m : moves) mesh_.vertices[m.vertex] = m.to;
+  for (const VertexMove& m : moves) {
+    mesh_.vertices[m.vertex] = m.to;
+    has_unused_ = has_unused_ || m.becomes != m.vertex;
+  }
   add_changed(std::move(touched));
 }
 
@@ -109,6 +112,7 @@ void MovingMesh::cancel(std::span<const std::pair<std::uint32_t, std::uint32_t>>
     for (std::size_t i = 0; i < 3; ++i) lost_sides_.insert(side(t[i], t[(i + 1) % 3]));
     mesh_.triangles[face] = mesh_.triangles[opposite] = {t[0], t[0], t[0]};
   }
+  has_unused_ = has_unused_ || !opposites.empty();
 }
 
 void MovingMesh::set_searched(const std::vector<std::uint32_t>& wrong) {
@@ -132,12 +136,10 @@ MovingMesh::Parts MovingMesh::take() && {
     source_face_[kept] = source_face_[f];
     moved_[kept++] = moved_[f];
   }
-  if (kept < mesh_.triangles.size()) {
-    mesh_.triangles.resize(kept);
-    source_face_.resize(kept);
-    moved_.resize(kept);
-    drop_unused_vertices(mesh_);
-  }
+  mesh_.triangles.resize(kept);
+  source_face_.resize(kept);
+  moved_.resize(kept);
+  if (has_unused_) drop_unused_vertices(mesh_);
   return {std::move(mesh_), std::move(source_face_), std::move(moved_)};
 }
 

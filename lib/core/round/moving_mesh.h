@@ -57,7 +57,8 @@ class MovingMesh {
   /// All triangles were searched for intersections, and these have some.
   void set_searched(const std::vector<std::uint32_t>& wrong);
 
-  /// The mesh as it is, without triangles and vertices that are no longer there.
+  /// The mesh as it is, without triangles that are no longer there and, if there are vertices that became others,
+  /// without vertices that no triangle has.
   struct Parts {
     Mesh mesh;
     std::vector<std::uint32_t> source_face;
@@ -73,6 +74,7 @@ class MovingMesh {
   std::vector<double> moved_;
   std::vector<std::uint32_t> changed_;
   std::optional<std::vector<Box>> swept_;
+  bool has_unused_ = false;  ///< vertices that triangles had
   std::set<std::pair<std::uint32_t, std::uint32_t>> lost_sides_;
 };
 

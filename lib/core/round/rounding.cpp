@@ -5,14 +5,15 @@
 
 #include <optional>
 
+#include "core/containers/collect.h"
 #include "core/containers/huge_pages.h"
 
 namespace strata {
 namespace {
 
 template <class Body>
-void for_each_index(std::size_t count, const Monitor& monitor, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
+void for_each_index(std::size_t count, std::size_t at_once, const Monitor& monitor, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, at_once), [&](const auto& range) {
     monitor.check();
     for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
   });
@@ -23,9 +24,9 @@ void for_each_index(std::size_t count, const Monitor& monitor, const Body& body)
 std::vector<Vertex> round_to_doubles(const InputComplex& input, const Boundary& boundary, const Monitor& monitor) {
   std::vector<Vertex> rounded;
   resize_fresh(rounded, boundary.inputs.size() + boundary.constructed.size());
-  for_each_index(boundary.inputs.size(), monitor,
+  for_each_index(boundary.inputs.size(), 1024, monitor,
                  [&](std::size_t i) { rounded[i] = input.vertex(boundary.inputs[i]); });
-  for_each_index(boundary.constructed.size(), monitor, [&](std::size_t i) {
+  for_each_index(boundary.constructed.size(), 64, monitor, [&](std::size_t i) {
     rounded[boundary.inputs.size() + i] = nearest_doubles(input, boundary.points.constructed(boundary.constructed[i]));
   });
   return rounded;
@@ -33,21 +34,23 @@ std::vector<Vertex> round_to_doubles(const InputComplex& input, const Boundary& 
 
 std::vector<ExactVertex> exact_positions(const InputComplex& input, const Boundary& boundary,
                                          const std::vector<Vertex>& rounded, const Monitor& monitor) {
-  std::vector<std::optional<RationalPoint>> positions(rounded.size());
-  for_each_index(rounded.size(), monitor, [&](std::size_t i) {
-    const bool is_input = i < boundary.inputs.size();
-    if (is_input && input.has_doubles(boundary.inputs[i])) return;
-    const PointId id = is_input ? boundary.inputs[i] : boundary.constructed[i - boundary.inputs.size()];
+  const auto is_input = [&](std::uint32_t i) { return i < boundary.inputs.size(); };
+  const std::vector<std::uint32_t> candidates =
+      collect(rounded.size(), [&](std::uint32_t i) { return !is_input(i) || !input.has_doubles(boundary.inputs[i]); });
+  std::vector<std::optional<RationalPoint>> positions(candidates.size());
+  for_each_index(candidates.size(), 64, monitor, [&](std::size_t n) {
+    const std::uint32_t i = candidates[n];
+    const PointId id = is_input(i) ? boundary.inputs[i] : boundary.constructed[i - boundary.inputs.size()];
     RationalPoint exact = exact_position(input, boundary.points.point(id));
     for (std::size_t k = 0; k < 3; ++k)
       if (exact[k] != to_rational(rounded[i][k])) {
-        positions[i] = std::move(exact);
+        positions[n] = std::move(exact);
         return;
       }
   });
   std::vector<ExactVertex> result;
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    if (positions[i]) result.push_back({static_cast<std::uint32_t>(i), std::move(*positions[i])});
+  for (std::size_t n = 0; n < positions.size(); ++n)
+    if (positions[n]) result.push_back({candidates[n], std::move(*positions[n])});
   return result;
 }
 
