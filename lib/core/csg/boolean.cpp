@@ -7,14 +7,19 @@
 #include "core/csg/prepared_operands.h"
 #include "core/csg/stopwatch.h"
 #include "core/kernel/counters.h"
+#include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
 #include "core/overlap/candidates.h"
+#include "core/overlap/embedded_stars.h"
 #include "core/overlap/intersect.h"
+#include "core/overlap/self_intersections.h"
+#include "core/overlap/shells.h"
 #include "core/round/rounding.h"
 #include "core/select/extract.h"
 #include "core/select/label.h"
 #include "core/select/subdivide.h"
 #include "core/winding/local_windings.h"
+#include "core/winding/ray_windings.h"
 
 namespace strata {
 namespace {
@@ -63,10 +68,23 @@ void count_tiers(const TierCounts& before, Profile& profile) {
     if (now[i] != before[i]) profile.counts.emplace_back(tier_names[i], now[i] - before[i]);
 }
 
-/// The stages after `prepare`.
-BooleanResult evaluate(const Rule& rule, InputComplex complex, const Options& options, const Monitor& monitor,
-                       Stages& stages) {
+/// The last stages.
+BooleanResult finished(const InputComplex& input, const std::vector<Verdict>& verdicts, Subdivision subdivision,
+                       const Options& options, const Monitor& monitor, Stages& stages) {
   BooleanResult result;
+  Boundary boundary = extract(input, verdicts, std::move(subdivision), monitor);
+  stages.end("extract", 0.9);
+
+  result.mesh.vertices = round_to_doubles(input, boundary, monitor);
+  if (options.exact_vertices) result.exact = exact_positions(input, boundary, result.mesh.vertices, monitor);
+  result.mesh.triangles = std::move(boundary.triangles);
+  result.sources = std::move(boundary.sources);
+  return result;
+}
+
+/// The stages after `prepare`, by cells.
+BooleanResult evaluate_in_cells(const Rule& rule, InputComplex complex, const Options& options, const Monitor& monitor,
+                                Stages& stages) {
   const Candidates candidates = find_candidates(std::move(complex), monitor);
   const InputComplex& input = candidates.input();
   count(candidates, stages.profile());
@@ -84,15 +102,54 @@ BooleanResult evaluate(const Rule& rule, InputComplex complex, const Options& op
 
   const std::vector<Verdict> verdicts = label(input, subdivision, classifier, monitor);
   stages.end("label", 0.85);
+  return finished(input, verdicts, std::move(subdivision), options, monitor, stages);
+}
 
-  Boundary boundary = extract(input, verdicts, std::move(subdivision), monitor);
-  stages.end("extract", 0.9);
+/// The stages after `prepare` for one mesh of which few faces cross: no cells are made, and points are decided for
+/// whole patches.
+BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, const EmbeddedStars& stars,
+                                  std::span<const SelfIntersection> pairs, const Options& options,
+                                  const Monitor& monitor, Stages& stages) {
+  Intersections intersections = intersect(input, pairs, monitor);
+  count(intersections, stages.profile());
+  stages.end("intersect", 0.55);
 
-  result.mesh.vertices = round_to_doubles(input, boundary, monitor);
-  if (options.exact_vertices) result.exact = exact_positions(input, boundary, result.mesh.vertices, monitor);
-  result.mesh.triangles = std::move(boundary.triangles);
-  result.sources = std::move(boundary.sources);
-  return result;
+  const RayWindings windings(input);
+  const Classifier classifier{rule, windings};
+  Subdivision subdivision = subdivide(input, std::move(intersections), classifier, monitor);
+  count(subdivision, stages.profile());
+  stages.end("subdivide", 0.8);
+
+  std::vector<bool> crossing(input.face_count(), false);
+  for (const SelfIntersection& p : pairs) crossing[p.face] = crossing[p.other] = true;
+  const Shells patches = find_patches(input, stars, crossing);
+  const std::vector<Verdict> verdicts = label(input, subdivision, patches, classifier, monitor);
+  stages.end("label", 0.85);
+  return finished(input, verdicts, std::move(subdivision), options, monitor, stages);
+}
+
+/// Of so many faces, pairs that cross are few.
+std::size_t few_pairs(std::size_t faces) { return faces / 8 + 1; }
+
+/// True when vertices are equal only where their numbers are.
+bool has_distinct_vertices(const InputComplex& input) {
+  const std::vector<std::uint32_t> first = equal_vertices(input.points(0));
+  for (std::uint32_t v = 0; v < first.size(); ++v)
+    if (first[v] != v) return false;
+  return true;
+}
+
+BooleanResult evaluate(const Rule& rule, InputComplex complex, const Options& options, const Monitor& monitor,
+                       Stages& stages) {
+  if (complex.operand_count() == 1 && complex.may_self_intersect() && rule.looks_around() && !complex.has_planes() &&
+      has_distinct_vertices(complex)) {
+    const EmbeddedStars stars(complex, monitor);
+    const std::size_t enough = few_pairs(complex.face_count());
+    const std::vector<SelfIntersection> pairs = find_self_intersections(complex, &stars, monitor, enough);
+    stages.end("find_candidates", 0.3);
+    if (pairs.size() < enough) return evaluate_in_patches(rule, complex, stars, pairs, options, monitor, stages);
+  }
+  return evaluate_in_cells(rule, std::move(complex), options, monitor, stages);
 }
 
 /// If all operands satisfy their input classes, the boundary is closed. If it is not closed, this finds the operand

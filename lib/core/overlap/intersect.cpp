@@ -180,4 +180,20 @@ Intersections intersect(const Candidates& candidates, const Monitor& monitor) {
   return all;
 }
 
+Intersections intersect(const InputComplex& input, std::span<const SelfIntersection> pairs, const Monitor& monitor) {
+  constexpr std::size_t at_once = 64;
+  std::vector<PairIntersections> parts((pairs.size() + at_once - 1) / at_once);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t n) {
+    monitor.check();
+    for (const SelfIntersection& p : pairs.subspan(n * at_once, std::min(at_once, pairs.size() - n * at_once))) {
+      ++parts[n].pairs_tested;
+      if (meet_faces(input, FilteredFace(input, 0, p.face), FilteredFace(input, 0, p.other), parts[n]))
+        ++parts[n].pairs_meeting;
+    }
+  });
+  Intersections all = gathered(parts, input, monitor);
+  ensure("intersect", [&] { return validate(input, all); });
+  return all;
+}
+
 }  // namespace strata

@@ -1,10 +1,12 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/overlap/candidates.h"
 #include "core/overlap/constraint.h"
 #include "core/overlap/point_table.h"
+#include "core/overlap/self_intersections.h"
 #include "strata/options.h"
 
 namespace strata {
@@ -22,5 +24,10 @@ struct Intersections {
 /// itself. Each pair is tested in one cell, which owns it (core/cells/theory.md, "Ownership of a pair"). The same
 /// result for any number of threads. The candidates must outlive it. Throws Cancelled.
 [[nodiscard]] Intersections intersect(const Candidates& candidates, const Monitor& monitor);
+
+/// Intersects the given pairs of faces of one operand, each once; all others share nothing but vertices and edges of
+/// both. The same result for any number of threads. The input must outlive it. Throws Cancelled.
+[[nodiscard]] Intersections intersect(const InputComplex& input, std::span<const SelfIntersection> pairs,
+                                      const Monitor& monitor);
 
 }  // namespace strata

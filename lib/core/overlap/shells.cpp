@@ -18,7 +18,7 @@ struct Rest {
 
 /// Around an embedded star, faces are connected across edges that two of them have.
 Rest connect_stars(std::span<const Triangle> faces, std::size_t vertex_count, const EmbeddedStars& stars,
-                   DisjointSets<std::uint32_t>& sets) {
+                   const std::vector<bool>& crossing, DisjointSets<std::uint32_t>& sets) {
   Rest rest;
   std::vector<std::uint32_t> first_face(vertex_count, none);
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
@@ -26,6 +26,7 @@ Rest connect_stars(std::span<const Triangle> faces, std::size_t vertex_count, co
     for (const std::uint32_t v : faces[f]) {
       if (!stars.at(v)) continue;
       ++embedded;
+      if (!crossing.empty() && crossing[f]) continue;
       if (first_face[v] == none)
         first_face[v] = f;
       else
@@ -40,14 +41,17 @@ Rest connect_stars(std::span<const Triangle> faces, std::size_t vertex_count, co
 
 }  // namespace
 
-Shells find_shells(const InputComplex& input, const EmbeddedStars& stars) {
+Shells find_patches(const InputComplex& input, const EmbeddedStars& stars, const std::vector<bool>& crossing) {
   const auto faces = input.faces(0);
+  const auto crosses = [&](std::uint32_t f) { return !crossing.empty() && crossing[f]; };
   DisjointSets<std::uint32_t> sets(faces.size());
-  const Rest rest = connect_stars(faces, input.points(0).size(), stars, sets);
+  const Rest rest = connect_stars(faces, input.points(0).size(), stars, crossing, sets);
   Shells result;
   for_each_edge(edge_table(rest.triangles, input.points(0).size()), [&](std::span<const EdgeUse> uses) {
-    if (uses.size() == 2) sets.unite(rest.faces[uses[0].triangle], rest.faces[uses[1].triangle]);
     result.share_edges = result.share_edges || uses.size() > 2;
+    if (uses.size() != 2) return;
+    const std::uint32_t f = rest.faces[uses[0].triangle], g = rest.faces[uses[1].triangle];
+    if (!crosses(f) && !crosses(g)) sets.unite(f, g);
   });
   result.of_face.resize(faces.size());
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
@@ -56,5 +60,7 @@ Shells find_shells(const InputComplex& input, const EmbeddedStars& stars) {
   }
   return result;
 }
+
+Shells find_shells(const InputComplex& input, const EmbeddedStars& stars) { return find_patches(input, stars, {}); }
 
 }  // namespace strata

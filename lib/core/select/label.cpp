@@ -14,6 +14,18 @@
 namespace strata {
 namespace {
 
+/// The verdict that follows from the winding numbers just above a face.
+Verdict verdict_from(const Rule& rule, std::uint32_t operand, Windings w) {
+  const bool above = rule.inside(w);
+  w.add(operand, 1);
+  return verdict(above, rule.inside(w));
+}
+
+/// At a point in the interior of a face.
+Windings windings_above(const InputComplex& input, const WindingOracle& oracle, std::uint32_t face) {
+  return oracle.above(face, make_point(input, SymbolicPoint::weighted(face, 1)), {&face, 1});
+}
+
 /// Labels the faces of one operand in order; faces with near numbers are often near in space.
 class FaceJudge {
  public:
@@ -62,18 +74,12 @@ class FaceJudge {
 
   /// Decided at a point in the interior.
   [[nodiscard]] Verdict judge_inside(std::uint32_t i) const {
-    const std::uint32_t face = input_.first_face(operand_) + i;
-    Windings w = oracle_.above(face, make_point(input_, SymbolicPoint::weighted(face, 1)), {&face, 1});
+    Windings w = windings_above(input_, oracle_, input_.first_face(operand_) + i);
     if (!self_) w.set(operand_, 0);
     return verdict_of(std::move(w));
   }
 
-  /// The verdict that follows from the winding numbers just above a face.
-  [[nodiscard]] Verdict verdict_of(Windings w) const {
-    const bool above = rule_.inside(w);
-    w.add(operand_, 1);
-    return verdict(above, rule_.inside(w));
-  }
+  [[nodiscard]] Verdict verdict_of(Windings w) const { return verdict_from(rule_, operand_, std::move(w)); }
 
   const InputComplex& input_;
   const WindingOracle& oracle_;
@@ -115,6 +121,27 @@ std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivi
       }
     }
   });
+  ensure("label", [&] { return validate(input, verdicts, subdivision); });
+  return verdicts;
+}
+
+std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivision, const Shells& patches,
+                           const Classifier& classifier, const Monitor& monitor) {
+  constexpr std::uint32_t nothing = 0xffffffffu;
+  std::vector<Verdict> verdicts(input.face_count(), Verdict::drop);
+  std::vector<bool> is_subdivided(verdicts.size(), false);
+  for (const SubdividedFace& s : subdivision.faces) is_subdivided[s.face] = true;
+  std::vector<std::uint32_t> first(patches.count, nothing);
+  for (std::uint32_t f = 0; f < verdicts.size(); ++f)
+    if (std::uint32_t& of_patch = first[patches.of_face[f]]; of_patch == nothing && !is_subdivided[f]) of_patch = f;
+  std::vector<Verdict> of_patch(patches.count, Verdict::drop);
+  tbb::parallel_for(std::uint32_t{0}, patches.count, [&](std::uint32_t p) {
+    monitor.check();
+    if (first[p] != nothing)
+      of_patch[p] = verdict_from(classifier.rule, 0, windings_above(input, classifier.oracle, first[p]));
+  });
+  for (std::uint32_t f = 0; f < verdicts.size(); ++f)
+    if (!is_subdivided[f]) verdicts[f] = of_patch[patches.of_face[f]];
   ensure("label", [&] { return validate(input, verdicts, subdivision); });
   return verdicts;
 }

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "core/kernel/input_complex.h"
+#include "core/overlap/shells.h"
 #include "core/select/classifier.h"
 #include "core/select/subdivide.h"
 #include "strata/options.h"
@@ -14,5 +15,10 @@ namespace strata {
 /// Cancelled.
 [[nodiscard]] std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivision,
                                          const Classifier& classifier, const Monitor& monitor);
+
+/// The same for one operand whose faces meet no others along patches, on each of which the winding numbers are the
+/// same: one point decides for a patch.
+[[nodiscard]] std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivision,
+                                         const Shells& patches, const Classifier& classifier, const Monitor& monitor);
 
 }  // namespace strata

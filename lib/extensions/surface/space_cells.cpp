@@ -125,9 +125,9 @@ std::pair<std::vector<Index>, Index> numbered(std::size_t n, const Representativ
 }
 
 /// Shells and connected sets of walls.
-class Shells {
+class SpaceShells {
  public:
-  Shells(const Walls& walls, const ExactMesh& mesh, const Monitor& monitor) : mesh_(mesh) {
+  SpaceShells(const Walls& walls, const ExactMesh& mesh, const Monitor& monitor) : mesh_(mesh) {
     ConnectedSides connected(walls, mesh.mesh.vertices.size(), monitor);
     const auto [set_of_wall, sets] = numbered(walls.size(), [&](Index w) { return connected.set(w); });
     auto [shell_of_side, shells] = numbered(2 * walls.size(), [&](Index s) { return connected.shell(s); });
@@ -177,7 +177,7 @@ class Shells {
 /// Per set the innermost shell of another set around it, or none.
 class Nesting {
  public:
-  Nesting(const Shells& shells, const ExactMesh& mesh) : shells_(shells), mesh_(mesh) {
+  Nesting(const SpaceShells& shells, const ExactMesh& mesh) : shells_(shells), mesh_(mesh) {
     input_.add(mesh.mesh.vertices, mesh.mesh.triangles, mesh.exact);
     std::vector<Index> walls;
     for (Index k = 0; k < shells.sets(); ++k)
@@ -254,7 +254,7 @@ class Nesting {
     windings[in_front] -= crossing;
   }
 
-  const Shells& shells_;
+  const SpaceShells& shells_;
   const ExactMesh& mesh_;
   InputComplex input_;
   std::vector<Index> walls_;
@@ -264,7 +264,7 @@ class Nesting {
 }  // namespace
 
 SpaceCells find_cells(const Walls& walls, const ExactMesh& mesh, const Monitor& monitor) {
-  const Shells shells(walls, mesh, monitor);
+  const SpaceShells shells(walls, mesh, monitor);
   std::vector<Index> cell(shells.count(), none);
   SpaceCells result;
   for (Index s = 0; s < shells.count(); ++s)

@@ -1,0 +1,123 @@
+#include "core/winding/ray_windings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/kernel/predicates.h"
+#include "core/kernel/ray_crossing.h"
+
+namespace strata {
+namespace {
+
+constexpr std::uint64_t many_cells = 16;
+
+/// The side of a face's plane to which the ray's start counts as moved, or along which the ray runs.
+Sign side_of_ray(const InputComplex& input, std::uint32_t face) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (const Sign s = normal_component(input, face, axis); s != Sign::zero) return s;
+  return Sign::zero;
+}
+
+}  // namespace
+
+RayWindings::RayWindings(const InputComplex& input) : input_(input) {
+  const std::uint32_t count = input.face_count();
+  Box bounds;
+  for (std::uint32_t f = 0; f < count; ++f) bounds.include(box_of(f));
+  width_ = std::clamp<std::uint32_t>(static_cast<std::uint32_t>(std::sqrt(count) / 2), 1, 1024);
+  for (std::size_t i = 0; i < 2; ++i) {
+    origin_[i] = bounds.lower[i + 1];
+    const double cells = width_ / 2.0 / (bounds.upper[i + 1] / 2 - bounds.lower[i + 1] / 2);
+    per_cell_[i] = cells > 0 && cells < Box::infinity ? cells : 0;
+  }
+  const auto for_each_column = [&](std::uint32_t face, const auto& visit) {
+    const Box box = box_of(face);
+    const auto [lower, upper] = cells_of(box.lower[1], box.upper[1], box.lower[2], box.upper[2]);
+    if (std::uint64_t{upper[0] - lower[0] + 1} * (upper[1] - lower[1] + 1) > many_cells) return false;
+    for (std::uint32_t z = lower[1]; z <= upper[1]; ++z)
+      for (std::uint32_t y = lower[0]; y <= upper[0]; ++y) visit(z * width_ + y);
+    return true;
+  };
+  first_.assign(std::size_t{width_} * width_ + 1, 0);
+  for (std::uint32_t f = 0; f < count; ++f)
+    if (!for_each_column(f, [&](std::uint32_t column) { ++first_[column + 1]; })) wide_.push_back(f);
+  for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+  faces_.resize(first_.back());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::uint32_t f = 0; f < count; ++f)
+    for_each_column(f, [&](std::uint32_t column) { faces_[next[column]++] = f; });
+}
+
+/// Monotone, so boxes that meet have a column in common.
+RayWindings::Cells RayWindings::cells_of(double low_y, double high_y, double low_z, double high_z) const {
+  const auto cell = [&](double x, std::size_t i) {
+    const double at = (x - origin_[i]) * per_cell_[i];
+    return at > 0 ? static_cast<std::uint32_t>(std::min(at, width_ - 1.0)) : 0U;
+  };
+  return {{cell(low_y, 0), cell(low_z, 1)}, {cell(high_y, 0), cell(high_z, 1)}};
+}
+
+Box RayWindings::box_of(std::uint32_t face) const {
+  const auto corners = input_.faces(0)[face];
+  Box box;
+  for (const std::uint32_t v : corners) box.include(input_.points(0)[v]);
+  if (input_.has_doubles(corners)) return box;
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.lower[i] = std::nextafter(box.lower[i], -Box::infinity);
+    box.upper[i] = std::nextafter(box.upper[i], Box::infinity);
+  }
+  return box;
+}
+
+std::int32_t RayWindings::crossings(const Point& q) const {
+  Box at;
+  for (std::size_t i = 0; i < 3; ++i) {
+    at.lower[i] = q.at[i].lower();
+    at.upper[i] = q.at[i].upper();
+  }
+  std::int32_t sum = 0;
+  const auto count = [&](std::uint32_t face) {
+    const Box box = box_of(face);
+    if (box.upper[0] < at.lower[0]) return;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (box.lower[i] > at.upper[i] || box.upper[i] < at.lower[i]) return;
+    std::array<Point, 3> corners;
+    const auto vertices = input_.face(face);
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = make_point(input_, SymbolicPoint::input(vertices[i]));
+    sum += crossing_along_x(input_, face, corners, q);
+  };
+  for (const std::uint32_t f : wide_) count(f);
+  const auto [lower, upper] = cells_of(at.lower[1], at.upper[1], at.lower[2], at.upper[2]);
+  if (lower == upper) {
+    const std::uint32_t column = lower[1] * width_ + lower[0];
+    for (std::uint32_t k = first_[column]; k < first_[column + 1]; ++k) count(faces_[k]);
+    return sum;
+  }
+  std::vector<std::uint32_t> near;  // a face may be in several columns
+  for (std::uint32_t z = lower[1]; z <= upper[1]; ++z)
+    for (std::uint32_t y = lower[0]; y <= upper[0]; ++y)
+      near.insert(near.end(), faces_.begin() + first_[z * width_ + y], faces_.begin() + first_[z * width_ + y + 1]);
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  for (const std::uint32_t f : near) count(f);
+  return sum;
+}
+
+Windings RayWindings::around(const Point& q, std::uint32_t own) const {
+  Windings w;
+  if (own != 0) w.add(0, crossings(q));
+  return w;
+}
+
+/// The ray starts at q, moved by an infinitesimal distance across x. If its plane is parallel to the ray, that is beside the
+/// face, on the side which y or else z tells; if not, the ray starts above or below the face at will, and from above is
+/// what is asked for. From below it would go through the covering faces, which `crossings` leaves out.
+Windings RayWindings::above(std::uint32_t face, const Point& q, std::span<const std::uint32_t> covering) const {
+  Windings w;
+  w.add(0, crossings(q));
+  if (side_of_ray(input_, face) == Sign::positive) return w;
+  for (const std::uint32_t g : covering) w.add(0, -to_int(same_orientation(input_, face, g)));
+  return w;
+}
+
+}  // namespace strata

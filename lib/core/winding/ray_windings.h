@@ -1,0 +1,40 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/kernel/box.h"
+#include "core/kernel/input_complex.h"
+#include "core/winding/winding_oracle.h"
+
+namespace strata {
+
+/// Winding numbers about one operand, by rays in the direction of x: for few points of large meshes, where cells are
+/// not worth making. Faces are listed in columns along x. O(n) to make; O(faces in the point's column) per point.
+class RayWindings final : public WindingOracle {
+ public:
+  /// Requires one operand. The input must outlive it.
+  explicit RayWindings(const InputComplex& input);
+
+  [[nodiscard]] Windings around(const Point& q, std::uint32_t own) const override;
+  [[nodiscard]] Windings above(std::uint32_t face, const Point& q,
+                               std::span<const std::uint32_t> covering) const override;
+
+ private:
+  struct Cells {
+    std::array<std::uint32_t, 2> lower, upper;
+  };
+  [[nodiscard]] Cells cells_of(double low_y, double high_y, double low_z, double high_z) const;
+  [[nodiscard]] Box box_of(std::uint32_t face) const;
+  /// The sum over all faces that the ray from q crosses. Faces whose plane contains q count as not crossed.
+  [[nodiscard]] std::int32_t crossings(const Point& q) const;
+
+  const InputComplex& input_;
+  std::uint32_t width_ = 1;
+  std::array<double, 2> origin_{}, per_cell_{};
+  std::vector<std::uint32_t> first_, faces_;  ///< faces of each column
+  std::vector<std::uint32_t> wide_;           ///< those in many columns
+};
+
+}  // namespace strata
