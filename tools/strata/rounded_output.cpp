@@ -109,7 +109,8 @@ RoundedOutput rounded_output(const strata::ExactMesh& exact, Format format, cons
   strata::RoundedMesh rounded = rounded_for_output(exact, *grid, settings, cancel);
   print_rounding(rounded.report, settings);
   Json report = to_json(rounded.report, rounded.mesh);
-  if (!rounded.report.rounded && settings.grid.empty()) return {std::nullopt, std::move(report)};
+  const bool is_rounded_by_writer = format != Format::stl && !rounded.report.rounded && settings.grid.empty();
+  if (is_rounded_by_writer) return {std::nullopt, std::move(report)};
   return {strata::ExactMesh{std::move(rounded.mesh), {}}, std::move(report)};
 }
 

@@ -11,6 +11,7 @@
 #include "core/csg/inspection.h"
 #include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
+#include "core/round/flatten.h"
 #include "core/round/grid_rounding.h"
 #include "core/round/moving_mesh.h"
 #include "core/round/repair.h"
@@ -20,30 +21,43 @@
 namespace strata {
 namespace {
 
-/// Rounds in which vertices take the nearest numbers of the grid. Then each round leaves out more bits.
-constexpr std::uint64_t full_rounds = 60;
-constexpr int bits_per_round = 2;
+/// So often faces are resolved with vertices on the nearest numbers of the grid. Then each time leaves out more bits.
+constexpr int full_resolves = 40;
+constexpr int bits_per_resolve = 2;
 /// Wrong faces are repaired so often before they are resolved.
 constexpr int most_repairs = 3;
 
-int bits_less_in(std::uint64_t round) {
-  return round < full_rounds ? 0 : bits_per_round * static_cast<int>(round - full_rounds + 1);
+int bits_less_in(int resolves) {
+  return resolves < full_resolves ? 0 : bits_per_resolve * (resolves - full_resolves + 1);
 }
 
-/// How far repairs may move something, in units of the grid. After some rounds it grows with each that does not leave
-/// fewer wrong faces than ever before, and soon where there are more and more of them.
+/// How far repairs may move something, in units of the grid. Faces are resolved while that leaves fewer than half of
+/// the wrong ones. Else the reach grows first: once, or a few times where there are more wrong faces than ever before,
+/// since resolving may make more and more of them. Where there are far more, it grows until there are not.
 class Reach {
  public:
-  double after(std::uint64_t round, std::size_t wrong_faces) {
-    constexpr std::uint64_t few_rounds = 8;
-    constexpr std::size_t many = 4;
-    if (round > few_rounds && wrong_faces >= fewest_) reach_ *= wrong_faces / many > fewest_ ? 4 : 2;
+  [[nodiscard]] double now() const { return reach_; }
+
+  /// After repairs: resolve, or repair again with the new reach?
+  bool is_time_to_resolve(std::size_t wrong_faces) {
+    constexpr double growth = 4;
+    constexpr int few_growths = 3;
+    constexpr std::size_t far_more = 8;
+    const bool is_better = wrong_faces <= fewest_ / 2, is_worse = wrong_faces > fewest_;
+    const bool is_far_worse = wrong_faces / far_more > fewest_;
+    if (!is_better && (is_far_worse || growths_ < (is_worse ? few_growths : 1))) {
+      reach_ *= growth;
+      ++growths_;
+      return false;
+    }
     fewest_ = std::min(fewest_, wrong_faces);
-    return reach_;
+    growths_ = 0;
+    return true;
   }
 
  private:
   double reach_ = 1;
+  int growths_ = 0;
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
 };
 
@@ -98,7 +112,7 @@ class SolidRounding {
   RoundedMesh run() {
     MovingMesh moving = nearest();
     RoundingReport report;
-    int repairs = 0;
+    int repairs = 0, resolves = 0;
     for (;;) {
       monitor_.check();
       ChangedRegion region(moving, monitor_);
@@ -109,13 +123,14 @@ class SolidRounding {
         moving.move(met);
         return finished(std::move(moving), report, !met.empty());
       }
-      const double reach = reach_.after(++report.rounds, wrong.size());
-      if (!wrong.empty() && repairs < most_repairs && repair(moving, region, wrong, grid_, reach)) {
+      ++report.rounds;
+      if (!wrong.empty() && repairs < most_repairs && repaired(moving, region, wrong, repairs > 0)) {
         ++repairs;
         continue;
       }
       repairs = 0;
-      if (!resolve_again(moving, report.rounds)) return finished(std::move(moving), report, false);
+      if (!wrong.empty() && !reach_.is_time_to_resolve(wrong.size())) continue;
+      if (!resolve_again(moving, ++resolves)) return finished(std::move(moving), report, false);
     }
   }
 
@@ -139,6 +154,14 @@ class SolidRounding {
     return moving;
   }
 
+  /// Piles of sheets are flattened where other repairs did not suffice.
+  [[nodiscard]] bool repaired(MovingMesh& moving, const ChangedRegion& region, const std::vector<std::uint32_t>& wrong,
+                              bool is_second_time) const {
+    const bool is_changed = repair(moving, region, wrong, grid_, reach_.now());
+    if (is_changed && !is_second_time) return true;
+    return flatten(moving, region, wrong, grid_, reach_.now()) || is_changed;
+  }
+
   /// Vertices that became equal are one; copies of one vertex in the exact mesh stay copies.
   [[nodiscard]] std::vector<VertexMove> vertices_that_met(const MovingMesh& moving, const ChangedRegion& region,
                                                           bool are_those_of_the_exact_mesh) const {
@@ -158,7 +181,7 @@ class SolidRounding {
 
   /// The mesh becomes the regular set of points with a positive winding number, its new vertices rounded. Returns false
   /// if there are none: then it is a solid on the grid.
-  bool resolve_again(MovingMesh& moving, std::uint64_t round) const {
+  bool resolve_again(MovingMesh& moving, int resolves) const {
     MovingMesh::Parts from = std::move(moving).take();
     const Prepared prepared = without_degenerate_faces(from.mesh);
     if (prepared.mesh->triangles.empty()) {
@@ -175,7 +198,7 @@ class SolidRounding {
       source_face.push_back(from.source_face[source]);
       moved.push_back(from.moved[source]);
     }
-    const std::vector<VertexMove> moves = moves_of_new_vertices(result, bits_less_in(round));
+    const std::vector<VertexMove> moves = moves_of_new_vertices(result, bits_less_in(resolves));
     moving = MovingMesh(std::move(result.mesh), std::move(source_face), std::move(moved));
     moving.move(moves);
     return !moves.empty();

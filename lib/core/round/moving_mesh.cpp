@@ -115,6 +115,35 @@ void MovingMesh::cancel(std::span<const std::pair<std::uint32_t, std::uint32_t>>
   has_unused_ = has_unused_ || !opposites.empty();
 }
 
+void MovingMesh::replace(std::span<const std::uint32_t> faces, std::span<const Triangle> by, double way) {
+  Box passed;
+  double moved = 0;
+  for (const std::uint32_t f : faces) {
+    const Triangle t = mesh_.triangles[f];
+    passed.include(box(f));
+    moved = std::max(moved, moved_[f]);
+    for (std::size_t i = 0; i < 3; ++i) lost_sides_.insert(side(t[i], t[(i + 1) % 3]));
+    mesh_.triangles[f] = {t[0], t[0], t[0]};
+  }
+  for (const Triangle& t : by)
+    for (const std::uint32_t v : t) passed.include(mesh_.vertices[v]);
+  if (swept_) swept_->push_back(passed);
+  std::vector<std::uint32_t> added;
+  for (const Triangle& t : by) {
+    added.push_back(static_cast<std::uint32_t>(mesh_.triangles.size()));
+    mesh_.triangles.push_back(t);
+    source_face_.push_back(source_face_[faces.front()]);
+    moved_.push_back(moved + way);
+  }
+  has_unused_ = true;
+  add_changed(std::move(added));
+}
+
+std::uint32_t MovingMesh::add_vertex(const Vertex& at) {
+  mesh_.vertices.push_back(at);
+  return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
+}
+
 void MovingMesh::set_searched(const std::vector<std::uint32_t>& wrong) {
   if (!swept_) changed_ = wrong;
 }

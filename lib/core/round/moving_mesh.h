@@ -48,6 +48,12 @@ class MovingMesh {
   /// Takes pairs of triangles out that have the same vertices, the one the reverse of the other.
   void cancel(std::span<const std::pair<std::uint32_t, std::uint32_t>> opposites);
 
+  /// Replaces some triangles by others with the same boundary, such that a box around all of them contains what is
+  /// between. `way`: at least the distance of any point of the new ones from the former.
+  void replace(std::span<const std::uint32_t> faces, std::span<const Triangle> by, double way);
+  /// A vertex that no triangle has yet.
+  std::uint32_t add_vertex(const Vertex& at);
+
   /// Triangles that were changed since the start, by increasing number; if all of it moved, since the last search.
   [[nodiscard]] const std::vector<std::uint32_t>& changed() const { return changed_; }
   /// Boxes of all that the surface passed; none if that is everywhere.

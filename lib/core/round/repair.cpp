@@ -4,13 +4,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <utility>
 
-#include "core/containers/box_sweep.h"
 #include "core/containers/collect.h"
+#include "core/containers/point_hash.h"
 #include "strata/rational.h"
 
 namespace strata {
@@ -40,38 +42,81 @@ std::vector<Index> vertices_of(const MovingMesh& mesh, std::span<const Index> fa
   return vertices;
 }
 
-/// Pairs of vertices that may be near, the lower one first, in order.
-std::vector<std::pair<Index, Index>> near_pairs(const Mesh& mesh, const std::vector<Index>& vertices,
-                                                const GridRounding& grid, double reach) {
-  std::vector<Box> boxes(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vertex& p = mesh.vertices[vertices[i]];
-    const double half = reach * grid.unit_at(size(p)) / 2;
-    boxes[i].include(Vertex{p[0] - half, p[1] - half, p[2] - half});
-    boxes[i].include(Vertex{p[0] + half, p[1] + half, p[2] + half});
+/// Vertices that stay, in cells by their places. Each is near those that come later and are within its reach.
+class Staying {
+ public:
+  Staying(const std::vector<Vertex>& points, const GridRounding& grid, double reach)
+      : points_(points), grid_(grid), reach_(reach) {}
+
+  /// The lowest number of a vertex that stays and has this one in its reach.
+  [[nodiscard]] std::optional<Index> near(const Vertex& p) const {
+    std::optional<Index> lowest;
+    const auto [low, high] = exponents(p);
+    for (int e = low; e <= high; ++e)
+      for_each_cell(p, e, [&](const Cell& cell) {
+        const auto found = cells_.find(cell);
+        if (found == cells_.end()) return;
+        for (const Index v : found->second)
+          if ((!lowest || v < *lowest) && distance(points_[v], p) <= reach_of(points_[v])) lowest = v;
+      });
+    return lowest;
   }
-  std::vector<std::pair<Index, Index>> near;
-  for_each_overlapping_pair(
-      boxes, [&](Index a, Index b) { near.emplace_back(vertices[std::min(a, b)], vertices[std::max(a, b)]); });
-  std::sort(near.begin(), near.end());
-  return near;
-}
+  void add(Index v) {
+    const int e = exponent(reach_of(points_[v]));
+    lowest_exponent_ = std::min(lowest_exponent_, e);
+    highest_exponent_ = std::max(highest_exponent_, e);
+    cells_[cell_at(points_[v], e)].push_back(v);
+  }
+
+ private:
+  /// Places in cells of 2^(exponent + 1), which are wider than the reach of their vertices.
+  struct Cell {
+    int exponent = 0;
+    Vertex place{};
+    friend bool operator==(const Cell&, const Cell&) = default;
+  };
+  struct CellHash {
+    std::size_t operator()(const Cell& c) const { return hash_of(c.place) + static_cast<std::size_t>(c.exponent); }
+  };
+
+  [[nodiscard]] double reach_of(const Vertex& p) const {
+    return std::min(reach_ * grid_.unit_at(size(p)), std::numeric_limits<double>::max());
+  }
+  static int exponent(double reach) { return std::ilogb(reach); }
+  /// Of vertices that may have p in their reach. Where this is short, they are about as large as p.
+  [[nodiscard]] std::pair<int, int> exponents(const Vertex& p) const {
+    constexpr double short_reach = 0x1p20;
+    if (reach_ > short_reach) return {lowest_exponent_, highest_exponent_};
+    return {std::max(lowest_exponent_, exponent(reach_ * grid_.unit_at(size(p) / 2))),
+            std::min(highest_exponent_, exponent(reach_ * grid_.unit_at(size(p) + 2 * reach_of(p))))};
+  }
+  static double cell_of(double x, int e) { return std::floor(std::ldexp(x, -(e + 1))); }
+  static Cell cell_at(const Vertex& p, int e) { return {e, {cell_of(p[0], e), cell_of(p[1], e), cell_of(p[2], e)}}; }
+  template <class Visit>
+  static void for_each_cell(const Vertex& p, int e, const Visit& visit) {
+    const Cell middle = cell_at(p, e);
+    for (int n = 0; n < 27; ++n)
+      visit(Cell{e, {middle.place[0] + n % 3 - 1, middle.place[1] + n / 3 % 3 - 1, middle.place[2] + n / 9 - 1}});
+  }
+
+  const std::vector<Vertex>& points_;
+  const GridRounding& grid_;
+  double reach_;
+  int lowest_exponent_ = std::numeric_limits<int>::max(), highest_exponent_ = std::numeric_limits<int>::min();
+  std::unordered_map<Cell, std::vector<Index>, CellHash> cells_;
+};
 
 bool join_near_vertices(MovingMesh& mesh, std::span<const Index> wrong, const GridRounding& grid, double reach) {
-  enum class State : std::uint8_t { free, stays, goes };
   const std::vector<Vertex>& points = mesh.mesh().vertices;
-  std::map<Index, State> states;
+  Staying staying(points, grid, reach);
   std::vector<VertexMove> moves;
-  for (const auto& [stays, goes] : near_pairs(mesh.mesh(), vertices_of(mesh, wrong), grid, reach)) {
-    State &first = states[stays], &second = states[goes];
-    if (first == State::goes || second != State::free) continue;
-    const double way = distance(points[stays], points[goes]);
-    if (way > reach * grid.unit_at(size(points[stays]))) continue;
-    first = State::stays;
-    second = State::goes;
-    moves.push_back({goes, stays, points[stays], way});
+  for (const Index v : vertices_of(mesh, wrong)) {
+    if (const auto stays = staying.near(points[v])) {
+      moves.push_back({v, *stays, points[*stays], distance(points[*stays], points[v])});
+    } else {
+      staying.add(v);
+    }
   }
-  std::sort(moves.begin(), moves.end(), [](const VertexMove& a, const VertexMove& b) { return a.vertex < b.vertex; });
   mesh.move(moves);
   return !moves.empty();
 }
@@ -113,16 +158,18 @@ double distance_to(const Vertex& p, const Vertex& a, const Vertex& b, double t) 
 
 std::optional<Cap> cap_of(const MovingMesh& mesh, Index face, const GridRounding& grid, double reach) {
   const Triangle& t = mesh.mesh().triangles[face];
-  const auto point = [&](std::size_t k) { return mesh.mesh().vertices[t[k % 3]]; };
+  const auto point = [&](std::size_t k) -> const Vertex& { return mesh.mesh().vertices[t[k % 3]]; };
+  double scale = 0;  // keeps squares from overflow and underflow
+  for (std::size_t k = 0; k < 3; ++k) scale = std::max(scale, distance(point(k + 1), point(k + 2)));
+  if (!(scale > 0) || !std::isfinite(scale)) return {};
+  const auto scaled = [&](const Vertex& from, const Vertex& to, std::size_t i) { return (to[i] - from[i]) / scale; };
   std::array<double, 3> squares{};  // of the sides opposite to each corner
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vertex a = point(k + 1), b = point(k + 2);
-    for (std::size_t i = 0; i < 3; ++i) squares[k] += (b[i] - a[i]) * (b[i] - a[i]);
-  }
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 3; ++i) squares[k] += std::pow(scaled(point(k + 1), point(k + 2), i), 2);
   const auto corner = static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
-  const Vertex c = point(corner), a = point(corner + 1), b = point(corner + 2);
+  const Vertex &c = point(corner), &a = point(corner + 1), &b = point(corner + 2);
   double along = 0;
-  for (std::size_t i = 0; i < 3; ++i) along += (c[i] - a[i]) * (b[i] - a[i]);
+  for (std::size_t i = 0; i < 3; ++i) along += scaled(a, c, i) * scaled(a, b, i);
   const double at = along / squares[corner];
   if (!(at > 0 && at < 1)) return {};
   Vertex foot;

@@ -83,20 +83,24 @@ std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor) {
   const ZeroAreaTest has_no_area(part_);
   const auto is_flat = [&](std::uint32_t f) { return repeats_vertex(part_.triangles[f]) || has_no_area(f); };
   const std::vector<std::uint32_t> flat = collect(faces_.size(), is_flat);
-  std::vector<SelfIntersection> pairs;
   std::vector<std::uint32_t> wrong = flat;
   if (flat.empty()) {
     const InputComplex complex = complex_of(part_.vertices, part_.triangles);
     if (is_all()) stars_.emplace(complex, monitor);
-    pairs = find_self_intersections(complex, stars_ ? &*stars_ : nullptr, monitor, most_pairs);
-    for (const SelfIntersection& s : pairs) wrong.insert(wrong.end(), {s.face, s.other});
+    for (const auto& s : find_self_intersections(complex, stars_ ? &*stars_ : nullptr, monitor, most_pairs))
+      pairs_.emplace_back(s.face, s.other);
   } else {
     const std::vector<std::uint32_t> sound =
         collect(faces_.size(), [&](std::uint32_t f) { return !std::binary_search(flat.begin(), flat.end(), f); });
     std::vector<Triangle> triangles;
     for (const std::uint32_t f : sound) triangles.push_back(part_.triangles[f]);
-    pairs = find_self_intersections(complex_of(part_.vertices, triangles), nullptr, monitor, most_pairs);
-    for (const SelfIntersection& s : pairs) wrong.insert(wrong.end(), {sound[s.face], sound[s.other]});
+    for (const auto& s : find_self_intersections(complex_of(part_.vertices, triangles), nullptr, monitor, most_pairs))
+      pairs_.emplace_back(sound[s.face], sound[s.other]);
+  }
+  for (auto& [f, g] : pairs_) {
+    wrong.insert(wrong.end(), {f, g});
+    f = faces_[f];
+    g = faces_[g];
   }
   std::sort(wrong.begin(), wrong.end());
   wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());

@@ -22,6 +22,9 @@ class ChangedRegion {
   /// least one if there is one; all, as a rule, but no more than can be handled. Exact.
   [[nodiscard]] std::vector<std::uint32_t> wrong_faces(const Monitor& monitor);
 
+  /// Of these, the pairs that meet, if it was called.
+  [[nodiscard]] const std::vector<std::pair<std::uint32_t, std::uint32_t>>& wrong_pairs() const { return pairs_; }
+
   /// True where it is certain that winding numbers are 0 and 1 everywhere, as they were at the start. Requires that no
   /// faces are wrong. See round/theory.md.
   [[nodiscard]] bool keeps_windings() const;
@@ -43,6 +46,7 @@ class ChangedRegion {
   const MovingMesh& mesh_;
   std::vector<std::uint32_t> faces_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> equal_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
   Mesh part_;  ///< those faces; equal vertices are one
   std::optional<EmbeddedStars> stars_;
   std::vector<std::uint32_t> vertices_;  ///< the mesh's number of each of its vertices

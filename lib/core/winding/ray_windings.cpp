@@ -109,9 +109,9 @@ Windings RayWindings::around(const Point& q, std::uint32_t own) const {
   return w;
 }
 
-/// The ray starts at q, moved by an infinitesimal distance across x. If its plane is parallel to the ray, that is beside the
-/// face, on the side which y or else z tells; if not, the ray starts above or below the face at will, and from above is
-/// what is asked for. From below it would go through the covering faces, which `crossings` leaves out.
+/// The ray starts at q, moved by an infinitesimal distance across x. If its plane is parallel to the ray, that is
+/// beside the face, on the side which y or else z tells; if not, the ray starts above or below the face at will, and
+/// from above is what is asked for. From below it would go through the covering faces, which `crossings` leaves out.
 Windings RayWindings::above(std::uint32_t face, const Point& q, std::span<const std::uint32_t> covering) const {
   Windings w;
   w.add(0, crossings(q));

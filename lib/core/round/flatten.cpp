@@ -1,0 +1,324 @@
+#include "core/round/flatten.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "core/exact/double_double.h"
+#include "core/mesh/planar_chain.h"
+#include "core/mesh/planar_levels.h"
+#include "core/mesh/planar_points.h"
+#include "core/mesh/polygon_sweep.h"
+
+namespace strata {
+namespace {
+
+using Index = std::uint32_t;
+
+double size(const Vertex& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
+
+/// A plane through a point, by doubles. The normal's largest component is 1 or -1.
+struct ViewedPlane {
+  Vertex at{}, normal{};
+  std::size_t axis = 0;  ///< of that component: along which the plane is seen
+  double area = 0;       ///< of the triangle, about
+
+  ViewedPlane() = default;
+  ViewedPlane(const Vertex& a, const Vertex& b, const Vertex& c) : at(a) {
+    Vertex u{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    const double scale = std::max(size(u), size(v));
+    if (!(scale > 0) || !std::isfinite(scale)) return;
+    for (double& x : u) x /= scale;
+    for (double& x : v) x /= scale;
+    for (std::size_t i = 0; i < 3; ++i)
+      normal[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
+    const double largest = size(normal);
+    area = largest * scale * scale;
+    if (!(largest > 0)) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+      normal[i] /= largest;
+      if (std::abs(normal[i]) == 1) axis = i;
+    }
+  }
+
+  /// At least how far a point is from the plane, along the axis.
+  [[nodiscard]] double height(const Vertex& p) const {
+    DoubleDouble h;
+    for (std::size_t i = 0; i < 3; ++i) h = h + DoubleDouble(normal[i]) * (DoubleDouble(p[i]) - DoubleDouble(at[i]));
+    return (std::abs(h.value) + std::abs(h.low) + h.error) * Bounded::slack;
+  }
+};
+
+/// Faces near one plane.
+struct Pile {
+  ViewedPlane plane;
+  std::vector<Index> faces;
+  double thickness = 0;
+};
+
+/// Finds piles among some faces, which are connected by common vertices and by some pairs.
+class Piles {
+ public:
+  Piles(const MovingMesh& mesh, const std::vector<Index>& faces, const std::vector<std::pair<Index, Index>>& pairs)
+      : mesh_(mesh) {
+    for (const Index f : faces)
+      if (mesh.is_left(f)) faces_.push_back(f);
+    connect(pairs);
+  }
+
+  /// The pile about the plane of a face, without faces of the list `taken`, to which its faces are added.
+  [[nodiscard]] Pile pile_of(Index face, const ViewedPlane& plane, double unit, std::vector<bool>& taken) const {
+    Pile pile{plane, {}, 0};
+    const auto seed = number(face);
+    if (!seed) return pile;
+    std::vector<std::size_t> waiting{*seed};
+    taken[face] = true;
+    while (!waiting.empty()) {
+      const std::size_t n = waiting.back();
+      waiting.pop_back();
+      double height = 0;
+      for (const Index v : mesh_.mesh().triangles[faces_[n]]) height = std::max(height, plane.height(point(v)));
+      if (!(height <= 4 * unit)) {
+        far_.push_back(faces_[n]);
+        continue;
+      }
+      pile.thickness = std::max(pile.thickness, 2 * height);
+      pile.faces.push_back(faces_[n]);
+      for (const std::size_t m : neighbours_[n]) {
+        if (taken[faces_[m]]) continue;
+        taken[faces_[m]] = true;
+        waiting.push_back(m);
+      }
+    }
+    for (const Index f : far_) taken[f] = false;
+    far_.clear();
+    std::sort(pile.faces.begin(), pile.faces.end());
+    return pile;
+  }
+
+ private:
+  [[nodiscard]] const Vertex& point(Index v) const { return mesh_.mesh().vertices[v]; }
+
+  [[nodiscard]] std::optional<std::size_t> number(Index face) const {
+    const auto found = std::lower_bound(faces_.begin(), faces_.end(), face);
+    if (found == faces_.end() || *found != face) return {};
+    return static_cast<std::size_t>(found - faces_.begin());
+  }
+  void connect(const std::vector<std::pair<Index, Index>>& pairs) {
+    neighbours_.resize(faces_.size());
+    std::vector<std::pair<Index, std::size_t>> corners;
+    for (std::size_t n = 0; n < faces_.size(); ++n)
+      for (const Index v : mesh_.mesh().triangles[faces_[n]]) corners.emplace_back(v, n);
+    std::sort(corners.begin(), corners.end());
+    for (std::size_t i = 1; i < corners.size(); ++i)
+      if (corners[i - 1].first == corners[i].first) connect(corners[i - 1].second, corners[i].second);
+    for (const auto& [f, g] : pairs)
+      if (const auto a = number(f), b = number(g); a && b) connect(*a, *b);
+  }
+  void connect(std::size_t a, std::size_t b) {
+    neighbours_[a].push_back(b);
+    neighbours_[b].push_back(a);
+  }
+
+  const MovingMesh& mesh_;
+  std::vector<Index> faces_;
+  std::vector<std::vector<std::size_t>> neighbours_;
+  mutable std::vector<Index> far_;
+};
+
+bool is_same(const facets::Chain& a, const facets::Chain& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const facets::NetEdge& e, const facets::NetEdge& f) {
+    return e.low == f.low && e.high == f.high && e.count == f.count;
+  });
+}
+
+constexpr facets::Projection axes{0, 1};
+
+/// What a pile is replaced by. Corners are numbers of vertices or, from the count of all vertices on, of new ones.
+struct Filling {
+  std::vector<Triangle> triangles;
+  std::vector<Vertex> added;
+};
+
+/// A pile as it is seen along the axis of its plane. Its corners are named by their places there.
+class View {
+ public:
+  View(const Mesh& mesh, const Pile& pile) : mesh_(mesh), plane_(pile.plane) {
+    for (const Index f : pile.faces) corners_.insert(corners_.end(), mesh.triangles[f].begin(), mesh.triangles[f].end());
+    std::sort(corners_.begin(), corners_.end());
+    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+    std::vector<Vertex> seen;
+    for (const Index c : corners_) seen.push_back({mesh.vertices[c][first()], mesh.vertices[c][second()], 0});
+    std::vector<Index> names;
+    points_.emplace(facets::homogeneous(seen), names);
+    vertex_of_name_.resize(points_->size());
+    for (std::size_t n = 0; n < corners_.size(); ++n) vertex_of_name_[names[n]] = corners_[n];
+    std::vector<facets::Side> sides;
+    const auto name = [&](Index v) {
+      return names[static_cast<std::size_t>(std::lower_bound(corners_.begin(), corners_.end(), v) - corners_.begin())];
+    };
+    for (const Index f : pile.faces)
+      for (std::size_t k = 0; k < 3; ++k)
+        sides.push_back({name(mesh.triangles[f][k]), name(mesh.triangles[f][(k + 1) % 3])});
+    boundary_ = facets::net_chain(*points_, sides);
+  }
+
+  /// What fills the boundary; none if that would need other vertices, which are made if `may_divide`.
+  [[nodiscard]] std::optional<Filling> filling(const GridRounding& grid, bool may_divide) {
+    if (points_->size() != corners_.size()) return {};  // two vertices are seen as one
+    Filling filling;
+    if (boundary_.empty()) return filling;
+    facets::Chain divided = facets::cut_at_contacts(*points_, axes, boundary_);
+    divided = facets::cut_at_crossings(*points_, axes, divided);
+    if (!is_same(divided, boundary_)) {
+      constexpr std::size_t most_tests = 1 << 20;
+      if (!may_divide || boundary_.size() * points_->size() > most_tests) return {};
+      const std::size_t corner_count = vertex_of_name_.size();
+      add_vertices(grid, filling.added);
+      add_flat_triangles(division_points(corner_count), filling.triangles);
+    }
+    fill(divided, filling.triangles);
+    return filling;
+  }
+
+ private:
+  [[nodiscard]] std::size_t first() const { return (plane_.axis + 1) % 3; }
+  [[nodiscard]] std::size_t second() const { return (plane_.axis + 2) % 3; }
+
+  /// The crossings, on the plane, rounded.
+  void add_vertices(const GridRounding& grid, std::vector<Vertex>& added) {
+    for (auto n = static_cast<Index>(vertex_of_name_.size()); n < points_->size(); ++n) {
+      const HPoint<Integer>& p = (*points_)[n];
+      Vertex at{};
+      at[first()] = to_nearest_double(Rational(p.x) / Rational(p.w));
+      at[second()] = to_nearest_double(Rational(p.y) / Rational(p.w));
+      at[plane_.axis] = plane_.at[plane_.axis] -
+                        (plane_.normal[first()] * (at[first()] - plane_.at[first()]) +
+                         plane_.normal[second()] * (at[second()] - plane_.at[second()])) /
+                            plane_.normal[plane_.axis];
+      vertex_of_name_.push_back(static_cast<Index>(mesh_.vertices.size() + added.size()));
+      added.push_back(grid(at, 0));
+    }
+  }
+
+  /// The points at which the boundary is divided, by place, each once: ends of its sides, and where these cross.
+  [[nodiscard]] std::vector<Index> division_points(std::size_t corner_count) const {
+    std::vector<bool> divides(points_->size(), false);
+    for (const facets::NetEdge& e : boundary_) divides[e.low] = divides[e.high] = true;
+    for (std::size_t n = corner_count; n < divides.size(); ++n) divides[n] = true;
+    std::vector<Index> by_place(points_->size());
+    for (Index n = 0; n < by_place.size(); ++n) by_place[n] = n;
+    std::sort(by_place.begin(), by_place.end(), [&](Index a, Index b) {
+      const int order = points_->compare(a, b);
+      return order != 0 ? order < 0 : a < b;
+    });
+    std::vector<Index> found;
+    for (std::size_t begin = 0, end = 0; begin < by_place.size(); begin = end) {
+      bool is_wanted = false;
+      for (; end < by_place.size() && points_->compare(by_place[begin], by_place[end]) == 0; ++end)
+        is_wanted = is_wanted || divides[by_place[end]];
+      if (is_wanted) found.push_back(by_place[begin]);  // the lowest name of the place
+    }
+    return found;
+  }
+
+  /// Between each side of the boundary and the parts into which others divide it. Seen along the axis, they have no area.
+  void add_flat_triangles(const std::vector<Index>& division, std::vector<Triangle>& triangles) const {
+    for (const facets::NetEdge& e : boundary_) {
+      std::vector<Index> on;
+      for (const Index n : division)
+        if (points_->compare(e.low, n) < 0 && points_->compare(n, e.high) < 0 &&
+            facets::orientation(*points_, axes, e.low, e.high, n) == 0)
+          on.push_back(n);
+      on.push_back(e.high);
+      for (std::size_t i = 1; i < on.size(); ++i)
+        for (std::int64_t k = 0; k < std::abs(e.count); ++k) {
+          Triangle t{vertex_of_name_[e.low], vertex_of_name_[on[i]], vertex_of_name_[on[i - 1]]};
+          if (e.count < 0) std::swap(t[1], t[2]);
+          triangles.push_back(t);
+        }
+    }
+  }
+
+  void fill(const facets::Chain& chain, std::vector<Triangle>& triangles) const {
+    std::vector<Index> by_place(points_->size()), rank(points_->size());
+    for (Index n = 0; n < by_place.size(); ++n) by_place[n] = n;
+    std::sort(by_place.begin(), by_place.end(), [&](Index a, Index b) { return points_->compare(a, b) < 0; });
+    for (Index n = 0; n < by_place.size(); ++n) rank[by_place[n]] = n;
+    for (const facets::Region& region : facets::covered_regions(*points_, axes, chain)) {
+      const bool is_front = region.facing == facets::Facing::front;
+      std::vector<PolygonSide> sides;
+      for (const facets::Side& s : region.sides)
+        sides.push_back(is_front ? PolygonSide{rank[s.from], rank[s.to]} : PolygonSide{rank[s.to], rank[s.from]});
+      PolygonSweep sweep(sides, [&](Index a, Index b, Index c) {
+        return static_cast<Sign>(facets::orientation(*points_, axes, by_place[a], by_place[b], by_place[c]));
+      });
+      for (Triangle t : sweep.divide()) {
+        for (Index& v : t) v = vertex_of_name_[by_place[v]];
+        if (!is_front) std::swap(t[1], t[2]);
+        triangles.push_back(t);
+      }
+    }
+  }
+
+  const Mesh& mesh_;
+  const ViewedPlane& plane_;
+  std::vector<Index> corners_;  ///< vertices
+  std::optional<facets::PointTable> points_;
+  std::vector<Index> vertex_of_name_;
+  facets::Chain boundary_;
+};
+
+std::optional<Filling> filling_of(const Mesh& mesh, const Pile& pile, const GridRounding& grid, bool may_divide) {
+  if (pile.faces.size() < 2) return {};
+  try {
+    std::optional<Filling> filling = View(mesh, pile).filling(grid, may_divide);
+    const std::size_t most = may_divide ? 2 * pile.faces.size() : pile.faces.size() - 1;
+    if (filling && filling->triangles.size() > most) return {};
+    return filling;
+  } catch (const NoRegion&) {
+    return {};  // its boundary overlaps itself
+  }
+}
+
+}  // namespace
+
+bool flatten(MovingMesh& mesh, const ChangedRegion& region, const std::vector<Index>& wrong, const GridRounding& grid,
+             double reach) {
+  struct Seed {
+    Index face;
+    ViewedPlane plane;
+  };
+  std::vector<Seed> seeds;
+  for (const Index f : wrong) {
+    const auto& [a, b, c] = mesh.mesh().triangles[f];
+    const std::vector<Vertex>& points = mesh.mesh().vertices;
+    if (mesh.is_left(f)) seeds.push_back({f, ViewedPlane(points[a], points[b], points[c])});
+  }
+  std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.plane.area > b.plane.area; });
+
+  struct Attempt {
+    const std::vector<Index>& among;
+    bool may_divide;
+  };
+  bool is_changed = false;
+  for (const auto& [among, may_divide] : {Attempt{wrong, false}, Attempt{region.faces(), false}, Attempt{wrong, true}}) {
+    const Piles piles(mesh, among, region.wrong_pairs());
+    std::vector<bool> taken(mesh.mesh().triangles.size(), false);
+    for (const Seed& seed : seeds) {
+      if (taken[seed.face] || !mesh.is_left(seed.face) || !(seed.plane.area > 0)) continue;
+      const double unit = grid.unit_at(size(seed.plane.at));
+      const Pile pile = piles.pile_of(seed.face, seed.plane, reach * unit, taken);
+      const auto filling = filling_of(mesh.mesh(), pile, grid, may_divide);
+      if (!filling) continue;
+      for (const Vertex& v : filling->added) (void)mesh.add_vertex(v);
+      mesh.replace(pile.faces, filling->triangles, pile.thickness + (filling->added.empty() ? 0 : unit));
+      is_changed = true;
+    }
+    if (is_changed) break;
+  }
+  return is_changed;
+}
+
+}  // namespace strata
