@@ -54,7 +54,8 @@ struct RoundedMesh {
 /// joined, flat triangles are flipped. What is wrong still is resolved exactly, as by `resolve`, and the vertices that
 /// this makes are rounded in turn. Triangles that meet nothing stay as they are. Where the grid cannot hold a feature,
 /// it vanishes: of a plate thinner than the grid nothing may be left, and the report says so. It ends for every input:
-/// late rounds leave out bits. In practice two or three rounds do, and nothing moves by more than a few units.
+/// late rounds leave out bits. In practice two to ten rounds do, and nothing moves by more than a few units; where
+/// large faces lie on each other within some units, it may be as many units as there are sheets, or more.
 ///
 /// Laws: a mesh on the grid that bounds a solid is not changed; rounding the result again gives the result. Same bytes
 /// for any number of threads. Requires that `mesh` bounds a solid, as ExactMesh of a Solid does. Of the options,

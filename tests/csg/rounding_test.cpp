@@ -9,6 +9,7 @@
 
 #include "strata/check.h"
 #include "strata/errors.h"
+#include "strata/primitives.h"
 #include "strata/solid.h"
 #include "support/shapes.h"
 
@@ -188,6 +189,94 @@ TEST_CASE("a fan of sheets about one edge", "[csg][rounding]") {
   check_rounded(turned.exact_mesh(), {});
   check_rounded(turned.exact_mesh(), floats());
   check_rounded(turned.exact_mesh(), steps(Rational(1, 64)));
+}
+
+namespace {
+
+/// A prism over a triangle: six vertices, the three lower ones first.
+Solid wedge(const std::vector<Vertex>& vertices) {
+  return Solid(
+      Mesh{vertices, {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}, {0, 2, 1}, {3, 4, 5}}});
+}
+
+}  // namespace
+
+TEST_CASE("two wedges of a few units, nearly in one plane", "[csg][rounding][regression]") {
+  // Each time that they were resolved there were more crossings.
+  const Solid a = wedge({{0.46816141303677655, -0.5836521165964841, -1.0948851548382337},
+                         {1.394741994329219, -0.29687174087767937, -0.8515634696674691},
+                         {1.3947419943292187, -0.29687174087767854, -0.8515634696674697},
+                         {-0.6203619086514246, 0.7733989409584163, 1.450835172432719},
+                         {0.30621867264101776, 1.060179316677221, 1.6941568576034836},
+                         {0.30621867264101765, 1.060179316677222, 1.6941568576034831}});
+  const Solid b = wedge({{0.571285817412974, -0.7122162724855796, -1.3360613310647949},
+                         {1.4978663987054162, -0.4254358967667723, -1.092739645894032},
+                         {1.497866398705416, -0.42543589676677146, -1.0927396458940324},
+                         {-0.6493504666022556, 0.8095386840767865, 1.518630468834132},
+                         {0.27723011469018644, 1.0963190597955939, 1.761952154004895},
+                         {0.2772301146901863, 1.0963190597955947, 1.7619521540048946}});
+  for (const Solid& solid : {a | b, a ^ b, a - b}) {
+    const RoundedMesh r = check_rounded(solid.exact_mesh(), {});
+    CHECK(r.report.rounds < 40);
+    CHECK(r.report.largest_movement < 1e-12);
+  }
+}
+
+TEST_CASE("wedges of a small angle and a ball through them", "[csg][rounding][regression]") {
+  // The reach of repairs grew until the ball had vanished.
+  const Solid a = wedge({{0.23932441151202719, -1.1925029375677845, 0.5933465221860951},
+                         {0.6197993217486554, -0.7204599439647872, 1.3885912988874265},
+                         {0.6197993217486645, -0.7204599439647875, 1.3885912988874223},
+                         {-0.2909386085399539, 1.4496855675683678, -0.7213113382634101},
+                         {0.08953630169667424, 1.921728561171365, 0.0739334384379212},
+                         {0.08953630169668335, 1.9217285611713648, 0.07393343843791698}});
+  const Solid b = wedge({{0.21556065365259547, -1.074093156985925, 0.534430079058196},
+                         {0.5960355638892509, -0.6020501633829283, 1.3296748557595146},
+                         {0.5960355638892599, -0.6020501633829286, 1.3296748557595104},
+                         {-0.3430636148996842, 1.7094134524590154, -0.8505425815246924},
+                         {0.037411295336971254, 2.181456446062012, -0.05529780482337369},
+                         {0.0374112953369803, 2.1814564460620116, -0.05529780482337791}});
+  Mesh ball = make_sphere(1e-4, 8).mesh();
+  for (Vertex& v : ball.vertices) v = {v[0] + 0.2, v[1] + 0.3, v[2] + 0.2};
+  const Solid solid = a ^ b ^ Solid(ball);
+  const RoundedMesh r = check_rounded(solid.exact_mesh(), {});
+  CHECK(r.report.rounds < 80);
+  CHECK(r.report.largest_movement < 1e-9);
+  CHECK((Solid(r.mesh) & Solid(ball)).volume() > Solid(ball).volume() * Rational(99, 100));
+}
+
+TEST_CASE("two solids and their copies of other magnitudes round alike", "[csg][rounding][regression]") {
+  for (const int exponent : {-530, 0, 530}) {
+    Mesh a = make_sphere(1, 14).mesh(), b = a;
+    for (Vertex& v : a.vertices)
+      v = {std::ldexp(v[0], exponent), std::ldexp(v[1], exponent), std::ldexp(v[2], exponent)};
+    for (Vertex& v : b.vertices)
+      v = {std::ldexp(v[0] - 1e-15 * v[1], exponent), std::ldexp(v[1] + 1e-15 * v[0], exponent),
+           std::ldexp(v[2], exponent)};
+    const RoundedMesh r = check_rounded((Solid(a) ^ Solid(b)).exact_mesh(), {});
+    CHECK(r.report.rounds < 30);
+    CHECK(r.report.largest_movement < 100 * r.report.unit);
+  }
+}
+
+TEST_CASE("a ball within one unit vanishes, however many vertices it has", "[csg][rounding][regression]") {
+  Mesh ball = make_sphere(1e-8, 200).mesh();
+  for (Vertex& v : ball.vertices) v[0] += 1;
+  CHECK(check_rounded({ball, {}}, floats()).mesh.triangles.empty());
+}
+
+TEST_CASE("shells that rounding turns inside out are gone", "[csg][rounding]") {
+  // A flat pyramid, whose top goes below its base, far from a cube and within one.
+  const Solid cube = box({0, 0, 0}, {8, 8, 8});
+  Mesh flat = test::tetrahedron({2, 2, 2}, {6, 2, 2}, {2, 6, 2}, {3, 3, 2.4});
+  for (const double z : {-20.0, 0.0}) {
+    Mesh moved = flat;
+    for (Vertex& v : moved.vertices) v[2] += z;
+    const Solid part(moved);
+    const Solid solid = z == 0 ? cube - part : cube | part;
+    const RoundedMesh r = check_rounded(solid.exact_mesh(), steps(1));
+    CHECK(Solid(r.mesh) == cube);
+  }
 }
 
 TEST_CASE("same bytes for any number of threads", "[csg][rounding]") {

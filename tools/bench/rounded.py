@@ -89,8 +89,11 @@ def main():
             own = folder / "own.off"
             if run("resolve", corpus / mesh, "-o", own, "-q").returncode != 0:
                 continue
+            points, faces = read_off(own)
+            if not points:
+                continue
             files += 1
-            for other in second_operands(folder, *read_off(own)):
+            for other in second_operands(folder, points, faces):
                 for operation in OPERATIONS:
                     for kind in ("ply", "stl"):
                         result, report = folder / f"result.{kind}", folder / "report.json"

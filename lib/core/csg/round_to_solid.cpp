@@ -40,13 +40,13 @@ class Reach {
 
   /// After repairs: resolve, or repair again with the new reach?
   bool is_time_to_resolve(std::size_t wrong_faces) {
-    constexpr double growth = 4;
+    constexpr double growth = 4, largest = 0x1p1000;
     constexpr int few_growths = 3;
     constexpr std::size_t far_more = 8;
     const bool is_better = wrong_faces <= fewest_ / 2, is_worse = wrong_faces > fewest_;
     const bool is_far_worse = wrong_faces / far_more > fewest_;
     if (!is_better && (is_far_worse || growths_ < (is_worse ? few_growths : 1))) {
-      reach_ *= growth;
+      reach_ = std::min(growth * reach_, largest);
       ++growths_;
       return false;
     }

@@ -31,8 +31,7 @@ struct ViewedPlane {
     if (!(scale > 0) || !std::isfinite(scale)) return;
     for (double& x : u) x /= scale;
     for (double& x : v) x /= scale;
-    for (std::size_t i = 0; i < 3; ++i)
-      normal[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
+    for (std::size_t i = 0; i < 3; ++i) normal[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
     const double largest = size(normal);
     area = largest * scale * scale;
     if (!(largest > 0)) return;
@@ -145,7 +144,8 @@ struct Filling {
 class View {
  public:
   View(const Mesh& mesh, const Pile& pile) : mesh_(mesh), plane_(pile.plane) {
-    for (const Index f : pile.faces) corners_.insert(corners_.end(), mesh.triangles[f].begin(), mesh.triangles[f].end());
+    for (const Index f : pile.faces)
+      corners_.insert(corners_.end(), mesh.triangles[f].begin(), mesh.triangles[f].end());
     std::sort(corners_.begin(), corners_.end());
     corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
     std::vector<Vertex> seen;
@@ -193,10 +193,9 @@ class View {
       Vertex at{};
       at[first()] = to_nearest_double(Rational(p.x) / Rational(p.w));
       at[second()] = to_nearest_double(Rational(p.y) / Rational(p.w));
-      at[plane_.axis] = plane_.at[plane_.axis] -
-                        (plane_.normal[first()] * (at[first()] - plane_.at[first()]) +
-                         plane_.normal[second()] * (at[second()] - plane_.at[second()])) /
-                            plane_.normal[plane_.axis];
+      at[plane_.axis] = plane_.at[plane_.axis] - (plane_.normal[first()] * (at[first()] - plane_.at[first()]) +
+                                                  plane_.normal[second()] * (at[second()] - plane_.at[second()])) /
+                                                     plane_.normal[plane_.axis];
       vertex_of_name_.push_back(static_cast<Index>(mesh_.vertices.size() + added.size()));
       added.push_back(grid(at, 0));
     }
@@ -223,7 +222,8 @@ class View {
     return found;
   }
 
-  /// Between each side of the boundary and the parts into which others divide it. Seen along the axis, they have no area.
+  /// Between each side of the boundary and the parts into which others divide it. Seen along the axis, they have no
+  /// area.
   void add_flat_triangles(const std::vector<Index>& division, std::vector<Triangle>& triangles) const {
     for (const facets::NetEdge& e : boundary_) {
       std::vector<Index> on;
@@ -296,14 +296,16 @@ bool flatten(MovingMesh& mesh, const ChangedRegion& region, const std::vector<In
     const std::vector<Vertex>& points = mesh.mesh().vertices;
     if (mesh.is_left(f)) seeds.push_back({f, ViewedPlane(points[a], points[b], points[c])});
   }
-  std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.plane.area > b.plane.area; });
+  std::stable_sort(seeds.begin(), seeds.end(),
+                   [](const Seed& a, const Seed& b) { return a.plane.area > b.plane.area; });
 
   struct Attempt {
     const std::vector<Index>& among;
     bool may_divide;
   };
   bool is_changed = false;
-  for (const auto& [among, may_divide] : {Attempt{wrong, false}, Attempt{region.faces(), false}, Attempt{wrong, true}}) {
+  for (const auto& [among, may_divide] :
+       {Attempt{wrong, false}, Attempt{region.faces(), false}, Attempt{wrong, true}}) {
     const Piles piles(mesh, among, region.wrong_pairs());
     std::vector<bool> taken(mesh.mesh().triangles.size(), false);
     for (const Seed& seed : seeds) {
