@@ -4,6 +4,7 @@
 #include <random>
 
 #include "strata/check.h"
+#include "support/random.h"
 #include "support/shapes.h"
 
 using namespace strata;
@@ -111,5 +112,37 @@ TEST_CASE("laws of resolved meshes", "[csg][property]") {
     CHECK(winding == Solid(mesh));
   } catch (const InputError&) {
     CHECK_THROWS_AS(Solid(mesh), InputError);
+  }
+}
+
+TEST_CASE("meshes of which few faces cross are resolved as those of which many do", "[csg][resolve][property]") {
+  // Balls of many faces, and boxes on a small grid whose faces coincide: as one mesh, and as operands.
+  test::Random random(12);
+  const auto at = [&] { return static_cast<double>(random.between(-2, 2)); };
+  for (int round = 0; round < 25; ++round) {
+    Mesh all;
+    Solid united;
+    const auto add = [&](Mesh part, bool is_cavity) {
+      united = is_cavity ? united - Solid(part) : united | Solid(part);
+      const auto first = static_cast<std::uint32_t>(all.vertices.size());
+      all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
+      for (Triangle t : part.triangles) {
+        if (is_cavity) std::swap(t[1], t[2]);
+        all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+      }
+    };
+    for (int n = 0; n < 3; ++n) {
+      const Vertex low{at(), at(), at()};
+      add(test::box(low, {low[0] + random.between(1, 2), low[1] + random.between(1, 2), low[2] + random.between(1, 2)}),
+          false);
+    }
+    add(test::icosphere({at() / 2, at() / 2, at() / 2}, 1.5, 4), false);
+    const Solid resolved = resolve({all, {}}, Inside::winding);
+    CHECK(resolved == united);
+    CHECK(check(resolved.mesh()).empty());
+    // A hole through it, as faces that wind the other way: 0 where one thing was, 1 where two were.
+    add(test::icosphere({9, 0, 0}, 1, 3), false);
+    add(test::box({8.75, -0.25, -0.25}, {9.25, 0.25, 0.25}), true);
+    CHECK(resolve({all, {}}, Inside::winding) == united);
   }
 }

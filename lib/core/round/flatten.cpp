@@ -136,6 +136,7 @@ constexpr facets::Projection axes{0, 1};
 
 /// What a pile is replaced by. Corners are numbers of vertices or, from the count of all vertices on, of new ones.
 struct Filling {
+  bool is_divided = false;  ///< the boundary has other vertices than before
   std::vector<Triangle> triangles;
   std::vector<Vertex> added;
 };
@@ -174,6 +175,7 @@ class View {
     if (!is_same(divided, boundary_)) {
       constexpr std::size_t most_tests = 1 << 20;
       if (!may_divide || boundary_.size() * points_->size() > most_tests) return {};
+      filling.is_divided = true;
       const std::size_t corner_count = vertex_of_name_.size();
       add_vertices(grid, filling.added);
       add_flat_triangles(division_points(corner_count), filling.triangles);
@@ -274,7 +276,7 @@ std::optional<Filling> filling_of(const Mesh& mesh, const Pile& pile, const Grid
   if (pile.faces.size() < 2) return {};
   try {
     std::optional<Filling> filling = View(mesh, pile).filling(grid, may_divide);
-    const std::size_t most = may_divide ? 2 * pile.faces.size() : pile.faces.size() - 1;
+    const std::size_t most = filling && filling->is_divided ? 2 * pile.faces.size() : pile.faces.size() - 1;
     if (filling && filling->triangles.size() > most) return {};
     return filling;
   } catch (const NoRegion&) {

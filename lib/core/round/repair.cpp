@@ -94,9 +94,10 @@ class Staying {
   static Cell cell_at(const Vertex& p, int e) { return {e, {cell_of(p[0], e), cell_of(p[1], e), cell_of(p[2], e)}}; }
   template <class Visit>
   static void for_each_cell(const Vertex& p, int e, const Visit& visit) {
-    const Cell middle = cell_at(p, e);
-    for (int n = 0; n < 27; ++n)
-      visit(Cell{e, {middle.place[0] + n % 3 - 1, middle.place[1] + n / 3 % 3 - 1, middle.place[2] + n / 9 - 1}});
+    const Vertex middle = cell_at(p, e).place;
+    for (const double x : {-1.0, 0.0, 1.0})
+      for (const double y : {-1.0, 0.0, 1.0})
+        for (const double z : {-1.0, 0.0, 1.0}) visit(Cell{e, {middle[0] + x, middle[1] + y, middle[2] + z}});
   }
 
   const std::vector<Vertex>& points_;

@@ -1,0 +1,92 @@
+#include "core/round/flatten.h"
+
+#include <catch2/catch.hpp>
+#include <map>
+#include <numeric>
+
+#include "core/mesh/prepare.h"
+#include "support/shapes.h"
+
+using namespace strata;
+
+namespace {
+
+MovingMesh moving(Mesh mesh) {
+  std::vector<std::uint32_t> source(mesh.triangles.size());
+  std::iota(source.begin(), source.end(), 0U);
+  const std::size_t count = source.size();
+  return MovingMesh(std::move(mesh), std::move(source), std::vector<double>(count, 0));
+}
+
+/// Changes all of it in place, so that it is the region.
+MovingMesh changed(const Mesh& mesh) {
+  MovingMesh result = moving(mesh);
+  std::vector<VertexMove> moves;
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) moves.push_back({v, v, mesh.vertices[v], 0});
+  result.move(moves);
+  return result;
+}
+
+std::vector<std::uint32_t> all_of(const Mesh& mesh) {
+  std::vector<std::uint32_t> faces(mesh.triangles.size());
+  std::iota(faces.begin(), faces.end(), 0U);
+  return faces;
+}
+
+}  // namespace
+
+TEST_CASE("of a plate thinner than the reach nothing is left, of a cube all", "[round]") {
+  const GridRounding grid({CoordinateGrid::Format::float64, 1});
+  for (const double height : {0.5, 3.0, 100.0}) {
+    Mesh plate = test::box({0, 0, 0}, {100, 100, height});
+    for (Vertex& v : plate.vertices) v = {v[0] + v[2] / 8, v[1] + v[2] / 4, v[2]};  // no corners above one another
+    MovingMesh mesh = changed(plate);
+    const ChangedRegion region(mesh, {});
+    CHECK(flatten(mesh, region, all_of(plate), grid, 1) == (height < 4));
+    const MovingMesh::Parts parts = std::move(mesh).take();
+    CHECK(parts.mesh.triangles.size() == (height < 4 ? 0 : 12));
+  }
+}
+
+TEST_CASE("where a thin plate stands on a block, its base is closed", "[round]") {
+  // The plate's side faces are wrong with its top; what is left has the boundary of what it covered.
+  Mesh block = test::cube_grid(6);
+  for (Vertex& v : block.vertices)
+    if (v[2] == 6 && v[0] > 1 && v[0] < 5 && v[1] > 1 && v[1] < 5) v[2] = 6 + 0x1p-49;
+  MovingMesh mesh = changed(block);
+  std::vector<std::uint32_t> upper;
+  for (std::uint32_t f = 0; f < block.triangles.size(); ++f) {
+    const Triangle& t = block.triangles[f];
+    if (block.vertices[t[0]][2] >= 6 && block.vertices[t[1]][2] >= 6 && block.vertices[t[2]][2] >= 6) upper.push_back(f);
+  }
+  const ChangedRegion region(mesh, {});
+  REQUIRE(flatten(mesh, region, upper, GridRounding({}), 1));
+  const MovingMesh::Parts parts = std::move(mesh).take();
+  CHECK(parts.mesh.triangles.size() < block.triangles.size());
+  CHECK(chain_is_closed(parts.mesh));
+  for (const Vertex& v : parts.mesh.vertices) CHECK(v[2] <= 6);
+}
+
+TEST_CASE("a boundary that crosses itself as it is seen is divided at vertices of the grid", "[round]") {
+  // Two long plates of a third of a unit that cross, one on the other: the sides of their upper faces cross from above.
+  Mesh plates = test::box({0, 40, 0}, {100, 60, 1});
+  const Mesh other = test::box({40, 0, 1}, {60, 100, 2});
+  const auto first = static_cast<std::uint32_t>(plates.vertices.size());
+  plates.vertices.insert(plates.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const Triangle& t : other.triangles) plates.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  // Without their ends they are no closed piles.
+  std::vector<std::uint32_t> horizontal;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::uint32_t f = 0; f < plates.triangles.size(); ++f) {
+    const Triangle& t = plates.triangles[f];
+    if (plates.vertices[t[0]][2] == plates.vertices[t[1]][2] && plates.vertices[t[1]][2] == plates.vertices[t[2]][2])
+      horizontal.push_back(f);
+  }
+  MovingMesh mesh = changed(plates);
+  ChangedRegion region(mesh, {});
+  const auto wrong = region.wrong_faces({});  // the plates touch
+  CHECK_FALSE(wrong.empty());
+  (void)flatten(mesh, region, horizontal, GridRounding({CoordinateGrid::Format::float64, 1}), 1);
+  const MovingMesh::Parts parts = std::move(mesh).take();
+  CHECK(chain_is_closed(parts.mesh));
+}
