@@ -279,6 +279,31 @@ TEST_CASE("shells that rounding turns inside out are gone", "[csg][rounding]") {
   }
 }
 
+TEST_CASE("a small shell of a large mesh that rounding turns inside out is gone", "[csg][rounding]") {
+  // Its top is below an oblique base, and rounds to a point above it; nothing else moves.
+  const double u = 0x1p-52;
+  const auto at = [&](const Rational& x, const Rational& y, const Rational& z) {
+    return RationalPoint{1 + to_rational(u) * x, 1 + to_rational(u) * y, 1 + to_rational(u) * z};
+  };
+  const std::array<RationalPoint, 4> corners{at(0, 0, 0), at(4, 0, 1), at(0, 4, 1),
+                                             at(Rational(7, 5), Rational(7, 5), Rational(13, 20))};
+  for (const double x : {-5.0, 1.0}) {  // beside the ball and, reversed, within it
+    ExactMesh mesh{make_sphere(1, 40).mesh(), {}};
+    for (Vertex& v : mesh.mesh.vertices) v = {v[0] + x, v[1] + 1, v[2] + 1};
+    const Mesh ball = mesh.mesh;
+    const auto first = static_cast<std::uint32_t>(mesh.mesh.vertices.size());
+    for (const RationalPoint& p : corners)
+      mesh.mesh.vertices.push_back({to_nearest_double(p[0]), to_nearest_double(p[1]), to_nearest_double(p[2])});
+    mesh.exact.push_back({first + 3, corners[3]});
+    for (const Triangle& t : {Triangle{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}) {
+      mesh.mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+      if (x > 0) std::swap(mesh.mesh.triangles.back()[1], mesh.mesh.triangles.back()[2]);
+    }
+    CHECK(Solid(mesh).components().size() == (x > 0 ? 1 : 2));
+    CHECK(Solid(check_rounded(mesh, {}).mesh) == Solid(ball));
+  }
+}
+
 TEST_CASE("same bytes for any number of threads", "[csg][rounding]") {
   const Solid solid = random_solid(7, 9);
   Options one;

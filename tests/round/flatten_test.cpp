@@ -57,7 +57,8 @@ TEST_CASE("where a thin plate stands on a block, its base is closed", "[round]")
   std::vector<std::uint32_t> upper;
   for (std::uint32_t f = 0; f < block.triangles.size(); ++f) {
     const Triangle& t = block.triangles[f];
-    if (block.vertices[t[0]][2] >= 6 && block.vertices[t[1]][2] >= 6 && block.vertices[t[2]][2] >= 6) upper.push_back(f);
+    if (block.vertices[t[0]][2] >= 6 && block.vertices[t[1]][2] >= 6 && block.vertices[t[2]][2] >= 6)
+      upper.push_back(f);
   }
   const ChangedRegion region(mesh, {});
   REQUIRE(flatten(mesh, region, upper, GridRounding({}), 1));
