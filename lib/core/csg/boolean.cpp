@@ -1,7 +1,9 @@
 #include "core/csg/boolean.h"
 
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/csg/broken_operands.h"
 #include "core/csg/prepared_operands.h"
@@ -131,23 +133,30 @@ BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, c
 /// Of so many faces, pairs that cross are few.
 std::size_t few_pairs(std::size_t faces) { return faces / 8 + 1; }
 
-/// True when vertices are equal only where their numbers are.
-bool has_distinct_vertices(const InputComplex& input) {
-  const std::vector<std::uint32_t> first = equal_vertices(input.points(0));
-  for (std::uint32_t v = 0; v < first.size(); ++v)
-    if (first[v] != v) return false;
-  return true;
-}
+/// One mesh of doubles, each vertex of which is the first of those in its place.
+class WeldedMesh {
+ public:
+  explicit WeldedMesh(const InputComplex& mesh) : triangles_(on_first_vertices({{mesh.points(0), mesh.faces(0)}, {}})) {
+    const std::optional<Box> bounds = mesh.bounds(0) != nullptr ? std::optional(*mesh.bounds(0)) : std::nullopt;
+    complex_.add(mesh.points(0), triangles_, {}, bounds);
+  }
+  [[nodiscard]] const InputComplex& complex() const { return complex_; }
+
+ private:
+  std::vector<Triangle> triangles_;
+  InputComplex complex_{SelfIntersections::possible};
+};
 
 BooleanResult evaluate(const Rule& rule, InputComplex complex, const Options& options, const Monitor& monitor,
                        Stages& stages) {
-  if (complex.operand_count() == 1 && complex.may_self_intersect() && rule.looks_around() && !complex.has_planes() &&
-      has_distinct_vertices(complex)) {
-    const EmbeddedStars stars(complex, monitor);
+  if (complex.operand_count() == 1 && complex.may_self_intersect() && rule.looks_around() && !complex.has_rationals() &&
+      !complex.has_planes()) {
+    const WeldedMesh mesh(complex);
+    const EmbeddedStars stars(mesh.complex(), monitor);
     const std::size_t enough = few_pairs(complex.face_count());
-    const std::vector<SelfIntersection> pairs = find_self_intersections(complex, &stars, monitor, enough);
+    const std::vector<SelfIntersection> pairs = find_self_intersections(mesh.complex(), &stars, monitor, enough);
     stages.end("find_candidates", 0.3);
-    if (pairs.size() < enough) return evaluate_in_patches(rule, complex, stars, pairs, options, monitor, stages);
+    if (pairs.size() < enough) return evaluate_in_patches(rule, mesh.complex(), stars, pairs, options, monitor, stages);
   }
   return evaluate_in_cells(rule, std::move(complex), options, monitor, stages);
 }
