@@ -27,10 +27,11 @@ struct Product {
   Wide high, low;
 };
 
+/// Requires a product of the lower half of p and q below 2^127; the arithmetic of its parts is modulo 2^128.
 Product product(Wide p, std::int64_t q) {
-  const auto bottom = static_cast<std::uint64_t>(p);
-  const Wide correction = q < 0 ? static_cast<Wide>(static_cast<Unsigned>(bottom) << 64) : 0;
-  return {(p >> 64) * q, static_cast<Wide>(static_cast<Unsigned>(bottom) * static_cast<std::uint64_t>(q)) - correction};
+  const auto bottom = static_cast<Unsigned>(static_cast<std::uint64_t>(p));
+  const Unsigned correction = q < 0 ? bottom << 64 : 0;
+  return {(p >> 64) * q, static_cast<Wide>(bottom * static_cast<std::uint64_t>(q) - correction)};
 }
 
 }  // namespace
