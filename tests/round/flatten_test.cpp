@@ -91,3 +91,16 @@ TEST_CASE("a boundary that crosses itself as it is seen is divided at vertices o
   const MovingMesh::Parts parts = std::move(mesh).take();
   CHECK(chain_is_closed(parts.mesh));
 }
+
+TEST_CASE("a search that ends early says so", "[round]") {
+  Mesh two = test::box({0, 0, 0}, {2, 2, 2});
+  const Mesh other = test::box({1, 1, 1}, {3, 3, 3});
+  two.vertices.insert(two.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const Triangle& t : other.triangles) two.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
+  const MovingMesh mesh = changed(two);
+  ChangedRegion some(mesh, {}), all(mesh, {});
+  CHECK_FALSE(some.wrong_faces({}, 1).empty());
+  CHECK_FALSE(some.is_complete());
+  CHECK_FALSE(all.wrong_faces({}).empty());
+  CHECK(all.is_complete());
+}

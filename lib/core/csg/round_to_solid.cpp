@@ -11,6 +11,7 @@
 #include "core/csg/inspection.h"
 #include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
+#include "core/round/distances.h"
 #include "core/round/flatten.h"
 #include "core/round/grid_rounding.h"
 #include "core/round/moving_mesh.h"
@@ -61,15 +62,11 @@ class Reach {
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
 };
 
-double distance(const Vertex& a, const Vertex& b) {
-  return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
-}
-
 /// At least the rounding error of a coordinate rounded to the nearest double.
 double half_unit(const Vertex& v) {
-  const double size = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-  const double next = std::nextafter(size, std::numeric_limits<double>::infinity());
-  const double unit = std::isfinite(next) ? next - size : size - std::nextafter(size, 0.0);
+  const double largest = size(v);
+  const double next = std::nextafter(largest, std::numeric_limits<double>::infinity());
+  const double unit = std::isfinite(next) ? next - largest : largest - std::nextafter(largest, 0.0);
   return std::max(unit / 2, std::numeric_limits<double>::denorm_min());
 }
 
@@ -117,7 +114,7 @@ class SolidRounding {
       monitor_.check();
       ChangedRegion region(moving, monitor_);
       const std::vector<std::uint32_t> wrong = region.wrong_faces(monitor_);
-      moving.set_searched(wrong);
+      if (region.is_complete()) moving.set_searched(wrong);
       if (wrong.empty() && winds_like_a_solid(moving, region, monitor_)) {
         const std::vector<VertexMove> met = vertices_that_met(moving, region, report.rounds == 0);
         moving.move(met);
@@ -227,8 +224,7 @@ class SolidRounding {
 
   RoundedMesh finished(MovingMesh moving, RoundingReport report, bool have_vertices_met) const {
     double largest = 0;
-    for (const Vertex& v : exact_.mesh.vertices)
-      for (const double x : v) largest = std::max(largest, std::abs(x));
+    for (const Vertex& v : exact_.mesh.vertices) largest = std::max(largest, size(v));
     report.unit = grid_.unit_at(largest);
     MovingMesh::Parts parts = std::move(moving).take();
     if (report.rounds > 0 || have_vertices_met) compare(parts, report);

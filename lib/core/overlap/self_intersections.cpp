@@ -4,27 +4,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/containers/packed_boxes.h"
+#include "core/kernel/face_box.h"
 #include "core/overlap/meeting.h"
 
 namespace strata {
 namespace {
-
-/// Of a face; a vertex that is not a double is at most half the distance to the next double away.
-Box box_of(const InputComplex& input, std::uint32_t face) {
-  const auto points = input.points(0);
-  const auto& t = input.faces(0)[face];
-  Box box;
-  for (const std::uint32_t v : t) box.include(points[v]);
-  if (input.has_doubles(t)) return box;
-  for (std::size_t i = 0; i < 3; ++i) {
-    box.lower[i] = std::nextafter(box.lower[i], -Box::infinity);
-    box.upper[i] = std::nextafter(box.upper[i], Box::infinity);
-  }
-  return box;
-}
 
 /// Tests pairs of faces. One per thread.
 class PairTest {
@@ -68,7 +54,7 @@ std::vector<SelfIntersection> find_self_intersections(const InputComplex& input,
     return keys;
   };
   const PackedBoxes boxes(
-      input.face_count(0), [&](std::uint32_t face) { return box_of(input, face); }, keys_of);
+      input.face_count(0), [&](std::uint32_t face) { return face_box(input, face); }, keys_of);
   tbb::enumerable_thread_specific<PairTest> tests([&] { return PairTest(input); });
 
   // Rounds of packs, so that the end does not depend on threads.

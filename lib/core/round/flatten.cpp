@@ -10,13 +10,12 @@
 #include "core/mesh/planar_levels.h"
 #include "core/mesh/planar_points.h"
 #include "core/mesh/polygon_sweep.h"
+#include "core/round/distances.h"
 
 namespace strata {
 namespace {
 
 using Index = std::uint32_t;
-
-double size(const Vertex& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
 /// A plane through a point, by doubles. The normal's largest component is 1 or -1.
 struct ViewedPlane {

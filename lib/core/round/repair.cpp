@@ -13,16 +13,13 @@
 
 #include "core/containers/collect.h"
 #include "core/containers/point_hash.h"
+#include "core/round/distances.h"
 #include "strata/rational.h"
 
 namespace strata {
 namespace {
 
 using Index = std::uint32_t;
-
-double size(const Vertex& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
-
-double distance(const Vertex& p, const Vertex& q) { return size({p[0] - q[0], p[1] - q[1], p[2] - q[2]}); }
 
 bool identify_equal_vertices(MovingMesh& mesh, const ChangedRegion& region) {
   std::vector<VertexMove> moves;

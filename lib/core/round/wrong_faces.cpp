@@ -19,9 +19,6 @@
 namespace strata {
 namespace {
 
-/// Pairs beyond that are found in a later search.
-constexpr std::size_t most_pairs = 1 << 18;
-
 std::vector<Box> boxes_to_search(const MovingMesh& mesh) {
   if (mesh.swept()) return *mesh.swept();
   std::vector<Box> boxes;
@@ -79,7 +76,7 @@ ChangedRegion::ChangedRegion(const MovingMesh& mesh, const Monitor& monitor)
     for (std::uint32_t& v : t) v = first[v];
 }
 
-std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor) {
+std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor, std::size_t enough) {
   const ZeroAreaTest has_no_area(part_);
   const auto is_flat = [&](std::uint32_t f) { return repeats_vertex(part_.triangles[f]) || has_no_area(f); };
   const std::vector<std::uint32_t> flat = collect(faces_.size(), is_flat);
@@ -87,16 +84,17 @@ std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor) {
   if (flat.empty()) {
     const InputComplex complex = complex_of(part_.vertices, part_.triangles);
     if (is_all()) stars_.emplace(complex, monitor);
-    for (const auto& s : find_self_intersections(complex, stars_ ? &*stars_ : nullptr, monitor, most_pairs))
+    for (const auto& s : find_self_intersections(complex, stars_ ? &*stars_ : nullptr, monitor, enough))
       pairs_.emplace_back(s.face, s.other);
   } else {
     const std::vector<std::uint32_t> sound =
         collect(faces_.size(), [&](std::uint32_t f) { return !std::binary_search(flat.begin(), flat.end(), f); });
     std::vector<Triangle> triangles;
     for (const std::uint32_t f : sound) triangles.push_back(part_.triangles[f]);
-    for (const auto& s : find_self_intersections(complex_of(part_.vertices, triangles), nullptr, monitor, most_pairs))
+    for (const auto& s : find_self_intersections(complex_of(part_.vertices, triangles), nullptr, monitor, enough))
       pairs_.emplace_back(sound[s.face], sound[s.other]);
   }
+  is_complete_ = pairs_.size() < enough;
   for (auto& [f, g] : pairs_) {
     wrong.insert(wrong.end(), {f, g});
     f = faces_[f];

@@ -19,9 +19,11 @@ class ChangedRegion {
   ChangedRegion(const MovingMesh& mesh, const Monitor& monitor);
 
   /// By increasing number: faces that meet others elsewhere than along common edges and vertices, or have no area. At
-  /// least one if there is one; all, as a rule, but no more than can be handled. Exact.
-  [[nodiscard]] std::vector<std::uint32_t> wrong_faces(const Monitor& monitor);
+  /// least one if there is one; all, unless there are more than `enough` pairs. Exact.
+  [[nodiscard]] std::vector<std::uint32_t> wrong_faces(const Monitor& monitor, std::size_t enough = many_pairs);
 
+  /// True when it found all.
+  [[nodiscard]] bool is_complete() const { return is_complete_; }
   /// Of these, the pairs that meet, if it was called.
   [[nodiscard]] const std::vector<std::pair<std::uint32_t, std::uint32_t>>& wrong_pairs() const { return pairs_; }
 
@@ -43,11 +45,14 @@ class ChangedRegion {
   [[nodiscard]] const std::vector<std::pair<std::uint32_t, std::uint32_t>>& equal_vertices() const { return equal_; }
 
  private:
+  static constexpr std::size_t many_pairs = 1 << 18;
+
   const MovingMesh& mesh_;
   std::vector<std::uint32_t> faces_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> equal_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
   Mesh part_;  ///< those faces; equal vertices are one
+  bool is_complete_ = false;
   std::optional<EmbeddedStars> stars_;
   std::vector<std::uint32_t> vertices_;  ///< the mesh's number of each of its vertices
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/kernel/face_box.h"
 #include "core/kernel/predicates.h"
 #include "core/kernel/ray_crossing.h"
 
@@ -23,7 +24,7 @@ Sign side_of_ray(const InputComplex& input, std::uint32_t face) {
 RayWindings::RayWindings(const InputComplex& input) : input_(input) {
   const std::uint32_t count = input.face_count();
   Box bounds;
-  for (std::uint32_t f = 0; f < count; ++f) bounds.include(box_of(f));
+  for (std::uint32_t f = 0; f < count; ++f) bounds.include(face_box(input, f));
   width_ = std::clamp<std::uint32_t>(static_cast<std::uint32_t>(std::sqrt(count) / 2), 1, 1024);
   for (std::size_t i = 0; i < 2; ++i) {
     origin_[i] = bounds.lower[i + 1];
@@ -31,7 +32,7 @@ RayWindings::RayWindings(const InputComplex& input) : input_(input) {
     per_cell_[i] = cells > 0 && cells < Box::infinity ? cells : 0;
   }
   const auto for_each_column = [&](std::uint32_t face, const auto& visit) {
-    const Box box = box_of(face);
+    const Box box = face_box(input, face);
     const auto [lower, upper] = cells_of(box.lower[1], box.upper[1], box.lower[2], box.upper[2]);
     if (std::uint64_t{upper[0] - lower[0] + 1} * (upper[1] - lower[1] + 1) > many_cells) return false;
     for (std::uint32_t z = lower[1]; z <= upper[1]; ++z)
@@ -57,18 +58,6 @@ RayWindings::Cells RayWindings::cells_of(double low_y, double high_y, double low
   return {{cell(low_y, 0), cell(low_z, 1)}, {cell(high_y, 0), cell(high_z, 1)}};
 }
 
-Box RayWindings::box_of(std::uint32_t face) const {
-  const auto corners = input_.faces(0)[face];
-  Box box;
-  for (const std::uint32_t v : corners) box.include(input_.points(0)[v]);
-  if (input_.has_doubles(corners)) return box;
-  for (std::size_t i = 0; i < 3; ++i) {
-    box.lower[i] = std::nextafter(box.lower[i], -Box::infinity);
-    box.upper[i] = std::nextafter(box.upper[i], Box::infinity);
-  }
-  return box;
-}
-
 std::int32_t RayWindings::crossings(const Point& q) const {
   Box at;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -77,7 +66,7 @@ std::int32_t RayWindings::crossings(const Point& q) const {
   }
   std::int32_t sum = 0;
   const auto count = [&](std::uint32_t face) {
-    const Box box = box_of(face);
+    const Box box = face_box(input_, face);
     if (box.upper[0] < at.lower[0]) return;
     for (std::size_t i = 1; i < 3; ++i)
       if (box.lower[i] > at.upper[i] || box.upper[i] < at.lower[i]) return;

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "core/kernel/box.h"
 #include "core/kernel/input_complex.h"
 #include "core/winding/winding_oracle.h"
 
@@ -26,7 +25,6 @@ class RayWindings final : public WindingOracle {
     std::array<std::uint32_t, 2> lower, upper;
   };
   [[nodiscard]] Cells cells_of(double low_y, double high_y, double low_z, double high_z) const;
-  [[nodiscard]] Box box_of(std::uint32_t face) const;
   /// The sum over all faces that the ray from q crosses. Faces whose plane contains q count as not crossed.
   [[nodiscard]] std::int32_t crossings(const Point& q) const;
 
