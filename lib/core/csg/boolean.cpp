@@ -1,5 +1,6 @@
 #include "core/csg/boolean.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -87,7 +88,7 @@ BooleanResult finished(const InputComplex& input, const std::vector<Verdict>& ve
 /// The stages after `prepare`, by cells.
 BooleanResult evaluate_in_cells(const Rule& rule, InputComplex complex, const Options& options, const Monitor& monitor,
                                 Stages& stages) {
-  const Candidates candidates = find_candidates(std::move(complex), monitor);
+  Candidates candidates = find_candidates(std::move(complex), monitor);
   const InputComplex& input = candidates.input();
   count(candidates, stages.profile());
   stages.end("find_candidates", 0.3);
@@ -103,8 +104,9 @@ BooleanResult evaluate_in_cells(const Rule& rule, InputComplex complex, const Op
   stages.end("subdivide", 0.8);
 
   const std::vector<Verdict> verdicts = label(input, subdivision, classifier, monitor);
+  const std::unique_ptr<const InputComplex> kept = Candidates::without_cells(std::move(candidates));
   stages.end("label", 0.85);
-  return finished(input, verdicts, std::move(subdivision), options, monitor, stages);
+  return finished(*kept, verdicts, std::move(subdivision), options, monitor, stages);
 }
 
 /// The stages after `prepare` for one mesh of which few faces cross: no cells are made, and points are decided for

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <utility>
 
 #include "core/cells/cell_tree.h"
 #include "core/kernel/input_complex.h"
@@ -13,6 +14,11 @@ class Candidates {
  public:
   [[nodiscard]] const InputComplex& input() const { return *input_; }
   [[nodiscard]] const CellTree& cells() const { return cells_; }
+
+  /// Gives up the cells; the input complex stays where it is.
+  [[nodiscard]] static std::unique_ptr<const InputComplex> without_cells(Candidates candidates) {
+    return std::move(candidates.input_);
+  }
 
  private:
   friend Candidates find_candidates(InputComplex input, const Monitor& monitor);
