@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/containers/collect.h"
 #include "core/containers/hash_index.h"
 #include "core/exact/failure.h"
 #include "core/kernel/disjoint_sets.h"
@@ -87,8 +88,9 @@ std::vector<PointId> PointTable::add(std::span<const SymbolicPoint> names, const
 
 std::vector<std::pair<PointId, PointId>> PointTable::equal_positions(std::vector<PointId> ids,
                                                                      const Monitor& monitor) const {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::vector<char> is_wanted(end(), 0);  // faces name most points several times
+  for (const PointId id : ids) is_wanted[id] = 1;
+  ids = collect(is_wanted.size(), [&](PointId id) { return is_wanted[id] != 0; });
   struct Place {
     InputComplex::Coordinates nearest;  ///< equal points have equal ones
     PointId id;
