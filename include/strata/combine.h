@@ -3,6 +3,7 @@
 ///
 /// All functions are pure; calls from many threads do not disturb each other.
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "strata/formula.h"
 #include "strata/mesh.h"
 #include "strata/options.h"
+#include "strata/rounding.h"
 
 namespace strata {
 
@@ -34,9 +36,10 @@ struct Operand {
 /// The regularized boundary of the result.
 struct BooleanResult {
   Mesh mesh;  ///< unsplit faces first in input order, then split ones; new vertices rounded to nearest
-  std::vector<Source> sources;     ///< one per triangle
-  std::vector<ExactVertex> exact;  ///< exact positions of rounded vertices, if Options::exact_vertices
-  std::vector<Defect> notes;       ///< what was resolved on the way in (seams welded, degenerate faces)
+  std::vector<Source> sources;             ///< one per triangle
+  std::vector<ExactVertex> exact;          ///< exact positions of rounded vertices, if Options::exact_vertices
+  std::optional<RoundingReport> rounding;  ///< what moved, if Options::rounding
+  std::vector<Defect> notes;               ///< what was resolved on the way in (seams welded, degenerate faces)
   Profile profile;
 };
 
@@ -48,7 +51,8 @@ struct BooleanResult {
 /// merged. Edges and vertices shared by several sheets are written once: the result may be non-manifold there.
 ///
 /// Rounding: the combinatorics stay those of the exact result, but where features are some ulps apart, rounded
-/// triangles may cross or lose their area. `exact` has the exact positions, and a Solid keeps them.
+/// triangles may cross or lose their area. Options::rounding rearranges them there; `exact` has the exact positions,
+/// and a Solid keeps them.
 ///
 /// Degenerate cases: operands may touch, coincide and overlap anywhere. Where facets coincide with the interiors on the
 /// same side, one of them is in a union and in an intersection; with the interiors on opposite sides, neither is in

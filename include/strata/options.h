@@ -2,9 +2,11 @@
 /// Operations, what is declared about operands, and how an operation is computed.
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string_view>
 
+#include "strata/coordinate_grid.h"
 #include "strata/errors.h"
 #include "strata/monitor.h"
 
@@ -102,9 +104,15 @@ struct Engine;  // combine.h
 /// How an operation is computed. Every field has a default: `{.threads = 1}` is enough.
 struct Options {
   InputClass input = InputClass::automatic;
-  const Engine* engine = nullptr;       ///< null: the arrangement, which also evaluates every formula
-  unsigned threads = 0;                 ///< 0: all cores. The result does not depend on it.
-  bool exact_vertices = false;          ///< fill BooleanResult::exact (rationals; costs time per new vertex)
+  /// Of class `soup`: holes of more edges are refused, by name.
+  std::size_t most_hole_edges = std::numeric_limits<std::size_t>::max();
+  const Engine* engine = nullptr;  ///< null: the arrangement, which also evaluates every formula
+  unsigned threads = 0;            ///< 0: all cores. The result does not depend on it.
+  bool exact_vertices = false;     ///< fill BooleanResult::exact (rationals; costs time per new vertex)
+  /// If given, `combine` rounds the mesh to this grid such that it bounds a solid again (`round_to_solid`), and tells
+  /// what moved in BooleanResult::rounding. Exact vertices, where they are asked for, go before: nothing is rounded
+  /// then. Solids are exact; their functions do not look at it.
+  std::optional<CoordinateGrid> rounding = {};
   Progress progress = {};               ///< any callable that takes a double: the fraction done
   const CancelToken* cancel = nullptr;  ///< null: the operation cannot be cancelled
 };

@@ -10,21 +10,12 @@
 #include <optional>
 #include <vector>
 
+#include "strata/coordinate_grid.h"
 #include "strata/measure.h"
 #include "strata/mesh.h"
 #include "strata/options.h"
-#include "strata/rational.h"
 
 namespace strata {
-
-/// The numbers that coordinates may be.
-struct CoordinateGrid {
-  enum class Format { float64, float32 };
-  Format format = Format::float64;
-  /// If positive, coordinates are the numbers of the format nearest to multiples of it. It must be a quotient of two
-  /// integers that are doubles, as 1/1000 and 3/200 are. Coordinates should be below 2^50 steps.
-  Rational step = 0;
-};
 
 /// What rounding did to a solid. Lengths are in model units and in the maximum norm.
 struct RoundingReport {

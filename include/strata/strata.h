@@ -4,6 +4,7 @@
 /// query.h, section.h, surface.h.
 #include "strata/check.h"
 #include "strata/combine.h"
+#include "strata/coordinate_grid.h"
 #include "strata/errors.h"
 #include "strata/expression.h"
 #include "strata/file_path.h"

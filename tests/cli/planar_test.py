@@ -1,5 +1,6 @@
 """planar: Booleans of polygons in WKT, GeoJSON and SVG; the clean test; measures."""
 import json
+import re
 import unittest
 
 from tool import FILE, NEGATIVE, NOT_CERTIFIED, OK, USAGE, ToolTest
@@ -47,14 +48,29 @@ class Planar(ToolTest):
         self.assertEqual(self.text("whole.wkt"), "POLYGON ((0 0,3 1,0 1,0 0))\n")
         self.run_tool("planar", "union", a, "-o", "a.svg", "--exact", expect=USAGE)
 
-    def test_rounding_that_makes_loops_meet_is_told(self):
+    def test_loops_that_rounding_makes_meet_are_rearranged(self):
         # The corner (1 + 2^-54, 0) falls on the edge at x = 1, once it is rounded.
         self.file("a.wkt", "POLYGON ((18014398509481985/18014398509481984 0, 2 -1, 2 1))")
         self.file("b.wkt", "POLYGON ((0 -1, 1 -1, 1 1, 0 1))")
-        done = self.run_tool("planar", "union", "a.wkt", "b.wkt", "-o", "out.wkt", expect=NOT_CERTIFIED)
+        done = self.run_tool("planar", "union", "a.wkt", "b.wkt", "-o", "near.wkt", "--rounding", "nearest", expect=NOT_CERTIFIED)
         self.assertIn(b"rounding", done.stderr)
+        self.assertIn(b"rearranged", self.run_tool("planar", "union", "a.wkt", "b.wkt", "-o", "out.wkt").stderr)
+        self.assertEqual(self.text("out.wkt"), "MULTIPOLYGON (((0 -1,1 -1,1 0,1 1,0 1,0 -1)),((1 0,2 -1,2 1,1 0)))\n")
+        again = self.report("planar", "union", "out.wkt", "-o", "again.wkt")
+        self.assertEqual((again["rounding_conflicts"], again["rounding"]), ([], {"rounds": 0, "largest_movement": 0}))
+        self.assertEqual(self.text("again.wkt"), self.text("out.wkt"))
+        self.run_tool("planar", "union", "a.wkt", "b.wkt", "-o", "out.wkt", "--exact", "--grid", "0.1", expect=USAGE)
         report = self.report("planar", "union", "a.wkt", "b.wkt", "-o", "out.wkt", "--exact")
         self.assertEqual(report["result"]["polygons"], 2)
+
+    def test_coordinates_are_multiples_of_a_step(self):
+        self.file("a.wkt", "POLYGON ((0 0, 3 1, 1 3))")
+        self.file("b.wkt", "POLYGON ((0 2, 3 0, 3 2))")
+        for verb in ("union", "intersection", "symmetric-difference"):
+            self.run_tool("planar", verb, "a.wkt", "b.wkt", "-o", "out.wkt", "--grid", "0.125")
+            numbers = re.findall(r"-?\d[\d.e-]*", self.text("out.wkt"))
+            self.assertTrue(numbers and all(float(x) * 8 % 1 == 0 for x in numbers), self.text("out.wkt"))
+        self.run_tool("planar", "union", "a.wkt", "b.wkt", "-o", "out.wkt", "--grid", "-1", expect=USAGE)
 
     def test_fill_rules(self):
         self.file("star.svg", "M0 3 L2 -3 L-3 1 L3 1 L-2 -3 Z")

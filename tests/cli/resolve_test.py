@@ -76,6 +76,16 @@ class Resolve(ToolTest):
         self.assertIn("was filled", self.run_tool("union", soup, "-o", "out.off", "--input", "soup").stderr.decode())
         self.run_tool("union", soup, "-o", "out.off", "--input", "repair", expect=INVALID)
 
+    def test_holes_are_filled_up_to_a_size(self):
+        soup = self.file("open.off", open_cube())
+        for word in ("all", "3"):
+            volume, _ = self.volume_of("union", soup, "-o", "out.off", "--fill-holes", word)
+            self.assertEqual(volume, "1")
+        done = self.run_tool("resolve", soup, "-o", "out.off", "--fill-holes", "2", expect=INVALID)
+        self.assertIn("a hole is bounded by 3 open edges", done.stderr.decode())
+        self.run_tool("union", soup, "-o", "out.off", "--fill-holes", "few", expect=USAGE)
+        self.run_tool("union", soup, "-o", "out.off", "--fill-holes", "3", "--input", "soup", expect=USAGE)
+
     def test_a_soup_that_encloses_nothing_is_refused(self):
         flat = self.file("flat.off", off([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]))
         done = self.run_tool("union", flat, "-o", "out.off", "--input", "soup", expect=INVALID)

@@ -17,12 +17,26 @@ using Keys = PackedBoxes::Keys;
 
 constexpr Keys no_keys{PackedBoxes::no_key, PackedBoxes::no_key, PackedBoxes::no_key};
 
-std::vector<Pair> pairs_of(const std::vector<Box>& boxes, const std::vector<Keys>& keys) {
+std::vector<PackedBoxes::Pair> pairs_of(const std::vector<Box>& boxes, const std::vector<Keys>& keys,
+                                        const BoxPackTests& tests) {
+  Box bounds;
+  for (const Box& box : boxes) bounds.include(box);
   const PackedBoxes packed(
-      static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return boxes[i]; },
-      [&](std::uint32_t i) { return keys[i]; });
+      static_cast<std::uint32_t>(boxes.size()), bounds, [&](std::uint32_t i) { return boxes[i]; },
+      [&](std::uint32_t i) { return keys[i]; }, tests);
   std::vector<PackedBoxes::Pair> found;
-  for (std::size_t pack = 0; pack < packed.pack_count(); ++pack) packed.append_pairs_of(pack, found);
+  for (std::size_t group = 0; group < packed.group_count(); ++group) packed.append_pairs_of(group, found);
+  return found;
+}
+
+/// With all instructions that this processor has, which find the same.
+std::vector<Pair> pairs_of(const std::vector<Box>& boxes, const std::vector<Keys>& keys) {
+  const std::vector<PackedBoxes::Pair> found = pairs_of(boxes, keys, BoxPackTests::available().front());
+  for (const BoxPackTests& tests : BoxPackTests::available().subspan(1)) {
+    const std::vector<PackedBoxes::Pair> again = pairs_of(boxes, keys, tests);
+    REQUIRE(std::equal(found.begin(), found.end(), again.begin(), again.end(),
+                       [](const auto& a, const auto& b) { return a.item == b.item && a.other == b.other; }));
+  }
   std::vector<Pair> pairs;
   for (const auto& [a, b] : found) pairs.emplace_back(std::minmax(a, b));
   std::sort(pairs.begin(), pairs.end());
@@ -49,7 +63,7 @@ std::vector<Pair> pairs_by_comparison(const std::vector<Box>& boxes, const std::
 
 }  // namespace
 
-// Seen to fail: children of a node skipped when their first pack comes earlier; bits up to the own one kept in a pack.
+// Seen to fail: children of a node skipped when their first node comes earlier; bits up to the own one kept in a pack.
 TEST_CASE("packed boxes find every pair that overlaps once", "[containers][property]") {
   const unsigned seed = GENERATE(range(0u, 80u));
   std::mt19937 random(seed);

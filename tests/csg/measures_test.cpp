@@ -18,7 +18,7 @@ void check_measures(const Solid& solid) {
   const ExactMesh& mesh = solid.exact_mesh();
   const Measures m = measure(mesh);
   REQUIRE(m.volume.has_value());
-  CHECK(*m.volume == solid.volume());
+  CHECK(*m.volume == to_nearest_double(solid.volume()));
   CHECK(m.area == solid.area());
   CHECK(m.facets == canonical_form(mesh).facet_count());
   const Topology t = topology(mesh);
@@ -53,7 +53,7 @@ TEST_CASE("a mesh that is not closed has no volume", "[csg]") {
   CHECK_FALSE(m.volume.has_value());
   CHECK(m.topology.open_edges == 3);
   CHECK(measure({}).facets == 0);
-  CHECK(measure({}).volume == Rational(0));
+  CHECK(measure({}).volume == 0.0);
 }
 
 TEST_CASE("measures of random sets of boxes agree with the canonical form", "[csg][property]") {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "strata/check.h"
+#include "strata/combine.h"
 #include "strata/errors.h"
 #include "strata/primitives.h"
 #include "strata/solid.h"
@@ -302,6 +303,41 @@ TEST_CASE("a small shell of a large mesh that rounding turns inside out is gone"
     CHECK(Solid(mesh).components().size() == (x > 0 ? 1 : 2));
     CHECK(Solid(check_rounded(mesh, {}).mesh) == Solid(ball));
   }
+}
+
+TEST_CASE("results rounded by combine are those of their exact vertices", "[csg][rounding][property]") {
+  std::size_t rearranged = 0;
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    CAPTURE(seed);
+    // Two copies of a solid, the second one turned by less and less.
+    const Mesh a = round_to_solid(random_solid(seed, 3).exact_mesh()).mesh;
+    Mesh b = a;
+    const double angle = std::ldexp(1.0, -static_cast<int>(seed) * 2);
+    for (Vertex& v : b.vertices) v = {v[0] - angle * v[1], v[1] + angle * v[0], v[2]};
+    const MeshView views[] = {a, b};
+    const auto operation = static_cast<Operation>(seed % 4);
+    for (const CoordinateGrid& grid : {CoordinateGrid(), floats(), steps(Rational(1, 1000))}) {
+      const BooleanResult rounded = combine(operation, views, {.input = InputClass::overlapping, .rounding = grid});
+      const BooleanResult exact =
+          combine(operation, views, {.input = InputClass::overlapping, .exact_vertices = true, .rounding = grid});
+      CHECK_FALSE(exact.rounding.has_value());
+      const RoundedMesh expected = round_to_solid({exact.mesh, exact.exact}, grid);
+      REQUIRE(rounded.rounding.has_value());
+      CHECK(rounded.mesh == expected.mesh);
+      CHECK(rounded.exact.empty());
+      CHECK(rounded.rounding->rounds == expected.report.rounds);
+      CHECK(rounded.rounding->moved_vertices == expected.report.moved_vertices);
+      CHECK(rounded.rounding->vanished_faces == expected.report.vanished_faces);
+      CHECK(rounded.rounding->exact.has_value() == expected.report.exact.has_value());
+      if (rounded.rounding->exact && expected.report.exact)
+        CHECK(rounded.rounding->exact->euler == expected.report.exact->euler);
+      REQUIRE(rounded.sources.size() == rounded.mesh.triangles.size());
+      for (std::size_t t = 0; t < rounded.sources.size(); ++t)
+        REQUIRE(rounded.sources[t] == exact.sources[expected.source_face[t]]);
+      rearranged += rounded.rounding->rounds > 0 ? 1 : 0;
+    }
+  }
+  CHECK(rearranged > 5);
 }
 
 TEST_CASE("same bytes for any number of threads", "[csg][rounding]") {

@@ -47,16 +47,16 @@ TEST_CASE("what is missing of a cube is filled", "[mesh]") {
 TEST_CASE("holes are found with their loops and a face beside them", "[mesh]") {
   SourcedTriangles faces = sourced(without(cube(), {0, 1, 2, 3}));
   CHECK(open_uses(cube().vertices, faces.triangles) == 8);
-  const std::vector<FilledHole> holes = fill_holes(cube().vertices, faces);
+  const std::vector<Hole> holes = find_holes(cube().vertices, faces);
+  fill_holes(cube().vertices, holes, faces);
   REQUIRE(holes.size() == 2);
-  for (const FilledHole& hole : holes) {
-    CHECK(hole.loop.size() == 4);
-    CHECK(faces.sources[hole.first_triangle] == hole.face_beside);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(holes[i].loop.size() == 4);
+    CHECK(faces.sources[8 + 2 * i] == holes[i].face_beside);
   }
-  CHECK(holes[1].first_triangle == 10);
   CHECK(faces.triangles.size() == 12);
   CHECK(open_uses(cube().vertices, faces.triangles) == 0);
-  CHECK(fill_holes(cube().vertices, faces).empty());
+  CHECK(find_holes(cube().vertices, faces).empty());
 }
 
 TEST_CASE("a closed mesh keeps its orientation, cavities too", "[mesh]") {
@@ -109,6 +109,37 @@ TEST_CASE("what encloses nothing is refused", "[mesh]") {
   CHECK_THROWS_AS(prepare_soup(square, Holes::filled), InputError);
 }
 
+TEST_CASE("a fold that its own filling would cancel encloses something", "[mesh]") {
+  // Two triangles, folded: the other diagonal makes a tetrahedron, this one nothing.
+  const Mesh folded{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}}};
+  CHECK(filled_volume(folded) == Rational(1, 6));
+  // The sides of a pyramid, but for one of them: least area would cover two sides again.
+  const Mesh pyramid{{{0, 0, 5}, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}};
+  CHECK(filled_volume(pyramid) == Rational(20, 3));
+}
+
+TEST_CASE("a model whose faces are listed for both sides encloses what one of each does", "[mesh]") {
+  CHECK(filled_volume(joined(cube(), flipped(cube()))) == 1);
+  CHECK(filled_volume(joined(without(cube(), {11}), flipped(without(cube(), {11})))) == 1);
+  // A wall that is listed twice within a solid is no boundary.
+  const Mesh beside = joined(cube(), box({1, 0, 0}, {2, 1, 1}));
+  CHECK(filled_volume(beside) == 2);
+}
+
+TEST_CASE("holes of many edges are refused by name", "[mesh]") {
+  const Mesh open = without(cube(), {0, 1, 11});
+  REQUIRE(prepare_soup(open, Holes::filled, 0, 4).mesh);
+  try {
+    (void)prepare_soup(open, Holes::filled, 0, 3);
+    FAIL("a hole of four edges was filled");
+  } catch (const InputError& error) {
+    REQUIRE(error.defects().size() == 2);
+    CHECK(error.defects()[0].severity == Severity::error);
+    CHECK(error.defects()[0].message == "a hole is bounded by 4 open edges");
+    CHECK(error.defects()[1].severity == Severity::note);  // the hole of three edges
+  }
+}
+
 TEST_CASE("a loop that comes back to a vertex is two loops", "[mesh]") {
   // Two opposite corners of one side of a fan: the fan's missing triangles touch in its middle vertex.
   Mesh mesh;
@@ -121,7 +152,8 @@ TEST_CASE("a loop that comes back to a vertex is two loops", "[mesh]") {
     mesh.triangles.push_back({9, b, a});
   }
   SourcedTriangles faces = sourced(mesh);
-  const std::vector<FilledHole> holes = fill_holes(mesh.vertices, faces);
+  const std::vector<Hole> holes = find_holes(mesh.vertices, faces);
+  fill_holes(mesh.vertices, holes, faces);
   REQUIRE(holes.size() == 2);
   CHECK(holes[0].loop.size() == 3);
   CHECK(holes[1].loop.size() == 3);
@@ -135,7 +167,8 @@ TEST_CASE("long loops", "[mesh]") {
     return globe.vertices[t[0]][2] + globe.vertices[t[1]][2] + globe.vertices[t[2]][2] > 0;
   });
   SourcedTriangles faces = sourced(lower);
-  const std::vector<FilledHole> holes = fill_holes(lower.vertices, faces);
+  const std::vector<Hole> holes = find_holes(lower.vertices, faces);
+  fill_holes(lower.vertices, holes, faces);
   REQUIRE(holes.size() == 1);
   CHECK(holes[0].loop.size() >= 400);
   CHECK(faces.triangles.size() == lower.triangles.size() + holes[0].loop.size() - 2);
@@ -155,7 +188,7 @@ TEST_CASE("whatever faces are missing, the chain is closed", "[mesh][property]")
         if (random() % 2 == 0) std::swap(t[0], t[1]);
     if (seed % 5 == 0) mesh = shattered(mesh);
     SourcedTriangles faces = sourced(mesh);
-    (void)fill_holes(mesh.vertices, faces);
+    fill_holes(mesh.vertices, find_holes(mesh.vertices, faces), faces);
     REQUIRE(open_uses(mesh.vertices, faces.triangles) == 0);
     const Prepared p = prepare_soup(mesh, Holes::filled);
     REQUIRE(chain_is_closed(*p.mesh));

@@ -1,10 +1,16 @@
 #include "strata/measure.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <limits>
+#include <map>
 #include <random>
+#include <set>
+#include <utility>
+#include <vector>
 
+#include "core/mesh/edge_table.h"
 #include "shapes.h"
 
 using namespace strata;
@@ -76,6 +82,42 @@ TEST_CASE("exact vertices take part in the volume with their exact places", "[me
   CHECK(volume(mixed) == volume_by_rationals(mixed));
 }
 
+TEST_CASE("the nearest volume is that of the fraction, whatever the places of rational vertices", "[mesh][property]") {
+  std::mt19937_64 random(5);
+  std::uniform_int_distribution<int> numerator(-1000, 1000), denominator(1, 1000), exponent(0, 3);
+  for (int round = 0; round < 200; ++round) {
+    ExactMesh mesh{globe(4), {}};
+    // From spheres to plates far thinner than what two doubles can tell, near the origin and far from it.
+    const Rational thickness(1, Integer(1) << (round % 5 * 40));
+    const Rational distance = round % 3 == 0 ? Rational(0) : Rational(Integer(1) << (round % 7 * 10));
+    for (std::uint32_t v = 0; v < mesh.mesh.vertices.size(); ++v) {
+      RationalPoint p;
+      for (int i = 0; i < 3; ++i) {
+        p[i] = to_rational(mesh.mesh.vertices[v][i]);
+        if (round % 4 != 0 || v % 3 == 0) p[i] += Rational(numerator(random), denominator(random) * 10000);
+      }
+      p[2] = p[2] * thickness + distance;
+      bool is_rounded = false;
+      for (int i = 0; i < 3; ++i) {
+        mesh.mesh.vertices[v][i] = to_nearest_double(p[i]);
+        is_rounded = is_rounded || to_rational(mesh.mesh.vertices[v][i]) != p[i];
+      }
+      if (is_rounded) mesh.exact.push_back({v, p});
+    }
+    REQUIRE(nearest_volume(mesh) == to_nearest_double(volume_by_rationals(mesh)));
+  }
+  CHECK(nearest_volume(in_thirds(box({0, 0, 0}, {1, 1, 1}))) == to_nearest_double(Rational(1, 27)));
+  CHECK(nearest_volume(in_thirds(scaled(box({0, 0, 0}, {1, 1, 1}), 1e-100))) > 0);
+}
+
+TEST_CASE("the area of triangles between rational vertices that round to one double is right", "[mesh]") {
+  ExactMesh mesh{{{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}}, {}};
+  const Rational tiny(1, Integer(1) << 200);
+  mesh.exact = {{1, {1 + tiny, 0, 0}}, {2, {1, tiny, 0}}};
+  mesh.mesh.vertices[2][1] = to_nearest_double(tiny);
+  CHECK(area(mesh) == std::ldexp(1.0, -401));
+}
+
 TEST_CASE("the area is right to the last bits, for slivers and extreme magnitudes too", "[mesh]") {
   CHECK(area({box({0, 0, 0}, {1, 2, 3}), {}}) == 22);
   CHECK(area({scaled(box({0, 0, 0}, {1, 1, 1}), 1e150), {}}) == Approx(6e300).epsilon(1e-15));
@@ -116,6 +158,58 @@ TEST_CASE("boxes that share an edge or a vertex are not manifold there", "[mesh]
   const Topology apart = topology({joined(cube, moved(cube, {2, 0, 0})), {}});
   CHECK(apart.components == 2);
   CHECK(apart.euler == 4);
+}
+
+TEST_CASE("counts of edges and fans are those of all pairs of triangles", "[mesh][property]") {
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    // Few vertices, so that edges of one, two, three uses in any direction, and vertices of several fans, are common.
+    const std::uint32_t count = 4 + seed % 9;
+    Mesh mesh;
+    for (std::uint32_t v = 0; v < count; ++v) mesh.vertices.push_back({double(v), double(v * v), double(v * v * v)});
+    if (seed % 2 == 0) mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}};
+    for (unsigned t = 0; t < seed % 17; ++t) {
+      const Triangle added{std::uint32_t(random() % count), std::uint32_t(random() % count),
+                           std::uint32_t(random() % count)};
+      if (!repeats_vertex(added)) mesh.triangles.push_back(added);
+    }
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::pair<std::size_t, bool>>> uses;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
+        uses[std::minmax(a, b)].emplace_back(t, a < b);
+      }
+    Topology expected;
+    for (const auto& [edge, list] : uses) {
+      expected.non_manifold_edges += list.size() > 2;
+      std::int64_t net = 0;
+      for (const auto& use : list) net += use.second ? 1 : -1;
+      expected.open_edges += net != 0;
+    }
+    std::set<std::uint32_t> used;
+    for (std::uint32_t v = 0; v < count; ++v) {
+      std::map<std::size_t, std::size_t> fan;
+      for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        if (std::count(mesh.triangles[t].begin(), mesh.triangles[t].end(), v) > 0) fan[t] = t;
+      if (fan.empty()) continue;
+      used.insert(v);
+      for (const auto& [edge, list] : uses)
+        if ((edge.first == v || edge.second == v) && list.size() == 2) {
+          const std::size_t from = fan[list[0].first], to = fan[list[1].first];
+          for (auto& [t, f] : fan)
+            if (f == from) f = to;
+        }
+      std::set<std::size_t> fans;
+      for (const auto& [t, f] : fan) fans.insert(f);
+      expected.non_manifold_vertices += fans.size() > 1;
+    }
+    const Topology found = topology({mesh, {}});
+    CHECK(found.euler == std::int64_t(used.size() + mesh.triangles.size()) - std::int64_t(uses.size()));
+    CHECK(found.non_manifold_edges == expected.non_manifold_edges);
+    CHECK(found.non_manifold_vertices == expected.non_manifold_vertices);
+    CHECK(found.open_edges == expected.open_edges);
+  }
 }
 
 TEST_CASE("a missing triangle opens three edges", "[mesh]") {

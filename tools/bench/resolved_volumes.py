@@ -152,7 +152,7 @@ def compared(tools, folder, path, all_meshes):
     facts = json.loads(report.read_text())
     if not all_meshes and not any(d["kind"] in ("self-intersection", "inside-out") for d in facts["operands"][0]["defects"]):
         return None
-    exact, seconds = fractions.Fraction(facts["result"]["volume_exact"]), facts["seconds"]["evaluate"]
+    exact, seconds = fractions.Fraction(facts["result"]["volume_exact"] or facts["result"]["volume"]), facts["seconds"]["evaluate"]
     mine = float(exact)
     given = tools.mesh(path, folder)
     case = folder / "case"

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -8,6 +10,7 @@
 #include "report.h"
 #include "reproduction.h"
 #include "result_file.h"
+#include "rounded_output.h"
 #include "strata/combine.h"
 #include "verbs.h"
 #include "watched_options.h"
@@ -18,11 +21,17 @@ strata::BooleanResult evaluate(strata::Operation operation, std::span<const Load
                                const Settings& settings, const Watch& watch) {
   ProgressBar bar(settings.progress, settings.quiet);
   strata::Options options = watched_options(settings, bar, watch);
-  options.exact_vertices = !settings.report.empty() || format == strata::Format::xoff ||
-                           settings.touching != "shared" || settings.makes_solids();
+  options.rounding = settings.makes_solids() ? grid_of(format, settings) : std::nullopt;
+  options.exact_vertices = !settings.report.empty() || format == strata::Format::xoff || settings.touching != "shared";
   std::vector<strata::Operand> views;
   for (const LoadedMesh& operand : operands) views.push_back({operand.mesh.mesh, operand.mesh.exact});
-  return strata::combine(operation, std::span<const strata::Operand>(views), options);
+  if (!options.rounding || options.exact_vertices)
+    return strata::combine(operation, std::span<const strata::Operand>(views), options);
+  try {
+    return strata::combine(operation, std::span<const strata::Operand>(views), options);
+  } catch (const std::invalid_argument& error) {
+    throw strata::IoError(settings.output, {}, error.what());  // a coordinate is beyond the format
+  }
 }
 
 /// What was asked, as a case.
@@ -81,6 +90,8 @@ ExitCode run_boolean(strata::Operation operation, const char* name, const Settin
 
   watch.on_stop(OnStop::leave);
   add_profile(report, result.profile);
+  if (result.rounding)
+    return write_rounded_result(std::move(result.mesh), *result.rounding, format, settings, watch, name, question);
   if (!settings.report.empty()) report["operands"] = operand_reports(operands, result.notes, settings);
   return write_result({std::move(result.mesh), std::move(result.exact)}, format, std::move(report), settings, watch,
                       name, question);

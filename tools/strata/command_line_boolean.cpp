@@ -17,7 +17,7 @@ void add_boolean(CommandLine& line, strata::Operation operation, const std::stri
   CLI::App* verb = line.app.add_subcommand(name, what);
   if (operation == strata::Operation::symmetric_difference) verb->alias("xor");
   add_common_options(*verb, settings, 1, 0);
-  add_input_class(*verb, settings);
+  add_input_class_and_holes(*verb, settings);
   add_engine(*verb, settings, boolean_engines());
   add_output_options(*verb, settings);
   verb->footer(fmt::format("Example:\n  strata {} A.stl B.stl -o OUT.stl\n\n{}", name, exit_codes));
@@ -28,7 +28,7 @@ void add_resolve(CommandLine& line) {
   Settings& settings = line.settings;
   CLI::App* verb = line.app.add_subcommand("resolve", "A mesh that crosses and overlaps itself, made a solid");
   add_common_options(*verb, settings, 1, 1);
-  add_input_class(*verb, settings);
+  add_input_class_and_holes(*verb, settings);
   std::map<std::string, strata::Inside> insides;
   for (const strata::Inside inside : strata::all_insides) insides.emplace(strata::name(inside), inside);
   verb->add_option(
@@ -82,7 +82,7 @@ void add_eval(CommandLine& line) {
       "--round-transforms", [&settings] { settings.placement = strata::Placement::rounded; },
       "Round what a model transforms to doubles, once; else it is exact");
   add_run_options(*verb, settings);
-  add_input_class(*verb, settings);
+  add_input_class_and_holes(*verb, settings);
   add_engine(*verb, settings, formula_engines());
   add_output_options(*verb, settings);
   verb->footer(fmt::format(

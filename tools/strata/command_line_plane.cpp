@@ -6,6 +6,7 @@
 
 #include "command_line.h"
 #include "planar_verbs.h"
+#include "rounded_region.h"
 #include "settings.h"
 
 namespace {
@@ -37,7 +38,7 @@ void add_planar_queries(CLI::App& verb, const std::shared_ptr<PlanarSettings>& p
       ->type_name("OUT");
   bridge->add_option("--format", settings.output_format, "wkt, geojson or svg, instead of the extension of OUT")
       ->type_name("FORMAT");
-  bridge->add_flag("--exact", settings.exact, "Write vertices that are no doubles as quotients (WKT)");
+  add_region_rounding_options(*bridge, settings);
   CLI::App* locate = add("locate", "Which points are in, on or out of what loops fill", 1, run_planar_locate,
                          "locate A.geojson --points probes.csv -o answers.csv");
   locate->add_option("--points", settings.points, "The points: CSV with the columns x,y; - is standard input")
@@ -70,8 +71,7 @@ void add_planar_verbs(CommandLine& line) {
         ->type_name("OUT");
     sub->add_option("--format", settings.output_format, "wkt, geojson or svg, instead of the extension of OUT")
         ->type_name("FORMAT");
-    sub->add_flag("--exact", settings.exact,
-                  "Write vertices that are no doubles as quotients (WKT); else the nearest doubles");
+    add_region_rounding_options(*sub, settings);
     sub->add_option_function<std::string>(
            "--engine", [planar](const std::string& word) { planar->by_partitions = word == "bsp"; },
            "What computes the result, which is the same: arrangement, for all sizes; bsp, binary space partitions")

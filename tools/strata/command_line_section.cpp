@@ -6,6 +6,7 @@
 #include <string>
 
 #include "command_line.h"
+#include "rounded_region.h"
 #include "section_verbs.h"
 #include "settings.h"
 
@@ -19,7 +20,7 @@ void add_output(CLI::App& verb, Settings& settings) {
       ->required();
   verb.add_option("--format", settings.output_format, "Format, instead of the extension of OUT: wkt, csv, geojson, svg")
       ->type_name("FORMAT");
-  verb.add_flag("--exact", settings.exact, "Quotients where coordinates are not doubles (wkt, csv)");
+  add_region_rounding_options(verb, settings);
 }
 
 void add_section(CommandLine& line, const Shared& section) {

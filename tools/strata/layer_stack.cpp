@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/csv.h"
+#include "rounded_region.h"
 
 namespace {
 
@@ -46,7 +47,8 @@ LayerStack::Format LayerStack::format_of(const Settings& settings) {
 }
 
 LayerStack::LayerStack(const Settings& settings, planar::PlanePoint lower, planar::PlanePoint upper)
-    : format_(format_of(settings)),
+    : settings_(settings),
+      format_(format_of(settings)),
       coordinates_(settings.exact ? planar::Coordinates::exact : planar::Coordinates::nearest),
       file_(settings.output) {
   if (format_ == Format::csv) file_.write("plane,at,mesh,area,wkt\n");
@@ -57,8 +59,11 @@ LayerStack::LayerStack(const Settings& settings, planar::PlanePoint lower, plana
 }
 
 void LayerStack::add(std::size_t plane, const std::string& at, std::size_t mesh, const planar::Region& region,
-                     double area) {
-  const auto wkt = [&] { return without_line_end(to_text(region, PlanarFormat::wkt, coordinates_)); };
+                     double area, const strata::Monitor& monitor) {
+  const OutputRegion output = output_region(region, settings_, monitor);
+  const planar::Region& written = output.rounded.region;
+  rearranged_ += settings_.makes_solids() && !output.conflicts.empty() ? 1 : 0;
+  const auto wkt = [&] { return without_line_end(to_text(written, PlanarFormat::wkt, coordinates_)); };
   switch (format_) {
     case Format::wkt:
       file_.write(wkt() + "\n");
@@ -71,11 +76,11 @@ void LayerStack::add(std::size_t plane, const std::string& at, std::size_t mesh,
           "{}\n{{\"type\":\"Feature\",\"properties\":{{\"plane\":{},\"at\":\"{}\",\"mesh\":{},\"area\":{}}},"
           "\"geometry\":{}}}",
           is_first_ ? "" : ",", plane, at, mesh, number(area),
-          without_line_end(to_text(region, PlanarFormat::geojson))));
+          without_line_end(to_text(written, PlanarFormat::geojson))));
       break;
     case Format::svg:
       file_.write(fmt::format("<g data-plane=\"{}\" data-at=\"{}\" data-mesh=\"{}\"><path d=\"{}\"/></g>\n", plane, at,
-                              mesh, svg_path(region)));
+                              mesh, svg_path(written)));
       break;
   }
   is_first_ = false;

@@ -5,6 +5,7 @@
 
 #include "common/output_file.h"
 #include "settings.h"
+#include "strata/monitor.h"
 #include "strata/planar.h"
 
 /// Polygons of many planes and meshes in one file, written as they come:
@@ -21,17 +22,23 @@ class LayerStack {
   /// By the extension of -o or by --format. Throws UsageError, also for exact coordinates where there are none.
   [[nodiscard]] static Format format_of(const Settings& settings);
 
-  /// `lower`, `upper`: corners of everything in the planes' coordinates, for pictures. Throws strata::IoError.
+  /// Refers to the settings. `lower`, `upper`: corners of everything in the planes' coordinates, for pictures. Throws
+  /// strata::IoError.
   LayerStack(const Settings& settings, strata::planar::PlanePoint lower, strata::planar::PlanePoint upper);
 
-  /// `at`: where the plane is, as text.
+  /// `at`: where the plane is, as text. Unless quotients are written, the region is rounded such that it is one again.
   void add(std::size_t plane, const std::string& at, std::size_t mesh, const strata::planar::Region& region,
-           double area);
+           double area, const strata::Monitor& monitor);
   void finish();
 
+  /// How many regions with their vertices at the nearest doubles would meet themselves, and were rearranged.
+  [[nodiscard]] std::size_t rearranged() const { return rearranged_; }
+
  private:
+  const Settings& settings_;
   Format format_;
   strata::planar::Coordinates coordinates_;
   OutputFile file_;
   bool is_first_ = true;
+  std::size_t rearranged_ = 0;
 };

@@ -11,6 +11,7 @@
 #include "planar_input.h"
 #include "planar_partition.h"
 #include "planar_verbs.h"
+#include "rounded_region.h"
 
 namespace {
 
@@ -83,32 +84,29 @@ ExitCode run_planar(Operation operation, const char* name, const PlanarSettings&
 
   std::vector<Operand> operands;
   for (const PlanarFile& file : files) operands.push_back({file.loops, fill_rule(planar)});
-  std::vector<SelfMeeting> conflicts;
+  OutputRegion written;
   const Region region = cancellable(watch, settings, [&](const strata::Monitor& monitor) {
     Region r = planar.by_partitions ? combine_by_partitions(operands, operation, monitor)
                                     : combine(operands, operation, monitor);
     report["seconds"]["evaluate"] = stopwatch.lap();
-    if (!settings.exact) conflicts = rounding_conflicts(r);
+    written = output_region(r, settings, monitor);
     return r;
   });
-  report["seconds"]["check_rounding"] = stopwatch.lap();
+  report["seconds"]["round"] = stopwatch.lap();
   if (!settings.report.empty() || !settings.quiet) report["result"] = facts(region);
-  if (report["result"].is_object()) report["result"]["rounding_conflicts"] = conflicts.size();
-  report["rounding_conflicts"] = to_json(conflicts);
+  if (report["result"].is_object()) report["result"]["rounding_conflicts"] = written.conflicts.size();
+  report["rounding_conflicts"] = to_json(written.conflicts);
+  report["rounding"] = {{"rounds", written.rounded.rounds}, {"largest_movement", written.rounded.largest_movement}};
   report["seconds"]["measure"] = stopwatch.lap();
 
   watch.on_stop(OnStop::finish);
-  write_text(settings.output, to_text(region, format, settings.exact ? Coordinates::exact : Coordinates::nearest));
+  write_text(settings.output,
+             to_text(written.rounded.region, format, settings.exact ? Coordinates::exact : Coordinates::nearest));
   report["seconds"]["write"] = stopwatch.lap();
   report["peak_bytes"] = peak_bytes();
   if (report["result"].is_object()) print_facts(report["result"], settings);
   if (!settings.report.empty()) write_report(settings.report, std::move(report));
-  if (conflicts.empty()) return ExitCode::ok;
-  fmt::print(stderr,
-             "strata: rounding the result's vertices makes its loops meet in {} places, the first one near {}; --exact "
-             "writes it as it is\n",
-             conflicts.size(), place(conflicts.front().where).dump());
-  return ExitCode::not_certified;
+  return report_conflicts(written, settings);
 }
 
 ExitCode run_planar_check(const Settings& settings) {

@@ -10,6 +10,7 @@
 #include "common/text_file.h"
 #include "planar_input.h"
 #include "planar_verbs.h"
+#include "rounded_region.h"
 #include "row_file.h"
 #include "stream_blocks.h"
 #include "threads.h"
@@ -123,7 +124,7 @@ ExitCode run_planar_bridge(const PlanarSettings& planar, const Settings& setting
   const Region result = cancellable(watch, settings, [&](const strata::Monitor& monitor) {
     const Region region = region_of(files.front(), planar, monitor);
     facts = {{"polygons", region.polygons()}, {"bridges", region.loops.size() - region.polygons()}};
-    return bridged_region(region);
+    return bridged_region(output_region(region, settings, monitor).rounded.region);
   });
   watch.on_stop(OnStop::finish);
   write_text(settings.output, to_text(result, format, settings.exact ? Coordinates::exact : Coordinates::nearest));

@@ -35,14 +35,21 @@ Json to_json(const ExactMesh& mesh, const std::optional<strata::Measures>& measu
   facts["components"] = measures->topology.components;
   facts["euler"] = measures->topology.euler;
   facts["closed"] = measures->topology.open_edges == 0;
-  if (measures->volume) facts["volume"] = strata::to_nearest_double(*measures->volume);
+  if (measures->volume) facts["volume"] = *measures->volume;
   return facts;
 }
 
-strata::Measures measure(const ExactMesh& mesh, const Settings& settings) {
+strata::Measures measure(const ExactMesh& mesh, const Settings& settings, bool count_facets) {
   strata::Options options;
   options.threads = settings.threads;
-  return strata::measure(mesh, options);
+  return strata::measure(mesh, options, count_facets);
+}
+
+/// The fraction, which has about a hundred digits for each vertex that is no three doubles.
+Json exact_volume(const ExactMesh& mesh, const strata::Measures& measures) {
+  constexpr std::size_t most_rational_vertices = 1000;
+  if (!measures.volume || mesh.exact.size() > most_rational_vertices) return nullptr;
+  return strata::volume(mesh).str();
 }
 
 }  // namespace
@@ -69,7 +76,7 @@ Json to_json(std::span<const Defect> defects) {
 }
 
 Json measures(const ExactMesh& mesh, const Settings& settings) {
-  return measurable(mesh) ? to_json(mesh, measure(mesh, settings)) : to_json(mesh, std::nullopt);
+  return measurable(mesh) ? to_json(mesh, measure(mesh, settings, false)) : to_json(mesh, std::nullopt);
 }
 
 Json operand_report(const LoadedMesh& operand, std::span<const Defect> defects, const Settings& settings) {
@@ -80,12 +87,12 @@ Json operand_report(const LoadedMesh& operand, std::span<const Defect> defects, 
 }
 
 Json result_report(const ExactMesh& mesh, std::optional<bool> rounded_valid, const Settings& settings) {
-  const strata::Measures measures = measure(mesh, settings);
+  const strata::Measures measures = measure(mesh, settings, true);
   Json report = to_json(mesh, measures);
   report["touching_edges"] = measures.topology.non_manifold_edges;
   report["touching_vertices"] = measures.topology.non_manifold_vertices;
   report["facets"] = measures.facets;
-  report["volume_exact"] = measures.volume ? Json(measures.volume->str()) : Json(nullptr);
+  report["volume_exact"] = exact_volume(mesh, measures);
   report["empty"] = mesh.mesh.triangles.empty();
   report["rounded_valid"] = rounded_valid ? Json(*rounded_valid) : Json(nullptr);
   return report;

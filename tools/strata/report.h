@@ -27,7 +27,7 @@ void print_notes(std::span<const strata::Defect> notes, const Settings& settings
                                   const Settings& settings);
 
 /// {measures, touching_edges, touching_vertices, facets, volume_exact, empty, closed, rounded_valid}; `rounded_valid`
-/// is null where it was not checked.
+/// is null where it was not checked, `volume_exact` where more than 1,000 vertices are not doubles.
 [[nodiscard]] Json result_report(const strata::ExactMesh& mesh, std::optional<bool> rounded_valid,
                                  const Settings& settings);
 

@@ -48,12 +48,9 @@ std::string crossing_for_no_rounding(const char* verb, const Asked& asked, const
                      error, keep_reproduction(asked, verb, error, settings));
 }
 
-}  // namespace
-
-ExitCode write_result(const strata::ExactMesh& exact, strata::Format format, Json report, const Settings& settings,
-                      Watch& watch, const char* verb, const Asked& asked) {
-  Stopwatch stopwatch;
-  RoundedOutput rounded = rounded_output(exact, format, settings, &watch.token());
+/// Writes what was rounded; `exact` is what it was rounded from, for the report.
+ExitCode write(const strata::ExactMesh& exact, RoundedOutput rounded, strata::Format format, Json report,
+               const Settings& settings, Watch& watch, Stopwatch& stopwatch, const char* verb, const Asked& asked) {
   if (settings.touching == "separate" && !separate(rounded, exact, format, settings, watch)) {
     fmt::print(stderr,
                "strata: sheets that touch cannot be separated in the numbers of the format; nothing was written\n");
@@ -92,4 +89,21 @@ ExitCode write_result(const strata::ExactMesh& exact, strata::Format format, Jso
                                                          : crossing_for_no_rounding(verb, asked, settings);
   fmt::print(stderr, "strata: not certified: {}; it was written all the same\n", why);
   return ExitCode::not_certified;
+}
+
+}  // namespace
+
+ExitCode write_result(const strata::ExactMesh& exact, strata::Format format, Json report, const Settings& settings,
+                      Watch& watch, const char* verb, const Asked& asked) {
+  Stopwatch stopwatch;
+  RoundedOutput rounded = rounded_output(exact, format, settings, &watch.token());
+  return write(exact, std::move(rounded), format, std::move(report), settings, watch, stopwatch, verb, asked);
+}
+
+ExitCode write_rounded_result(strata::Mesh mesh, const strata::RoundingReport& rounding, strata::Format format,
+                              const Settings& settings, Watch& watch, const char* verb, const Asked& asked) {
+  Stopwatch stopwatch;
+  print_rounding(rounding, settings);
+  const strata::ExactMesh written{std::move(mesh), {}};
+  return write(written, {}, format, Json(), settings, watch, stopwatch, verb, asked);
 }

@@ -162,13 +162,14 @@ ExitCode run_section(const SectionSettings& section, const Settings& settings) {
   Json areas = Json::array();
   for (std::size_t k = 0; k < solids.size(); ++k) {
     const double area = strata::true_area(plane, projected[k]);
-    stack.add(0, section.plane, k, regions[k], area);
+    stack.add(0, section.plane, k, regions[k], area, {});
     counts.add(regions[k]);
     areas.push_back({{"mesh", k}, {"area", area}, {"projected_area_exact", projected[k].str()}});
   }
   stack.finish();
   constexpr std::array names{"x", "y", "z"};
   Json result = counts.json();
+  result["rearranged"] = stack.rearranged();
   result["axes"] = {names[axes.u], names[axes.v]};
   result["areas"] = std::move(areas);
   return run.end(std::move(result));
@@ -193,7 +194,7 @@ ExitCode run_slice(const SectionSettings& section, const Settings& settings) {
           solids[k], section.along, heights,
           [&](std::size_t plane, const planar::Region& region) {
             monitor.check();
-            stack->add(plane, fmt::format("{}", heights[plane] + 0.0), k, region, area_of(region, settings));
+            stack->add(plane, fmt::format("{}", heights[plane] + 0.0), k, region, area_of(region, settings), monitor);
             counts.add(region);
           },
           options);
@@ -201,6 +202,7 @@ ExitCode run_slice(const SectionSettings& section, const Settings& settings) {
   run.begin_writing();
   stack->finish();
   Json result = counts.json();
+  result["rearranged"] = stack->rearranged();
   result["planes"] = planes;
   return run.end(std::move(result));
 }

@@ -51,6 +51,21 @@ void add_input_class(CLI::App& verb, Settings& settings) {
       ->default_str("automatic");
 }
 
+void add_input_class_and_holes(CLI::App& verb, Settings& settings) {
+  add_input_class(verb, settings);
+  verb.add_option_function<std::string>(
+          "--fill-holes",
+          [&settings](const std::string& word) {
+            settings.input = strata::InputClass::soup;
+            if (word == "all") return;
+            if (!CLI::detail::lexical_cast(word, settings.most_hole_edges))
+              throw CLI::ValidationError("--fill-holes", "all or a number of edges, not " + word);
+          },
+          "The same as --input soup: all holes are filled, or those of at most N edges and others refused")
+      ->type_name("all|N")
+      ->excludes("--input");
+}
+
 void add_output_file(CLI::App& verb, Settings& settings) {
   verb.add_option("-o,--output", settings.output, "Where the result goes; - is standard output")
       ->required()

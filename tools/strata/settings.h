@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,7 +45,8 @@ struct Settings {
   std::string overlaps;             ///< folder for what parts have in common
   double distance = 0;              ///< by which a solid is grown, or shrunk if it is negative
   std::uint32_t facets = 320;       ///< of the ball that does it, about
-  unsigned threads = 0;             ///< 0: all cores
+  std::size_t most_hole_edges = std::numeric_limits<std::size_t>::max();  ///< of input class soup
+  unsigned threads = 0;                                                   ///< 0: all cores
   bool quiet = false;
   bool progress = false;
   double timeout = 0;  ///< seconds; 0: none
@@ -65,8 +67,11 @@ void add_run_options(CLI::App& verb, Settings& settings);
 /// The same and operands. `least` and `most` bound their number; most 0: no bound.
 void add_common_options(CLI::App& verb, Settings& settings, int least, int most);
 
-/// --input solid|overlapping|repair.
+/// --input CLASS.
 void add_input_class(CLI::App& verb, Settings& settings);
+
+/// --input CLASS, and --fill-holes all|N in its place: input class soup, with a limit.
+void add_input_class_and_holes(CLI::App& verb, Settings& settings);
 
 /// --engine, with the arrangement and these.
 void add_engine(CLI::App& verb, Settings& settings, const std::vector<const strata::Engine*>& engines);

@@ -9,6 +9,7 @@
 [[nodiscard]] inline strata::Options watched_options(const Settings& settings, ProgressBar& bar, const Watch& watch) {
   strata::Options options;
   options.input = settings.input;
+  options.most_hole_edges = settings.most_hole_edges;
   options.engine = settings.engine;
   options.threads = settings.threads;
   options.progress = [&bar](double fraction) { bar.show(fraction); };

@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <span>
 #include <utility>
 
-#include "core/containers/huge_pages.h"
 #include "core/containers/z_order.h"
 
 namespace strata {
@@ -59,18 +57,17 @@ class Cells {
 };
 
 /// Sorts by code, 10 bits at a time from the lowest; equal codes keep their order.
-void sort_by_code(std::vector<Placed>& placed) {
+void sort_by_code(FreshArray<Placed>& placed) {
   constexpr std::uint32_t bits = 10, mask = (1u << bits) - 1;
   std::array<std::array<std::size_t, mask + 1>, 3> first{};
   for (const Placed& p : placed)
     for (std::uint32_t k = 0; k < 3; ++k) ++first[k][p.code >> k * bits & mask];
-  std::vector<Placed> other;
-  resize_fresh(other, placed.size());
+  FreshArray<Placed> other(placed.size());
   for (std::uint32_t k = 0; k < 3; ++k) {
     std::size_t sum = 0;
     for (std::size_t& f : first[k]) sum += std::exchange(f, sum);
     for (const Placed& p : placed) other[first[k][p.code >> k * bits & mask]++] = p;
-    placed.swap(other);
+    std::swap(placed, other);
   }
 }
 
@@ -106,125 +103,86 @@ class Ordering {
   PackedBoxes::BoxOf box_of_;
 };
 
-// Vectors that every processor has: compilers take wider ones apart, number by number.
-using TwoDoubles [[gnu::vector_size(16)]] = double;
-using TwoBits [[gnu::vector_size(16)]] = std::int64_t;
-using FourKeys [[gnu::vector_size(16)]] = std::uint32_t;
-using FourBits [[gnu::vector_size(16)]] = std::int32_t;
+/// The last of the packs for `count` boxes may have lanes beyond them.
+void clear_last_lanes(FreshArray<BoxPack>& packs, std::size_t count) {
+  for (std::size_t k = count % BoxPack::width; k != 0 && k < BoxPack::width; ++k) packs[packs.size() - 1].set_empty(k);
+}
 
 }  // namespace
 
-PackedBoxes::Pack::Pack() {
-  for (auto& axis : lower) axis.fill(Box::infinity);
-  for (auto& axis : upper) axis.fill(-Box::infinity);
-}
-
-void PackedBoxes::Pack::set(std::size_t k, const Box& box) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    lower[i][k] = box.lower[i];
-    upper[i][k] = box.upper[i];
-  }
-}
-
-inline Box PackedBoxes::Pack::box(std::size_t k) const {
-  return {{lower[0][k], lower[1][k], lower[2][k]}, {upper[0][k], upper[1][k], upper[2][k]}};
-}
-
-inline Box PackedBoxes::Pack::bounds() const {
-  Box all;
-  for (std::size_t k = 0; k < width; ++k) all.include(box(k));
-  return all;
-}
-
-/// Bit k: box k has a point in common with this one.
-inline std::uint32_t PackedBoxes::overlapping(const Pack& pack, const Box& box) {
-  TwoBits all{};
-  for (std::size_t k = 0; k < width; k += 2) {
-    TwoBits met{std::int64_t{1} << k, std::int64_t{2} << k};
-    for (std::size_t i = 0; i < 3; ++i) {
-      TwoDoubles low, high;
-      std::memcpy(&low, &pack.lower[i][k], sizeof low);
-      std::memcpy(&high, &pack.upper[i][k], sizeof high);
-      met &= (low <= box.upper[i]) & (high >= box.lower[i]);
-    }
-    all |= met;
-  }
-  return static_cast<std::uint32_t>(all[0] | all[1]);
-}
-
-/// Bit k: lane k has a key in common with a lane of other keys.
-inline std::uint32_t PackedBoxes::with_common_key(const PackKeys& keys, const PackKeys& of, std::size_t lane) {
-  FourBits low{}, high{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::uint32_t own = of.key[i][lane];
-    if (own == no_key) continue;
-    for (std::size_t j = 0; j < 3; ++j) {
-      FourKeys first, second;
-      std::memcpy(&first, keys.key[j].data(), sizeof first);
-      std::memcpy(&second, keys.key[j].data() + 4, sizeof second);
-      low |= first == own;
-      high |= second == own;
-    }
-  }
-  const FourBits bits = (low & FourBits{1, 2, 4, 8}) | (high & FourBits{16, 32, 64, 128});
-  return static_cast<std::uint32_t>((bits[0] | bits[1]) | (bits[2] | bits[3]));
-}
-
 inline void PackedBoxes::append_pairs(std::size_t first, std::size_t second, const Box& bounds_of_second,
                                       std::vector<Pair>& pairs) const {
-  const Pack &a = levels_.front()[first], &b = levels_.front()[second];
-  for (std::uint32_t own = overlapping(a, bounds_of_second); own != 0; own &= own - 1) {
+  BoxPackTests::Masks masks;
+  std::uint32_t own = tests_->pairs(levels_.front()[first], keys_[first], levels_.front()[second], keys_[second],
+                                    bounds_of_second, masks);
+  for (; own != 0; own &= own - 1) {
     const auto i = static_cast<std::uint32_t>(std::countr_zero(own));
-    std::uint32_t others = overlapping(b, a.box(i));
+    std::uint32_t others = masks[i];
     if (first == second) others &= ~((std::uint32_t{2} << i) - 1);
-    if (others != 0) others &= ~with_common_key(keys_[second], keys_[first], i);
     for (; others != 0; others &= others - 1)
       pairs.push_back(
           {items_[first * width + i], items_[second * width + static_cast<std::size_t>(std::countr_zero(others))]});
   }
 }
 
-void PackedBoxes::append_pairs_of(std::size_t pack, std::vector<Pair>& pairs) const {
+/// Descends to the nodes of packs that meet these bounds, but for those before `first`: calls visit(node, packs), with
+/// a bit for each of its packs.
+template <class Visit>
+void PackedBoxes::for_each_near(const Box& bounds, std::size_t first, const Visit& visit) const {
   constexpr std::size_t most_levels = 12;  // 8^11 packs
-  const Box bounds = levels_.front()[pack].bounds();
   struct Branch {
     std::size_t node = 0;
     std::uint32_t children = 0;  ///< not yet visited
   };
   std::array<Branch, most_levels> path;
-  std::size_t level = levels_.size() - 1;
-  if (level == 0) return append_pairs(pack, pack, bounds, pairs);
-  path[level] = {0, overlapping(levels_[level].front(), bounds)};
-  while (true) {
+  const std::size_t top = levels_.size() - 1;
+  std::size_t level = top;
+  path[level] = {0, tests_->overlapping(levels_[level][0], bounds)};
+  while (level <= top) {
     Branch& branch = path[level];
-    if (branch.children == 0) {
-      if (++level == levels_.size()) return;
-      continue;
-    }
-    const auto k = static_cast<std::size_t>(std::countr_zero(branch.children));
-    branch.children &= branch.children - 1;
-    const std::size_t child = branch.node * width + k;
     if (level == 1) {
-      if (child >= pack) append_pairs(pack, child, levels_[1][branch.node].box(k), pairs);
+      if (branch.node >= first) visit(branch.node, branch.children);
+      ++level;
       continue;
     }
-    if (((child + 1) << (3 * (level - 1))) <= pack) continue;  // all of its packs come earlier
+    if (branch.children == 0) {
+      ++level;
+      continue;
+    }
+    const std::size_t child = branch.node * width + static_cast<std::size_t>(std::countr_zero(branch.children));
+    branch.children &= branch.children - 1;
+    if (((child + 1) << (3 * (level - 2))) <= first) continue;  // all of its nodes come earlier
     --level;
-    path[level] = {child, overlapping(levels_[level][child], bounds)};
+    path[level] = {child, tests_->overlapping(levels_[level][child], bounds)};
   }
 }
 
-PackedBoxes::PackedBoxes(std::uint32_t count, BoxOf box_of, KeysOf keys_of) {
-  std::vector<Placed> placed;
-  resize_fresh(placed, count);
-  std::vector<Box> bounds_of_run((count + grain - 1) / grain);
-  for_each_run(count, [&](std::size_t first, std::size_t last) {
-    Box bounds;
-    for (std::size_t i = first; i < last; ++i) bounds.include(centre_of(box_of(static_cast<std::uint32_t>(i))));
-    bounds_of_run[first / grain] = bounds;
+void PackedBoxes::append_pairs_of(std::size_t group, std::vector<Pair>& pairs) const {
+  if (levels_.size() == 1) return append_pairs(0, 0, levels_.front()[0].bounds(), pairs);
+  struct Node {
+    std::size_t number;
+    std::uint32_t packs;
+  };
+  std::vector<Node> near;
+  for_each_near(levels_[1][group].bounds(), group, [&](std::size_t node, std::uint32_t packs) {
+    if (packs != 0) near.push_back({node, packs});
   });
-  Box bounds;
-  for (const Box& b : bounds_of_run) bounds.include(b);
+  for (std::size_t pack = group * width; pack < std::min(pack_count(), (group + 1) * width); ++pack) {
+    const Box bounds = levels_[1][group].box(pack % width);
+    for (const Node& node : near)
+      for (std::uint32_t packs = tests_->overlapping(levels_[1][node.number], bounds) & node.packs; packs != 0;
+           packs &= packs - 1) {
+        const auto k = static_cast<std::size_t>(std::countr_zero(packs));
+        if (const std::size_t other = node.number * width + k; other >= pack)
+          append_pairs(pack, other, levels_[1][node.number].box(k), pairs);
+      }
+  }
+}
+
+PackedBoxes::PackedBoxes(std::uint32_t count, const Box& bounds, BoxOf box_of, KeysOf keys_of,
+                         const BoxPackTests& tests)
+    : tests_(&tests) {
+  FreshArray<Placed> placed(count);
   const Cells cells(bounds);
   for_each_run(count, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -234,13 +192,12 @@ PackedBoxes::PackedBoxes(std::uint32_t count, BoxOf box_of, KeysOf keys_of) {
   });
   if (cells.are_useful()) {
     sort_by_code(placed);
-    Ordering(box_of).order_within_cells(placed, 0);
+    Ordering(box_of).order_within_cells({placed.begin(), placed.end()}, 0);
   }
 
-  resize_fresh(items_, count);
-  Level& packs = levels_.emplace_back();
-  resize_fresh(packs, (std::size_t{count} + width - 1) / width);
-  resize_fresh(keys_, packs.size());
+  items_ = FreshArray<std::uint32_t>(count);
+  Level& packs = levels_.emplace_back((std::size_t{count} + width - 1) / width);
+  keys_ = FreshArray<KeyPack>(packs.size());
   for_each_run(count, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       items_[i] = placed[i].item;
@@ -249,12 +206,16 @@ PackedBoxes::PackedBoxes(std::uint32_t count, BoxOf box_of, KeysOf keys_of) {
       for (std::size_t k = 0; k < 3; ++k) keys_[i / width].key[k][i % width] = keys[k];
     }
   });
+  clear_last_lanes(packs, count);
+  for (std::size_t k = count % width; k != 0 && k < width; ++k)
+    for (auto& key : keys_[packs.size() - 1].key) key[k] = KeyPack::no_key;
   while (levels_.back().size() > 1) {
     const Level& below = levels_.back();
     Level above((below.size() + width - 1) / width);
     for_each_run(below.size(), [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) above[i / width].set(i % width, below[i].bounds());
     });
+    clear_last_lanes(above, below.size());
     levels_.push_back(std::move(above));
   }
 }

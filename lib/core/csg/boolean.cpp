@@ -8,6 +8,7 @@
 
 #include "core/csg/broken_operands.h"
 #include "core/csg/prepared_operands.h"
+#include "core/csg/round_to_solid.h"
 #include "core/csg/stopwatch.h"
 #include "core/kernel/counters.h"
 #include "core/mesh/equal_vertices.h"
@@ -82,6 +83,11 @@ BooleanResult finished(const InputComplex& input, const std::vector<Verdict>& ve
   if (options.exact_vertices) result.exact = exact_positions(input, boundary, result.mesh.vertices, monitor);
   result.mesh.triangles = std::move(boundary.triangles);
   result.sources = std::move(boundary.sources);
+  if (options.rounding && !options.exact_vertices) {
+    const NearestMesh nearest{result.mesh, rounded_vertices(input, boundary, result.mesh.vertices, monitor),
+                              [&](std::uint32_t vertex) { return exact_position(input, boundary, vertex); }};
+    put_rounded(round_to_solid(nearest, *options.rounding, monitor), result);
+  }
   return result;
 }
 
@@ -138,7 +144,8 @@ std::size_t few_pairs(std::size_t faces) { return faces / 8 + 1; }
 /// One mesh of doubles, each vertex of which is the first of those in its place.
 class WeldedMesh {
  public:
-  explicit WeldedMesh(const InputComplex& mesh) : triangles_(on_first_vertices({{mesh.points(0), mesh.faces(0)}, {}})) {
+  explicit WeldedMesh(const InputComplex& mesh)
+      : triangles_(on_first_vertices(ExactMeshView({mesh.points(0), mesh.faces(0)}, {}))) {
     const std::optional<Box> bounds = mesh.bounds(0) != nullptr ? std::optional(*mesh.bounds(0)) : std::nullopt;
     complex_.add(mesh.points(0), triangles_, {}, bounds);
   }
@@ -179,7 +186,7 @@ BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Op
   const TierCounts tiers = tier_counts_now();
   Stages stages(profile, monitor);
 
-  const PreparedOperands operands(given, options.input);
+  const PreparedOperands operands(given, options);
   stages.end("prepare", 0.05);
 
   BooleanResult result = evaluate(rule, operands.complex(), options, monitor, stages);

@@ -59,7 +59,9 @@ std::vector<Defect> defects_as_operand(const ExactMesh& mesh, InputClass input, 
     std::vector<Defect> notes = input == InputClass::automatic
                                     ? find_class({&operand, 1}, Monitor(options.cancel)).notes
                                     : std::vector<Defect>{};
-    const std::vector<Defect> prepared = prepare(mesh, input).notes;
+    Options as_operand = options;
+    as_operand.input = input;
+    const std::vector<Defect> prepared = prepare(mesh, as_operand).notes;
     notes.insert(notes.end(), prepared.begin(), prepared.end());
     return notes;
   });

@@ -8,6 +8,7 @@
 #include "core/csg/boolean.h"
 #include "core/csg/early_unions.h"
 #include "core/csg/found_class.h"
+#include "core/csg/round_to_solid.h"
 #include "core/csg/stopwatch.h"
 
 namespace strata {
@@ -60,11 +61,24 @@ BooleanResult combine(const Rule& rule, std::span<const Operand> operands, const
   return result;
 }
 
+/// What another engine evaluates is rounded from exact vertices.
+template <class Evaluate>
+BooleanResult rounded_after(const Options& options, const Evaluate& evaluate) {
+  if (!options.rounding || options.exact_vertices) return evaluate(options);
+  Options exact = options;
+  exact.exact_vertices = true;
+  BooleanResult result = evaluate(exact);
+  const ExactMesh mesh{std::move(result.mesh), std::move(result.exact)};
+  put_rounded(round_to_solid(mesh, *options.rounding, options), result);
+  return result;
+}
+
 }  // namespace
 
 BooleanResult combine(Operation operation, std::span<const Operand> operands, const Options& options) {
   return with_found_class(operands, options, [&](const Options& found) {
-    if (found.engine != nullptr) return found.engine->combine(operation, operands, found);
+    if (found.engine != nullptr)
+      return rounded_after(found, [&](const Options& o) { return o.engine->combine(operation, operands, o); });
     return combine(Rule(operation, static_cast<std::uint32_t>(operands.size())), operands, found);
   });
 }
@@ -77,7 +91,8 @@ BooleanResult combine(const Formula& formula, std::span<const Operand> operands,
   if (options.engine != nullptr && options.engine->evaluate == nullptr)
     throw std::invalid_argument(std::string("the engine ") + options.engine->name + " evaluates no formulas");
   return with_found_class(operands, options, [&](const Options& found) {
-    if (found.engine != nullptr) return found.engine->evaluate(formula, operands, found);
+    if (found.engine != nullptr)
+      return rounded_after(found, [&](const Options& o) { return o.engine->evaluate(formula, operands, o); });
     return combine(Rule(formula), operands, found);
   });
 }

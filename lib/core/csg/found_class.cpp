@@ -1,6 +1,10 @@
 #include "core/csg/found_class.h"
 
+#include <tbb/parallel_for.h>
+
+#include <exception>
 #include <utility>
+#include <vector>
 
 #include "core/csg/inspection.h"
 #include "core/mesh/equal_vertices.h"
@@ -13,7 +17,7 @@ namespace {
 std::vector<Defect> to_resolve(const Operand& operand, std::size_t number, const Monitor& monitor) {
   if (operand.is_checked || operand.mesh.triangles.empty()) return {};
   if (operand.exact.empty() && is_plainly_solid(operand.mesh, monitor)) return {};
-  const Prepared prepared = prepare({operand.mesh, operand.exact}, InputClass::automatic, number);
+  const Prepared prepared = prepare({operand.mesh, operand.exact}, Options{}, number);
   const ExactMeshView ready(prepared.mesh ? MeshView(*prepared.mesh) : operand.mesh, operand.exact);
   const std::vector<Triangle> triangles = on_first_vertices(ready);
   return Inspection({{ready.mesh.vertices, triangles}, operand.exact}, monitor)
@@ -22,10 +26,22 @@ std::vector<Defect> to_resolve(const Operand& operand, std::size_t number, const
 
 }  // namespace
 
+// Operands are searched at the same time, so that what is serial of one goes with what is parallel of others. Of
+// several errors, that of the first operand is thrown.
 FoundClass find_class(std::span<const Operand> operands, const Monitor& monitor) {
+  std::vector<std::vector<Defect>> notes_of(operands.size());
+  std::vector<std::exception_ptr> errors(operands.size());
+  tbb::parallel_for(std::size_t{0}, operands.size(), [&](std::size_t i) {
+    try {
+      notes_of[i] = to_resolve(operands[i], i, monitor);
+    } catch (...) {
+      errors[i] = std::current_exception();
+    }
+  });
   FoundClass found;
   for (std::size_t i = 0; i < operands.size(); ++i) {
-    const std::vector<Defect> notes = to_resolve(operands[i], i, monitor);
+    if (errors[i]) std::rethrow_exception(errors[i]);
+    const std::vector<Defect>& notes = notes_of[i];
     if (!notes.empty()) found.input = InputClass::overlapping;
     found.notes.insert(found.notes.end(), notes.begin(), notes.end());
   }

@@ -7,12 +7,13 @@
 
 namespace strata {
 
-PreparedOperands::PreparedOperands(std::span<const Operand> given, InputClass input) : given_(given), input_(input) {
+PreparedOperands::PreparedOperands(std::span<const Operand> given, const Options& options)
+    : given_(given), input_(options.input) {
   prepared_.reserve(given.size());
   for (std::size_t i = 0; i < given.size(); ++i) {
     const Operand& operand = given[i];
     const bool is_known = operand.is_checked && !operand.exact.empty();
-    prepared_.push_back(is_known ? Prepared{} : prepare({operand.mesh, operand.exact}, input, i));
+    prepared_.push_back(is_known ? Prepared{} : prepare({operand.mesh, operand.exact}, options, i));
   }
 }
 

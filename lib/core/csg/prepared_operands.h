@@ -13,7 +13,7 @@ namespace strata {
 class PreparedOperands {
  public:
   /// Throws InputError that names the operand.
-  PreparedOperands(std::span<const Operand> given, InputClass input);
+  PreparedOperands(std::span<const Operand> given, const Options& options);
 
   /// All operands in one numbering. Refers to this object. Winding numbers of a `solid` are 0 and 1, so its faces are
   /// not compared with each other.

@@ -1,7 +1,10 @@
+#include "core/csg/round_to_solid.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,11 +12,12 @@
 #include "core/csg/arena.h"
 #include "core/csg/boolean.h"
 #include "core/csg/inspection.h"
+#include "core/kernel/grid_rounding.h"
+#include "core/mesh/connections.h"
 #include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
 #include "core/round/distances.h"
 #include "core/round/flatten.h"
-#include "core/round/grid_rounding.h"
 #include "core/round/moving_mesh.h"
 #include "core/round/repair.h"
 #include "core/round/wrong_faces.h"
@@ -103,7 +107,7 @@ bool winds_like_a_solid(const MovingMesh& mesh, const ChangedRegion& region, con
 
 class SolidRounding {
  public:
-  SolidRounding(const ExactMesh& exact, const GridRounding& grid, const Monitor& monitor)
+  SolidRounding(const NearestMesh& exact, const GridRounding& grid, const Monitor& monitor)
       : exact_(exact), grid_(grid), monitor_(monitor) {}
 
   RoundedMesh run() {
@@ -133,20 +137,21 @@ class SolidRounding {
 
  private:
   [[nodiscard]] MovingMesh nearest() const {
-    const std::vector<Vertex>& points = exact_.mesh.vertices;
+    const std::span<const Vertex> points = exact_.mesh.vertices;
     std::vector<VertexMove> moves;
-    auto exact = exact_.exact.begin();
+    auto rounded = exact_.rounded.begin();
     for (std::uint32_t v = 0; v < points.size(); ++v) {
-      const bool is_exact = exact != exact_.exact.end() && exact->vertex == v;
+      const bool is_rounded = rounded != exact_.rounded.end() && *rounded == v;
       const Vertex to = grid_(points[v], 0);
-      if (is_exact || to != points[v])
-        moves.push_back({v, v, to, distance(points[v], to) + (is_exact ? half_unit(points[v]) : 0)});
-      if (is_exact) ++exact;
+      if (is_rounded || to != points[v])
+        moves.push_back({v, v, to, distance(points[v], to) + (is_rounded ? half_unit(points[v]) : 0)});
+      if (is_rounded) ++rounded;
       if (!is_finite(to)) refuse(v);
     }
     std::vector<std::uint32_t> source_face(exact_.mesh.triangles.size());
     std::iota(source_face.begin(), source_face.end(), 0U);
-    MovingMesh moving(exact_.mesh, std::move(source_face), std::vector<double>(exact_.mesh.triangles.size(), 0));
+    Mesh mesh{{points.begin(), points.end()}, {exact_.mesh.triangles.begin(), exact_.mesh.triangles.end()}};
+    MovingMesh moving(std::move(mesh), std::move(source_face), std::vector<double>(exact_.mesh.triangles.size(), 0));
     moving.move(moves);
     return moving;
   }
@@ -164,9 +169,18 @@ class SolidRounding {
                                                           bool are_those_of_the_exact_mesh) const {
     std::vector<VertexMove> met;
     for (const auto& [vertex, first] : region.equal_vertices())
-      if (!are_those_of_the_exact_mesh || exact_.position(vertex) != exact_.position(first))
+      if (!are_those_of_the_exact_mesh || !is_one_position(vertex, first))
         met.push_back({vertex, first, moving.mesh().vertices[vertex], 0});
     return met;
+  }
+
+  /// Of two vertices of the exact mesh.
+  [[nodiscard]] bool is_one_position(std::uint32_t a, std::uint32_t b) const {
+    const auto is_rounded = [&](std::uint32_t v) {
+      return std::binary_search(exact_.rounded.begin(), exact_.rounded.end(), v);
+    };
+    if (is_rounded(a) != is_rounded(b) || exact_.mesh.vertices[a] != exact_.mesh.vertices[b]) return false;
+    return !is_rounded(a) || exact_.position(a) == exact_.position(b);
   }
 
   [[noreturn]] void refuse(std::size_t v) const {
@@ -237,7 +251,7 @@ class SolidRounding {
     std::vector<bool> is_left(exact_.mesh.triangles.size(), false);
     for (const std::uint32_t f : rounded.source_face) is_left[f] = true;
     report.vanished_faces = static_cast<std::uint64_t>(std::count(is_left.begin(), is_left.end(), false));
-    report.exact = topology(exact_);
+    report.exact = topology_of(exact_);
     report.rounded = topology({rounded.mesh, {}});
   }
 
@@ -253,7 +267,7 @@ class SolidRounding {
     }
   }
 
-  const ExactMesh& exact_;
+  const NearestMesh& exact_;
   const GridRounding& grid_;
   const Monitor& monitor_;
   Reach reach_;
@@ -261,11 +275,24 @@ class SolidRounding {
 
 }  // namespace
 
-RoundedMesh round_to_solid(const ExactMesh& mesh, const CoordinateGrid& grid, const Options& options) {
+RoundedMesh round_to_solid(const NearestMesh& mesh, const CoordinateGrid& grid, const Monitor& monitor) {
   const GridRounding rounding(grid);
+  return SolidRounding(mesh, rounding, monitor).run();
+}
+
+void put_rounded(RoundedMesh rounded, BooleanResult& result) {
+  std::vector<Source> sources(rounded.source_face.size());
+  for (std::size_t i = 0; i < sources.size(); ++i) sources[i] = result.sources[rounded.source_face[i]];
+  result.mesh = std::move(rounded.mesh);
+  result.sources = std::move(sources);
+  result.exact.clear();
+  result.rounding = rounded.report;
+}
+
+RoundedMesh round_to_solid(const ExactMesh& mesh, const CoordinateGrid& grid, const Options& options) {
   const Monitor monitor(options.cancel);
   return arena_for(options, mesh.mesh.triangles.size()).execute([&] {
-    return SolidRounding(mesh, rounding, monitor).run();
+    return round_to_solid(NearestMesh::of(mesh), grid, monitor);
   });
 }
 

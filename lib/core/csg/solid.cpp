@@ -43,7 +43,7 @@ Solid::Data accept(Mesh mesh, InputClass input) {
       return accept_inspected(mesh, operand);
     }
     case InputClass::solid: {
-      Prepared p = prepare({MeshView(mesh), {}}, input);
+      Prepared p = prepare({MeshView(mesh), {}}, {.input = input});
       if (!p.mesh) {
         const std::size_t faces = mesh.triangles.size();
         return {{std::move(mesh), {}}, own_faces(faces), std::move(p.notes)};
@@ -71,7 +71,7 @@ Solid::Data accept(ExactMesh mesh, InputClass input) {
       return accept_inspected(mesh, operand);
     }
     case InputClass::solid: {
-      Prepared p = prepare(mesh, input);
+      Prepared p = prepare(mesh, {.input = input});
       if (p.mesh) mesh.mesh = std::move(*p.mesh);
       const std::size_t faces = mesh.mesh.triangles.size();
       return {std::move(mesh), own_faces(faces), std::move(p.notes)};

@@ -5,6 +5,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 #include <vector>
@@ -58,7 +59,46 @@ class StarCensus {
  private:
   void visit(Index v) {
     const std::span<const Index> star = stars_.at(v);
+    ++vertices;
     list_spokes(v, star);
+    if (!visit_closed(v, star)) visit_any(v, star);
+  }
+
+  /// Small stars in which every edge has two triangles, which run against each other: triangle m is followed, around
+  /// the vertex, by the one that leaves where m comes in. Returns false, with nothing counted, for other stars.
+  bool visit_closed(Index v, std::span<const Index> star) {
+    constexpr Index most = 8;
+    const auto degree = static_cast<Index>(star.size());
+    if (degree > most) return false;
+    std::array<Index, most> following{};
+    for (Index m = 0; m < degree; ++m) {
+      Index followers = 0, followed = 0;
+      for (Index j = 0; j < degree; ++j) {
+        followed += coming(j).other == leaving(m).other;
+        if (leaving(j).other != coming(m).other) continue;
+        ++followers;
+        following[m] = j;
+      }
+      if (followers != 1 || followed != 1) return false;
+    }
+    std::array<bool, most> seen{};
+    Index fans = 0;
+    for (Index first = 0; first < degree; ++first) {
+      fans += !seen[first];
+      for (Index m = first; !seen[m]; m = following[m]) seen[m] = true;
+    }
+    non_manifold_vertices += fans > 1;
+    for (Index m = 0; m < degree; ++m)
+      if (v < coming(m).other) {
+        ++edges;
+        if (flat_ != nullptr) add_if_flat(v, star, leaving(following[m]), coming(m));
+      }
+    return true;
+  }
+  [[nodiscard]] const Spoke& leaving(Index member) const { return spokes_[2 * member]; }
+  [[nodiscard]] const Spoke& coming(Index member) const { return spokes_[2 * member + 1]; }
+
+  void visit_any(Index v, std::span<const Index> star) {
     std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& a, const Spoke& b) { return a.other < b.other; });
     fans_.assign(star.size());
     for (std::size_t begin = 0, end = 0; begin < spokes_.size(); begin = end) {
@@ -67,10 +107,10 @@ class StarCensus {
       if (uses.size() == 2) fans_.unite(uses[0].member, uses[1].member);
       if (v < uses[0].other) visit_edge(v, star, uses);
     }
-    ++vertices;
     non_manifold_vertices += fans_.count() > 1;
   }
 
+  /// Two for each triangle: that of the side that leaves the vertex, and that of the side that comes in.
   void list_spokes(Index v, std::span<const Index> star) {
     spokes_.clear();
     for (Index m = 0; m < star.size(); ++m) {
@@ -90,8 +130,11 @@ class StarCensus {
     if (flat_ == nullptr) return;
     for (const Spoke& a : uses)
       for (const Spoke& b : uses)
-        if (a.leaves && !b.leaves && are_one_facet(v, star[a.member], a, star[b.member], b))
-          flat_pairs.emplace_back(star[a.member], star[b.member]);
+        if (a.leaves && !b.leaves) add_if_flat(v, star, a, b);
+  }
+
+  void add_if_flat(Index v, std::span<const Index> star, const Spoke& a, const Spoke& b) {
+    if (are_one_facet(v, star[a.member], a, star[b.member], b)) flat_pairs.emplace_back(star[a.member], star[b.member]);
   }
 
   [[nodiscard]] bool are_one_facet(Index v, Index f, const Spoke& a, Index g, const Spoke& b) const {
@@ -143,17 +186,12 @@ std::uint64_t spanning_edges(std::span<const Triangle> triangles, std::size_t ve
   return count;
 }
 
-}  // namespace
-
-Connections connections(ExactMeshView mesh, Facets facets) {
-  const std::size_t vertex_count = mesh.mesh.vertices.size();
-  const std::vector<Triangle> triangles = on_first_vertices(mesh);
+/// Of triangles on the first of their equal vertices. Facets are counted where there is a complex.
+Connections connections(std::span<const Triangle> triangles, std::size_t vertex_count, const InputComplex* complex) {
   const auto proper = static_cast<std::uint64_t>(
       std::count_if(triangles.begin(), triangles.end(), [](const Triangle& t) { return !repeats_vertex(t); }));
-  InputComplex complex;
-  if (facets == Facets::count) complex.add(mesh.mesh.vertices, triangles, mesh.exact);
   const VertexStars stars(triangles, vertex_count);
-  StarCensus census(stars, triangles, facets == Facets::count ? &complex : nullptr);
+  StarCensus census(stars, triangles, complex);
   std::uint64_t spanning = 0;
   tbb::parallel_invoke(
       [&] { tbb::parallel_reduce(tbb::blocked_range<Index>(0, static_cast<Index>(vertex_count), 1 << 12), census); },
@@ -162,12 +200,25 @@ Connections connections(ExactMeshView mesh, Facets facets) {
   result.topology = {census.vertices - spanning,
                      static_cast<std::int64_t>(census.vertices + proper) - static_cast<std::int64_t>(census.edges),
                      census.non_manifold_edges, census.non_manifold_vertices, census.open_edges};
-  if (facets == Facets::count) {
+  if (complex != nullptr) {
     DisjointSets<Index> connected(triangles.size());
     result.facets = proper;
     for (const auto& [f, g] : census.flat_pairs) result.facets -= connected.unite(f, g);
   }
   return result;
+}
+
+}  // namespace
+
+Connections connections(ExactMeshView mesh, Facets facets) {
+  const std::vector<Triangle> triangles = on_first_vertices(mesh);
+  InputComplex complex;
+  if (facets == Facets::count) complex.add(mesh.mesh.vertices, triangles, mesh.exact);
+  return connections(triangles, mesh.mesh.vertices.size(), facets == Facets::count ? &complex : nullptr);
+}
+
+Topology topology_of(const NearestMesh& mesh) {
+  return connections(on_first_vertices(mesh), mesh.mesh.vertices.size(), nullptr).topology;
 }
 
 Topology topology(const ExactMesh& mesh) { return connections(mesh, Facets::skip).topology; }

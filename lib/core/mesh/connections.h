@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "core/mesh/nearest_mesh.h"
 #include "strata/measure.h"
 #include "strata/mesh.h"
 
@@ -16,5 +17,8 @@ enum class Facets : bool { skip, count };
 
 /// Requires indices in range; to count facets, finite coordinates. O(n log d) for vertices of degree d, in parallel.
 [[nodiscard]] Connections connections(ExactMeshView mesh, Facets facets);
+
+/// As `topology` of the exact mesh.
+[[nodiscard]] Topology topology_of(const NearestMesh& mesh);
 
 }  // namespace strata

@@ -40,6 +40,13 @@ std::vector<std::uint32_t> first_equal(std::span<const Vertex> vertices, Equal e
   return first;
 }
 
+std::vector<Triangle> with_vertices(std::span<const Triangle> triangles, const std::vector<std::uint32_t>& first) {
+  std::vector<Triangle> result(triangles.begin(), triangles.end());
+  for (Triangle& t : result)
+    for (std::uint32_t& v : t) v = first[v];
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> equal_vertices(std::span<const Vertex> vertices) {
@@ -56,12 +63,27 @@ std::vector<std::uint32_t> equal_vertices(ExactMeshView mesh) {
   });
 }
 
+std::vector<std::uint32_t> equal_vertices(const NearestMesh& mesh) {
+  if (mesh.rounded.empty()) return equal_vertices(mesh.mesh.vertices);
+  std::vector<bool> is_rounded(mesh.mesh.vertices.size(), false);
+  for (const std::uint32_t v : mesh.rounded) is_rounded[v] = true;
+  return first_equal(mesh.mesh.vertices, [&](std::uint32_t a, std::uint32_t b) {
+    return is_rounded[a] == is_rounded[b] && (a == b || !is_rounded[a] || mesh.position(a) == mesh.position(b));
+  });
+}
+
 std::vector<Triangle> on_first_vertices(ExactMeshView mesh) {
-  const std::vector<std::uint32_t> first = equal_vertices(mesh);
-  std::vector<Triangle> triangles(mesh.mesh.triangles.begin(), mesh.mesh.triangles.end());
-  for (Triangle& t : triangles)
-    for (std::uint32_t& v : t) v = first[v];
-  return triangles;
+  return with_vertices(mesh.mesh.triangles, equal_vertices(mesh));
+}
+
+std::vector<Triangle> on_first_vertices(const NearestMesh& mesh) {
+  return with_vertices(mesh.mesh.triangles, equal_vertices(mesh));
+}
+
+NearestMesh NearestMesh::of(const ExactMesh& exact) {
+  NearestMesh nearest{exact.mesh, {}, [&exact](std::uint32_t vertex) { return exact.position(vertex); }};
+  for (const ExactVertex& e : exact.exact) nearest.rounded.push_back(e.vertex);
+  return nearest;
 }
 
 }  // namespace strata

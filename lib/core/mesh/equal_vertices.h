@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/mesh/nearest_mesh.h"
 #include "strata/mesh.h"
 
 namespace strata {
@@ -14,7 +15,11 @@ namespace strata {
 /// The same for exact coordinates.
 [[nodiscard]] std::vector<std::uint32_t> equal_vertices(ExactMeshView mesh);
 
+/// The same; positions are asked for only where the nearest doubles of two vertices are equal.
+[[nodiscard]] std::vector<std::uint32_t> equal_vertices(const NearestMesh& mesh);
+
 /// The triangles of a mesh, each on the first of its equal vertices. Sheets that touch in a vertex then share it.
 [[nodiscard]] std::vector<Triangle> on_first_vertices(ExactMeshView mesh);
+[[nodiscard]] std::vector<Triangle> on_first_vertices(const NearestMesh& mesh);
 
 }  // namespace strata

@@ -38,13 +38,8 @@ std::vector<MissingEdge> missing_edges(std::span<const Vertex> vertices, const S
   return missing;
 }
 
-struct Loop {
-  std::vector<Index> vertices;
-  Index beside = 0;
-};
-
-/// The loops of missing edges, in which no vertex comes twice: three edges or more, since those between two vertices
-/// all have one direction. As many edges go out from each vertex as come in.
+/// The loops of missing edges: three edges or more, since those between two vertices all have one direction. As many
+/// edges go out from each vertex as come in.
 class Loops {
  public:
   explicit Loops(std::vector<MissingEdge> missing) : missing_(std::move(missing)) {
@@ -52,7 +47,7 @@ class Loops {
       if (i == 0 || missing_[i].from != missing_[i - 1].from) next_.emplace(missing_[i].from, i);
   }
 
-  std::vector<Loop> find() {
+  std::vector<Hole> find() {
     for (std::size_t first = 0; first < missing_.size(); ++first)
       while (next_[missing_[first].from] <= first && has_next(missing_[first].from)) walk(missing_[first].from);
     return std::move(loops_);
@@ -74,19 +69,19 @@ class Loops {
       at = way.back().to;
       const auto [seen, is_new] = place.try_emplace(at, way.size());
       if (is_new) continue;
-      Loop loop{{}, way[seen->second].beside};
+      Hole hole{{}, way[seen->second].beside};
       for (std::size_t i = seen->second; i < way.size(); ++i) {
-        loop.vertices.push_back(way[i].from);
+        hole.loop.push_back(way[i].from);
         if (way[i].from != at) place.erase(way[i].from);
       }
       way.resize(seen->second);
-      loops_.push_back(std::move(loop));
+      loops_.push_back(std::move(hole));
     }
   }
 
   std::vector<MissingEdge> missing_;
   std::unordered_map<Index, std::size_t> next_;  ///< per vertex, the next edge that goes out and was not taken
-  std::vector<Loop> loops_;
+  std::vector<Hole> loops_;
 };
 
 double twice_area(const Vertex& a, const Vertex& b, const Vertex& c) {
@@ -97,10 +92,38 @@ double twice_area(const Vertex& a, const Vertex& b, const Vertex& c) {
   return std::isfinite(area) ? area : std::numeric_limits<double>::max();
 }
 
+using Edge = std::pair<Index, Index>;  ///< the lower vertex first
+
+/// The edges of faces that run between vertices of loops, sorted.
+std::vector<Edge> edges_between(std::span<const Hole> holes, std::span<const Triangle> triangles,
+                                std::size_t vertex_count) {
+  std::vector<bool> on_loop(vertex_count, false);
+  for (const Hole& hole : holes)
+    for (const Index v : hole.loop) on_loop[v] = true;
+  std::vector<Edge> edges;
+  for (const Triangle& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (const Index a = t[i], b = t[(i + 1) % 3]; on_loop[a] && on_loop[b]) edges.emplace_back(std::minmax(a, b));
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// What a filling is measured by.
+struct Cost {
+  std::size_t repeated_edges = 0;  ///< edges within it that are to be avoided
+  double area = 0;
+
+  friend Cost operator+(const Cost& a, const Cost& b) { return {a.repeated_edges + b.repeated_edges, a.area + b.area}; }
+  friend bool operator<(const Cost& a, const Cost& b) {
+    return a.repeated_edges != b.repeated_edges ? a.repeated_edges < b.repeated_edges : a.area < b.area;
+  }
+};
+
 /// Fills one loop.
 class Filling {
  public:
-  Filling(std::span<const Vertex> vertices, std::vector<Index> loop) : vertices_(vertices), loop_(std::move(loop)) {}
+  Filling(std::span<const Vertex> vertices, std::span<const Edge> edges, std::vector<Index> loop)
+      : vertices_(vertices), edges_(edges), loop_(std::move(loop)) {}
 
   std::vector<Triangle> triangles() {
     if (loop_.size() > most_optimal) cut_ears();
@@ -145,23 +168,27 @@ class Filling {
     loop_ = std::move(rest);
   }
 
-  /// least[i][j] is the least area that fills the part of the loop from i to j and back.
+  /// 1 for an edge to be avoided.
+  [[nodiscard]] std::size_t repeats(Index a, Index b) const {
+    return std::binary_search(edges_.begin(), edges_.end(), Edge(std::minmax(a, b))) ? 1 : 0;
+  }
+
+  /// least[i][j] is the least cost of filling the part of the loop from i to j and back.
   void triangulate() {
     const std::size_t n = loop_.size();
-    std::vector<double> least(n * n, 0);
+    std::vector<Cost> least(n * n);
     std::vector<Index> middle(n * n, 0);
     for (std::size_t length = 2; length < n; ++length)
       for (std::size_t i = 0; i + length < n; ++i) {
         const std::size_t j = i + length;
-        double best = std::numeric_limits<double>::infinity();
+        Cost& best = least[i * n + j];
         for (std::size_t k = i + 1; k < j; ++k) {
-          const double sum = least[i * n + k] + least[k * n + j] + area(loop_[i], loop_[k], loop_[j]);
-          if (sum >= best) continue;
+          const Cost sum = least[i * n + k] + least[k * n + j] + Cost{0, area(loop_[i], loop_[k], loop_[j])};
+          if (k != i + 1 && !(sum < best)) continue;
           best = sum;
           middle[i * n + j] = static_cast<Index>(k);
         }
-        if (best == std::numeric_limits<double>::infinity()) middle[i * n + j] = static_cast<Index>(i + 1);
-        least[i * n + j] = best;
+        if (length + 1 < n) best.repeated_edges += repeats(loop_[i], loop_[j]);
       }
     std::vector<std::pair<std::size_t, std::size_t>> parts{{0, n - 1}};
     while (!parts.empty()) {
@@ -176,6 +203,7 @@ class Filling {
   }
 
   std::span<const Vertex> vertices_;
+  std::span<const Edge> edges_;
   std::vector<Index> loop_;
   std::vector<Triangle> triangles_;
 };
@@ -189,18 +217,19 @@ std::uint64_t open_uses(std::span<const Vertex> vertices, std::span<const Triang
   return sum;
 }
 
-std::vector<FilledHole> fill_holes(std::span<const Vertex> vertices, SourcedTriangles& faces) {
-  std::vector<Loop> loops = Loops(missing_edges(vertices, faces)).find();
-  std::vector<std::vector<Triangle>> fillings(loops.size());
-  tbb::parallel_for(std::size_t{0}, loops.size(),
-                    [&](std::size_t i) { fillings[i] = Filling(vertices, loops[i].vertices).triangles(); });
-  std::vector<FilledHole> holes;
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    const auto first = static_cast<Index>(faces.triangles.size());
-    for (const Triangle& t : fillings[i]) faces.add(t, loops[i].beside);
-    holes.push_back({std::move(loops[i].vertices), first, loops[i].beside});
-  }
-  return holes;
+std::vector<Hole> find_holes(std::span<const Vertex> vertices, const SourcedTriangles& faces) {
+  return Loops(missing_edges(vertices, faces)).find();
+}
+
+void fill_holes(std::span<const Vertex> vertices, std::span<const Hole> holes, SourcedTriangles& faces,
+                RepeatedEdges repeated_edges) {
+  std::vector<Edge> edges;
+  if (repeated_edges == RepeatedEdges::avoided) edges = edges_between(holes, faces.triangles, vertices.size());
+  std::vector<std::vector<Triangle>> fillings(holes.size());
+  tbb::parallel_for(std::size_t{0}, holes.size(),
+                    [&](std::size_t i) { fillings[i] = Filling(vertices, edges, holes[i].loop).triangles(); });
+  for (std::size_t i = 0; i < holes.size(); ++i)
+    for (const Triangle& t : fillings[i]) faces.add(t, holes[i].face_beside);
 }
 
 }  // namespace strata

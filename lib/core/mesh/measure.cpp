@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "core/exact/scaled_root.h"
 #include "core/mesh/lattice_sum.h"
 #include "core/mesh/product_sum.h"
+#include "core/mesh/split_vertices.h"
 
 namespace strata {
 namespace {
@@ -27,16 +29,14 @@ RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
 
 Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// Which vertices have an entry in `exact`; empty when none has.
-std::vector<bool> exact_flags(ExactMeshView mesh) {
-  std::vector<bool> flags(mesh.exact.empty() ? 0 : mesh.mesh.vertices.size(), false);
-  for (const ExactVertex& e : mesh.exact) flags[e.vertex] = true;
-  return flags;
+using LongVector = std::array<long double, 3>;
+
+LongVector difference(const Vertex& a, const Vertex& b) {
+  using Real = long double;
+  return {Real(a[0]) - b[0], Real(a[1]) - b[1], Real(a[2]) - b[2]};
 }
 
-bool any_exact(const std::vector<bool>& flags, const Triangle& t) {
-  return !flags.empty() && (flags[t[0]] || flags[t[1]] || flags[t[2]]);
-}
+long double squared_length(const LongVector& u) { return u[0] * u[0] + u[1] * u[1] + u[2] * u[2]; }
 
 /// The square root of q >= 0, truncated to at least 64 bits and then rounded.
 long double square_root(const Rational& q) {
@@ -52,54 +52,125 @@ long double exact_double_area(const ExactMesh& mesh, const Triangle& t) {
   return square_root(dot(normal, normal));
 }
 
-/// |u x v| for u = b - a, v = c - a; negative when cancellation may have lost more than 8 bits. The relative error of a
-/// difference is half a unit. So that of each product is 3 halves, and that of a component of the cross product at most
-/// 5 halves of |u||v|. 8 of the 11 bits beyond a double's remain where |u x v| > |u||v| / 256.
+/// |u x v|; negative when cancellation may have lost more than 8 bits. Requires that u and v are off by at most 3
+/// halves of a unit in the last place of their lengths. So a component of the cross product is off by at most 4 units
+/// of |u||v|. 8 of the 11 bits beyond a double's remain where |u x v| > |u||v| / 256.
+long double fast_double_area(const LongVector& u, const LongVector& v) {
+  const long double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
+  const long double squared = x * x + y * y + z * z;
+  return squared * 65536 > squared_length(u) * squared_length(v) ? std::sqrt(squared) : -1;
+}
+
+/// The same for a triangle of doubles. A difference is off by half a unit.
 long double fast_double_area(const Vertex& a, const Vertex& b, const Vertex& c) {
-  using Real = long double;
-  const Real ux = Real(b[0]) - a[0], uy = Real(b[1]) - a[1], uz = Real(b[2]) - a[2];
-  const Real vx = Real(c[0]) - a[0], vy = Real(c[1]) - a[1], vz = Real(c[2]) - a[2];
-  const Real nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
-  const Real squared = nx * nx + ny * ny + nz * nz;
-  const Real lengths = (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
-  return squared * 65536 > lengths ? std::sqrt(squared) : Real(-1);
+  return fast_double_area(difference(b, a), difference(c, a));
+}
+
+/// The same for a triangle with rational vertices. The first sum of each difference is off by half a unit where it is
+/// not exact, and is then far larger than the second parts; the last sum by half a unit; and what the parts leave out
+/// is below a quarter of a unit, or the answer is negative.
+long double fast_double_area(MeshView mesh, const SplitVertices& split, const Triangle& t) {
+  const auto side = [&](std::size_t i) {
+    LongVector u = difference(mesh.vertices[t[i]], mesh.vertices[t[0]]);
+    const Vertex *to = split.low(t[i]), *from = split.low(t[0]);
+    for (std::size_t k = 0; k < 3; ++k)
+      u[k] += (to != nullptr ? static_cast<long double>((*to)[k]) : 0) - (from != nullptr ? (*from)[k] : 0);
+    return u;
+  };
+  const LongVector u = side(1), v = side(2);
+  const long double least = std::ldexp(static_cast<long double>(split.error()), 67);
+  if (squared_length(u) < least * least || squared_length(v) < least * least) return -1;
+  return fast_double_area(u, v);
 }
 
 using Range = tbb::blocked_range<std::size_t>;
 constexpr std::size_t grain = 1 << 13;
 
-/// Six times the volume of some triangles: most are on a lattice, others consist of doubles or have rational vertices.
+/// Six times the volume of some triangles of doubles, most of which are on a lattice.
+class DoublesSum {
+ public:
+  explicit DoublesSum(double largest) : lattice_(largest) {}
+
+  void add_determinant(const Vertex& a, const Vertex& b, const Vertex& c) {
+    if (!lattice_.add_determinant(a, b, c)) rest_.add_determinant(a, b, c);
+  }
+  void add(const DoublesSum& other) {
+    lattice_.add(other.lattice_);
+    rest_.add(other.rest_);
+  }
+  [[nodiscard]] Rational value() const { return lattice_.value() + rest_.value(); }
+
+ private:
+  LatticeSum lattice_;
+  ProductSum rest_;
+};
+
+/// Six times the volume of some triangles.
 class VolumeSum {
  public:
   VolumeSum(ExactMeshView mesh, const std::vector<bool>& is_exact, double largest)
-      : mesh_(mesh), is_exact_(is_exact), largest_(largest), lattice_(largest) {}
+      : mesh_(mesh), is_exact_(is_exact), largest_(largest), doubles_(largest) {}
   VolumeSum(VolumeSum& other, tbb::split) : VolumeSum(other.mesh_, other.is_exact_, other.largest_) {}
 
   void operator()(const Range& range) {
     for (std::size_t f = range.begin(); f != range.end(); ++f) add(mesh_.mesh.triangles[f]);
   }
   void join(VolumeSum& other) {
-    lattice_.add(other.lattice_);
     doubles_.add(other.doubles_);
     rationals_.add(other.rationals_);
   }
-  [[nodiscard]] Rational value() const { return lattice_.value() + doubles_.value() + rationals_.value(); }
+  [[nodiscard]] Rational value() const { return doubles_.value() + rationals_.value(); }
 
  private:
   void add(const Triangle& t) {
     const auto& v = mesh_.mesh.vertices;
-    if (any_exact(is_exact_, t))
+    if (!is_exact_.empty() && (is_exact_[t[0]] || is_exact_[t[1]] || is_exact_[t[2]]))
       rationals_.add(dot(mesh_.position(t[0]), cross(mesh_.position(t[1]), mesh_.position(t[2]))));
-    else if (!lattice_.add_determinant(v[t[0]], v[t[1]], v[t[2]]))
+    else
       doubles_.add_determinant(v[t[0]], v[t[1]], v[t[2]]);
   }
 
   ExactMeshView mesh_;
-  const std::vector<bool>& is_exact_;
+  const std::vector<bool>& is_exact_;  ///< empty when all vertices are doubles
   double largest_;
-  LatticeSum lattice_;
-  ProductSum doubles_;
+  DoublesSum doubles_;
   PairwiseSum rationals_;
+};
+
+/// Six times the volume of some triangles whose vertices are sums of two doubles: a determinant of sums is the sum of
+/// the determinants of all choices of parts.
+class SplitVolumeSum {
+ public:
+  SplitVolumeSum(MeshView mesh, const SplitVertices& split, double largest)
+      : mesh_(mesh), split_(split), largest_(largest), sum_(largest) {}
+  SplitVolumeSum(SplitVolumeSum& other, tbb::split) : SplitVolumeSum(other.mesh_, other.split_, other.largest_) {}
+
+  void operator()(const Range& range) {
+    for (std::size_t f = range.begin(); f != range.end(); ++f) add(mesh_.triangles[f]);
+  }
+  void join(SplitVolumeSum& other) {
+    sum_.add(other.sum_);
+    rounded_triangles_ += other.rounded_triangles_;
+  }
+  [[nodiscard]] Rational value() const { return sum_.value(); }
+  [[nodiscard]] std::uint64_t rounded_triangles() const { return rounded_triangles_; }  ///< with a rational vertex
+
+ private:
+  void add(const Triangle& t) {
+    std::array<std::array<const Vertex*, 2>, 3> parts;
+    for (std::size_t i = 0; i < 3; ++i) parts[i] = {&mesh_.vertices[t[i]], split_.low(t[i])};
+    if (split_.any_low(t)) ++rounded_triangles_;
+    for (const Vertex* a : parts[0])
+      for (const Vertex* b : parts[1])
+        for (const Vertex* c : parts[2])
+          if (a != nullptr && b != nullptr && c != nullptr) sum_.add_determinant(*a, *b, *c);
+  }
+
+  MeshView mesh_;
+  const SplitVertices& split_;
+  double largest_;
+  DoublesSum sum_;
+  std::uint64_t rounded_triangles_ = 0;
 };
 
 /// A sum with what its roundings lost (Neumaier 1974).
@@ -116,20 +187,36 @@ struct CompensatedSum {
 }  // namespace
 
 Rational volume(ExactMeshView mesh) {
-  const std::vector<bool> is_exact = exact_flags(mesh);
+  std::vector<bool> is_exact(mesh.exact.empty() ? 0 : mesh.mesh.vertices.size(), false);
+  for (const ExactVertex& e : mesh.exact) is_exact[e.vertex] = true;
   VolumeSum sum(mesh, is_exact, largest_coordinate(mesh.mesh.vertices));
   tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), grain), sum);
   return sum.value() / 6;
 }
 
+// If coordinates are below L in magnitude and change by at most e, a determinant, of six products, changes by at most
+// 6 ((L + e)^3 - L^3) <= 18 (L + e)^2 e.
+double nearest_volume(ExactMeshView mesh) {
+  const SplitVertices split(mesh);
+  const double largest = largest_coordinate(mesh.mesh.vertices);
+  SplitVolumeSum sum(mesh.mesh, split, largest);
+  tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), grain), sum);
+  const Rational error = to_rational(split.error()), size = 2 * to_rational(largest) + 2 * error;
+  const Rational bound = 18 * Rational(sum.rounded_triangles()) * size * size * error;
+  const double lower = to_nearest_double(Rational((sum.value() - bound) / 6));
+  const double upper = to_nearest_double(Rational((sum.value() + bound) / 6));
+  return lower == upper ? lower : to_nearest_double(volume(mesh));
+}
+
 // Ranges are divided in the same places for any number of threads, so that roundings are the same.
 double area(const ExactMesh& mesh) {
-  const std::vector<bool> is_exact = exact_flags(mesh);
+  const SplitVertices split(mesh);
   const auto& v = mesh.mesh.vertices;
   const auto add = [&](const Range& range, CompensatedSum sum) {
     for (std::size_t f = range.begin(); f != range.end(); ++f) {
       const Triangle& t = mesh.mesh.triangles[f];
-      long double term = any_exact(is_exact, t) ? -1 : fast_double_area(v[t[0]], v[t[1]], v[t[2]]);
+      long double term =
+          split.any_low(t) ? fast_double_area(mesh.mesh, split, t) : fast_double_area(v[t[0]], v[t[1]], v[t[2]]);
       if (term < 0) term = exact_double_area(mesh, t);
       sum.add(term);
     }

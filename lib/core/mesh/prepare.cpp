@@ -2,9 +2,9 @@
 
 namespace strata {
 
-Prepared prepare(ExactMeshView mesh, InputClass input, std::size_t operand) {
+Prepared prepare(ExactMeshView mesh, const Options& options, std::size_t operand) {
   if (!mesh.exact.empty()) return prepare_exact(mesh, operand);
-  switch (input) {
+  switch (options.input) {
     case InputClass::automatic:
     case InputClass::solid:
     case InputClass::overlapping:
@@ -12,7 +12,7 @@ Prepared prepare(ExactMeshView mesh, InputClass input, std::size_t operand) {
     case InputClass::repair:
       return prepare_soup(mesh.mesh, Holes::refused, operand);
     case InputClass::soup:
-      return prepare_soup(mesh.mesh, Holes::filled, operand);
+      return prepare_soup(mesh.mesh, Holes::filled, operand, options.most_hole_edges);
   }
   return {};
 }

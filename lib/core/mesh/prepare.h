@@ -1,5 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -59,15 +61,18 @@ struct Prepared {
 enum class Holes : bool { refused, filled };
 
 /// Constructs a closed oriented mesh from a soup: drops faces with indices out of range or coordinates that are not
-/// finite, welds equal vertices, drops degenerate and duplicate faces (opposite pairs cancel), orients components
-/// consistently and outwards. Every step adds a note. Open edges that remain are filled, or refused with InputError.
-/// Where holes are filled, a mesh that is closed and consistent keeps its orientation, and faces that enclose no volume
-/// are refused.
-[[nodiscard]] Prepared prepare_soup(MeshView mesh, Holes holes, std::size_t operand = 0);
+/// finite, welds equal vertices, drops degenerate and duplicate faces (opposite pairs cancel, but where nothing would
+/// be left that encloses something, one of each stays), orients components consistently and outwards. Every step adds a
+/// note. Open edges that remain are filled, or refused with InputError. Where holes are filled, a mesh that is closed
+/// and consistent keeps its orientation, and faces that enclose no volume are refused, and so are loops of more edges
+/// than given.
+[[nodiscard]] Prepared prepare_soup(MeshView mesh, Holes holes, std::size_t operand = 0,
+                                    std::size_t most_edges = std::numeric_limits<std::size_t>::max());
 
 /// Accepts a mesh as what the caller declares it to be, by the function above that is meant for it: `prepare_exact` if
 /// it has vertices that are not doubles, whatever its class; else `prepare_closed` for `automatic`, `solid` and
-/// `overlapping`, and `prepare_soup` for `repair` and `soup`. Throws as these do.
-[[nodiscard]] Prepared prepare(ExactMeshView mesh, InputClass input, std::size_t operand = 0);
+/// `overlapping`, and `prepare_soup` for `repair` and `soup`. Throws as these do. Of the options, `input` and
+/// `most_hole_edges` count.
+[[nodiscard]] Prepared prepare(ExactMeshView mesh, const Options& options, std::size_t operand = 0);
 
 }  // namespace strata

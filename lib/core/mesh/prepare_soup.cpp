@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/mesh/defect_list.h"
@@ -43,8 +44,11 @@ Triangle sorted(Triangle t) {
   return t;
 }
 
-/// Of the faces with the same three vertices at most one is kept: none if both orientations occur equally often.
-void drop_duplicates(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes) {
+/// What becomes of faces with the same three vertices if both orientations occur equally often.
+enum class OppositePairs : bool { dropped, one_kept };
+
+/// Of the faces with the same three vertices at most one is kept.
+void drop_duplicates(MeshView mesh, OppositePairs opposite, SourcedTriangles& faces, std::vector<Defect>& notes) {
   const auto& triangles = faces.triangles;
   std::vector<std::uint32_t> order(triangles.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -54,7 +58,8 @@ void drop_duplicates(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>
   });
   std::vector<bool> keep(triangles.size(), true);
   DefectList list(DefectKind::duplicate_face, Severity::note,
-                  "equal faces were reduced to one, opposite pairs to none");
+                  opposite == OppositePairs::dropped ? "equal faces were reduced to one, opposite pairs to none"
+                                                     : "equal and opposite faces were reduced to one");
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     std::int64_t net = 0;
     for (; end < order.size() && sorted(triangles[order[end]]) == sorted(triangles[order[begin]]); ++end) {
@@ -62,9 +67,9 @@ void drop_duplicates(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>
     }
     if (end - begin == 1) continue;
     std::vector<std::uint32_t> same;
-    bool kept_one = net == 0;
+    bool kept_one = net == 0 && opposite == OppositePairs::dropped;
     for (std::size_t i = begin; i < end; ++i) {
-      keep[order[i]] = !kept_one && is_even(triangles[order[i]]) == (net > 0);
+      keep[order[i]] = !kept_one && (net == 0 || is_even(triangles[order[i]]) == (net > 0));
       kept_one = kept_one || keep[order[i]];
       same.push_back(faces.sources[order[i]]);
     }
@@ -145,7 +150,7 @@ void orient(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes, 
   notes.insert(notes.end(), of_shells.begin(), of_shells.end());
 }
 
-Vertex middle_of(MeshView mesh, const FilledHole& hole) {
+Vertex middle_of(MeshView mesh, const Hole& hole) {
   Vertex p{};
   const auto n = static_cast<double>(hole.loop.size());
   for (const std::uint32_t v : hole.loop)
@@ -153,13 +158,24 @@ Vertex middle_of(MeshView mesh, const FilledHole& hole) {
   return p;
 }
 
-/// Adds what is missing for a closed chain.
-void fill(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes) {
+/// Adds what is missing for a closed chain, or throws where a loop has more edges than wanted.
+void fill(MeshView mesh, SourcedTriangles& faces, std::size_t most_edges, RepeatedEdges repeated_edges,
+          std::vector<Defect>& notes, std::size_t operand) {
+  const std::vector<Hole> holes = find_holes(mesh.vertices, faces);
   DefectList filled(DefectKind::open_edge, Severity::note, "it was filled: add what is missing there");
-  for (const FilledHole& hole : fill_holes(mesh.vertices, faces))
-    filled.add(middle_of(mesh, hole), {hole.face_beside},
-               [&] { return "a hole is bounded by " + number(hole.loop.size()) + " open edges"; });
+  DefectList refused(DefectKind::open_edge, Severity::error,
+                     "add what is missing there, or allow holes of so many edges to be filled");
+  for (const Hole& hole : holes)
+    (hole.loop.size() > most_edges ? refused : filled).add(middle_of(mesh, hole), {hole.face_beside}, [&] {
+      return "a hole is bounded by " + number(hole.loop.size()) + " open edges";
+    });
   filled.append_to(notes);
+  if (refused.count() > 0) {
+    std::vector<Defect> errors;
+    refused.append_to(errors);
+    refuse(std::move(errors), notes, operand);
+  }
+  fill_holes(mesh.vertices, holes, faces, repeated_edges);
 }
 
 int volume_sign(MeshView mesh, std::span<const Triangle> triangles) {
@@ -179,8 +195,9 @@ void orient_rest(MeshView mesh, SourcedTriangles& faces, const Sheets& sheets) {
 
 /// Makes the chain of faces closed. Faces are reversed only where that leaves less open. A sheet in which none was is
 /// trusted: it stays if it faces outwards, and if it is the wall of a cavity; inside out and in no other, it is
-/// reversed. Other sheets are oriented by what they lie in, as where holes are refused.
-void close(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes, std::size_t operand) {
+/// reversed. Other sheets are oriented by what they lie in, as where holes are refused. Does it enclose something?
+bool closes(MeshView mesh, SourcedTriangles& faces, std::size_t most_edges, RepeatedEdges repeated_edges,
+            std::vector<Defect>& notes, std::size_t operand) {
   std::vector<Triangle> given = faces.triangles;
   if (const std::uint64_t open = open_uses(mesh.vertices, given); open != 0) {
     const Sheets sheets = orient_sheets(faces.triangles, mesh.vertices.size());
@@ -188,7 +205,7 @@ void close(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes, s
       note_reversed(notes, sheets);
     else
       faces.triangles = given;
-    fill(mesh, faces, notes);
+    fill(mesh, faces, most_edges, repeated_edges, notes, operand);
   }
   if (volume_sign(mesh, faces.triangles) < 0) {  // inside out as a whole
     for (Triangle& t : faces.triangles) std::swap(t[1], t[2]);
@@ -204,7 +221,34 @@ void close(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes, s
     }));
   orient_shells(mesh, faces, sheets, notes, trusted);
   orient_rest(mesh, faces, sheets);
-  if (volume_sign(mesh, faces.triangles) > 0) return;
+  return volume_sign(mesh, faces.triangles) > 0;
+}
+
+/// How faces are made a closed chain. Each way is for what the one before makes nothing of.
+struct Closing {
+  OppositePairs opposite;
+  RepeatedEdges repeated_edges;
+};
+constexpr std::array closings{
+    Closing{OppositePairs::dropped, RepeatedEdges::allowed},
+    // Two triangles that are folded: the filling of least area is the fold itself, turned round.
+    Closing{OppositePairs::dropped, RepeatedEdges::avoided},
+    // A model whose faces are all listed twice, to be seen from both sides.
+    Closing{OppositePairs::one_kept, RepeatedEdges::allowed},
+};
+
+/// Faces without repeated vertices become a closed chain that encloses something, or it throws.
+void close(MeshView mesh, SourcedTriangles& faces, std::size_t most_edges, std::vector<Defect>& notes,
+           std::size_t operand) {
+  const SourcedTriangles given = faces;
+  const std::vector<Defect> noted = notes;
+  for (const auto& [opposite, repeated_edges] : closings) {
+    drop_duplicates(mesh, opposite, faces, notes);
+    drop_loose_flat_sheets(mesh, faces, notes);
+    if (closes(mesh, faces, most_edges, repeated_edges, notes, operand)) return;
+    faces = given;
+    notes = noted;
+  }
   Defect nothing;
   nothing.kind = DefectKind::empty_mesh;
   nothing.message = "the faces enclose no volume, even with all holes filled";
@@ -214,7 +258,7 @@ void close(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes, s
 
 }  // namespace
 
-Prepared prepare_soup(MeshView mesh, Holes holes, std::size_t operand) {
+Prepared prepare_soup(MeshView mesh, Holes holes, std::size_t operand, std::size_t most_edges) {
   Prepared result;
   if (mesh.triangles.empty()) return result;
   SourcedTriangles faces = sound_faces(mesh, Severity::note, result.notes);
@@ -222,12 +266,13 @@ Prepared prepare_soup(MeshView mesh, Holes holes, std::size_t operand) {
   const std::uint64_t welded = weld(mesh.vertices, faces.triangles);
   if (open && welded > 0) result.notes.push_back(weld_note(welded));
   drop_repeated_vertices(mesh, faces, result.notes);
-  drop_duplicates(mesh, faces, result.notes);
-  drop_loose_flat_sheets(mesh, faces, result.notes);
-  if (holes == Holes::refused)
+  if (holes == Holes::filled) {
+    close(mesh, faces, most_edges, result.notes, operand);
+  } else {
+    drop_duplicates(mesh, OppositePairs::dropped, faces, result.notes);
+    drop_loose_flat_sheets(mesh, faces, result.notes);
     orient(mesh, faces, result.notes, operand);
-  else
-    close(mesh, faces, result.notes, operand);
+  }
   const Removal removal = remove_zero_area(mesh.vertices, faces);
   if (!removal.removed.empty()) result.notes.push_back(removal_note(mesh, removal));
   result.mesh = Mesh{{mesh.vertices.begin(), mesh.vertices.end()}, std::move(faces.triangles)};

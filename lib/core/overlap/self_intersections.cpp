@@ -1,9 +1,13 @@
 #include "core/overlap/self_intersections.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 #include "core/containers/packed_boxes.h"
 #include "core/kernel/face_box.h"
@@ -42,6 +46,22 @@ class PairTest {
   PairIntersections intersections_;
 };
 
+/// Of the finite points: others are of no face.
+Box bounds_of(std::span<const Vertex> points) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, points.size(), 1 << 14), Box(),
+      [&](const tbb::blocked_range<std::size_t>& range, Box box) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+          if (std::isfinite(points[i][0]) && std::isfinite(points[i][1]) && std::isfinite(points[i][2]))
+            box.include(points[i]);
+        return box;
+      },
+      [](Box a, const Box& b) {
+        a.include(b);
+        return a;
+      });
+}
+
 }  // namespace
 
 std::vector<SelfIntersection> find_self_intersections(const InputComplex& input, const EmbeddedStars* stars,
@@ -54,23 +74,24 @@ std::vector<SelfIntersection> find_self_intersections(const InputComplex& input,
     return keys;
   };
   const PackedBoxes boxes(
-      input.face_count(0), [&](std::uint32_t face) { return face_box(input, face); }, keys_of);
+      input.face_count(0), bounds_of(input.points(0)), [&](std::uint32_t face) { return face_box(input, face); },
+      keys_of);
   tbb::enumerable_thread_specific<PairTest> tests([&] { return PairTest(input); });
 
-  // Rounds of packs, so that the end does not depend on threads.
-  constexpr std::size_t packs_per_task = 64, tasks_per_round = 256;
+  // Rounds of groups, so that the end does not depend on threads.
+  constexpr std::size_t groups_per_task = 8, tasks_per_round = 256;
   std::vector<SelfIntersection> all;
-  const std::size_t tasks = (boxes.pack_count() + packs_per_task - 1) / packs_per_task;
+  const std::size_t tasks = (boxes.group_count() + groups_per_task - 1) / groups_per_task;
   for (std::size_t first = 0; first < tasks && all.size() < enough; first += tasks_per_round) {
     std::vector<std::vector<SelfIntersection>> found(std::min(tasks_per_round, tasks - first));
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
       monitor.check();
       PairTest& test = tests.local();
       std::vector<PackedBoxes::Pair> pairs;
-      const std::size_t begin = (first + n) * packs_per_task;
-      for (std::size_t pack = begin; pack < std::min(begin + packs_per_task, boxes.pack_count()); ++pack) {
+      const std::size_t begin = (first + n) * groups_per_task;
+      for (std::size_t group = begin; group < std::min(begin + groups_per_task, boxes.group_count()); ++group) {
         pairs.clear();
-        boxes.append_pairs_of(pack, pairs);
+        boxes.append_pairs_of(group, pairs);
         for (const auto& [a, b] : pairs) test(a, b, found[n]);
       }
     });

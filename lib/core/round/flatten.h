@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/round/grid_rounding.h"
+#include "core/kernel/grid_rounding.h"
 #include "core/round/moving_mesh.h"
 #include "core/round/wrong_faces.h"
 

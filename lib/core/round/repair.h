@@ -1,5 +1,5 @@
 #pragma once
-#include "core/round/grid_rounding.h"
+#include "core/kernel/grid_rounding.h"
 #include "core/round/moving_mesh.h"
 #include "core/round/wrong_faces.h"
 

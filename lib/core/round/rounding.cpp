@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <cmath>
 #include <optional>
 
 #include "core/containers/collect.h"
@@ -19,6 +20,29 @@ void for_each_index(std::size_t count, std::size_t at_once, const Monitor& monit
   });
 }
 
+/// The vertices that may not be three doubles.
+std::vector<std::uint32_t> candidates_for_rounding(const InputComplex& input, const Boundary& boundary) {
+  return collect(boundary.inputs.size() + boundary.constructed.size(), [&](std::uint32_t v) {
+    return v >= boundary.inputs.size() || !input.has_doubles(boundary.inputs[v]);
+  });
+}
+
+bool is_other_than(const Vertex& rounded, const RationalPoint& exact) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (exact[k] != to_rational(rounded[k])) return true;
+  return false;
+}
+
+/// A coordinate is farther from the nearest double than its approximation is off.
+bool surely_differs(const Point& point, const Vertex& nearest) {
+  if (point.name.kind == SymbolicPoint::Kind::free) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const DoubleDouble& x = point.fine[k];
+    if (x.value == nearest[k] && std::abs(x.low) > x.error * Bounded::slack) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<Vertex> round_to_doubles(const InputComplex& input, const Boundary& boundary, const Monitor& monitor) {
@@ -32,21 +56,34 @@ std::vector<Vertex> round_to_doubles(const InputComplex& input, const Boundary& 
   return rounded;
 }
 
+RationalPoint exact_position(const InputComplex& input, const Boundary& boundary, std::uint32_t vertex) {
+  return exact_position(input, boundary.points.point(boundary.point(vertex)));
+}
+
+std::vector<std::uint32_t> rounded_vertices(const InputComplex& input, const Boundary& boundary,
+                                            const std::vector<Vertex>& rounded, const Monitor& monitor) {
+  const std::vector<std::uint32_t> candidates = candidates_for_rounding(input, boundary);
+  std::vector<char> differs(candidates.size(), 1);
+  for_each_index(candidates.size(), 256, monitor, [&](std::size_t n) {
+    const std::uint32_t v = candidates[n];
+    if (v < boundary.inputs.size()) return;
+    const Point& point = boundary.points.constructed(boundary.point(v));
+    if (!surely_differs(point, rounded[v]))
+      differs[n] = is_other_than(rounded[v], exact_position(input, point)) ? 1 : 0;
+  });
+  std::vector<std::uint32_t> result;
+  for (std::size_t n = 0; n < candidates.size(); ++n)
+    if (differs[n] != 0) result.push_back(candidates[n]);
+  return result;
+}
+
 std::vector<ExactVertex> exact_positions(const InputComplex& input, const Boundary& boundary,
                                          const std::vector<Vertex>& rounded, const Monitor& monitor) {
-  const auto is_input = [&](std::uint32_t i) { return i < boundary.inputs.size(); };
-  const std::vector<std::uint32_t> candidates =
-      collect(rounded.size(), [&](std::uint32_t i) { return !is_input(i) || !input.has_doubles(boundary.inputs[i]); });
+  const std::vector<std::uint32_t> candidates = candidates_for_rounding(input, boundary);
   std::vector<std::optional<RationalPoint>> positions(candidates.size());
   for_each_index(candidates.size(), 64, monitor, [&](std::size_t n) {
-    const std::uint32_t i = candidates[n];
-    const PointId id = is_input(i) ? boundary.inputs[i] : boundary.constructed[i - boundary.inputs.size()];
-    RationalPoint exact = exact_position(input, boundary.points.point(id));
-    for (std::size_t k = 0; k < 3; ++k)
-      if (exact[k] != to_rational(rounded[i][k])) {
-        positions[n] = std::move(exact);
-        return;
-      }
+    RationalPoint exact = exact_position(input, boundary, candidates[n]);
+    if (is_other_than(rounded[candidates[n]], exact)) positions[n] = std::move(exact);
   });
   std::vector<ExactVertex> result;
   for (std::size_t n = 0; n < positions.size(); ++n)

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "core/kernel/input_complex.h"
@@ -12,6 +13,13 @@ namespace strata {
 /// ties to even. O(1) per point.
 [[nodiscard]] std::vector<Vertex> round_to_doubles(const InputComplex& input, const Boundary& boundary,
                                                    const Monitor& monitor);
+
+/// Those vertices whose exact positions differ from `rounded`. O(1) per constructed point, mostly in doubles.
+[[nodiscard]] std::vector<std::uint32_t> rounded_vertices(const InputComplex& input, const Boundary& boundary,
+                                                          const std::vector<Vertex>& rounded, const Monitor& monitor);
+
+/// The exact position of a vertex of the boundary.
+[[nodiscard]] RationalPoint exact_position(const InputComplex& input, const Boundary& boundary, std::uint32_t vertex);
 
 /// The exact positions of those vertices that differ from `rounded`.
 [[nodiscard]] std::vector<ExactVertex> exact_positions(const InputComplex& input, const Boundary& boundary,

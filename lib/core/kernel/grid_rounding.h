@@ -1,6 +1,6 @@
 #pragma once
+#include "strata/coordinate_grid.h"
 #include "strata/mesh.h"
-#include "strata/rounding.h"
 
 namespace strata {
 

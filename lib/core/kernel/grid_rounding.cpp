@@ -1,4 +1,4 @@
-#include "core/round/grid_rounding.h"
+#include "core/kernel/grid_rounding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,59 @@
+#include "rounded_region.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "planar_input.h"
+#include "rounded_output.h"
+
+namespace planar = strata::planar;
+
+OutputRegion output_region(planar::Region region, const Settings& settings, const strata::Monitor& monitor) {
+  strata::CoordinateGrid grid;
+  if (!settings.grid.empty()) grid.step = parse_step("--grid", settings.grid);
+  if (settings.exact && !settings.grid.empty()) throw UsageError("--exact writes what --grid would round");
+  if (settings.exact) return {{std::move(region), 0, 0}, {}};
+  std::vector<planar::SelfMeeting> conflicts = planar::rounding_conflicts(region);
+  if (!settings.makes_solids() || (settings.grid.empty() && conflicts.empty()))
+    return {{std::move(region), 0, 0}, std::move(conflicts)};
+  try {
+    return {planar::round_to_region(region, grid, monitor), std::move(conflicts)};
+  } catch (const std::invalid_argument& error) {
+    throw strata::IoError(settings.output, {}, error.what());
+  }
+}
+
+ExitCode report_conflicts(const OutputRegion& written, const Settings& settings) {
+  if (written.conflicts.empty()) return ExitCode::ok;
+  const std::string where = place(written.conflicts.front().where).dump();
+  if (!settings.makes_solids()) {
+    fmt::print(stderr,
+               "strata: rounding the result's vertices makes its loops meet in {} places, the first one near {}; "
+               "--rounding valid rearranges them, --exact writes the result as it is\n",
+               written.conflicts.size(), where);
+    return ExitCode::not_certified;
+  }
+  if (!settings.quiet)
+    fmt::print(stderr,
+               "strata: rounded loops would meet in {} places, the first one near {}: rearranged; nothing moved by "
+               "more than {:.3g}\n",
+               written.conflicts.size(), where, written.rounded.largest_movement);
+  return ExitCode::ok;
+}
+
+void add_region_rounding_options(CLI::App& verb, Settings& settings) {
+  verb.add_flag("--exact", settings.exact, "Quotients where coordinates are not doubles (WKT, CSV)");
+  verb.add_option("--rounding", settings.rounding,
+                  "How exact vertices become doubles: valid (where loops would meet, they are rearranged, so that the "
+                  "file holds polygons) or nearest (each by itself)")
+      ->type_name("HOW")
+      ->check(CLI::IsMember({"valid", "nearest"}))
+      ->default_str("valid");
+  verb.add_option("--grid", settings.grid,
+                  "Coordinates are multiples of this, as 0.001 or 1/1024; implies --rounding valid")
+      ->type_name("STEP");
+}
