@@ -40,11 +40,21 @@ struct ViewedPlane {
     }
   }
 
-  /// At least how far a point is from the plane, along the axis.
-  [[nodiscard]] double height(const Vertex& p) const {
+  /// How far a point is above the plane, along the axis.
+  [[nodiscard]] Bounded height(const Vertex& p) const {
     DoubleDouble h;
     for (std::size_t i = 0; i < 3; ++i) h = h + DoubleDouble(normal[i]) * (DoubleDouble(p[i]) - DoubleDouble(at[i]));
-    return (std::abs(h.value) + std::abs(h.low) + h.error) * Bounded::slack;
+    return h.bounded();
+  }
+};
+
+/// Numbers between two bounds.
+struct Range {
+  double lower = 0, upper = 0;
+
+  void include(const Range& other) {
+    lower = std::min(lower, other.lower);
+    upper = std::max(upper, other.upper);
   }
 };
 
@@ -52,7 +62,9 @@ struct ViewedPlane {
 struct Pile {
   ViewedPlane plane;
   std::vector<Index> faces;
-  double thickness = 0;
+  Range heights;  ///< above the plane
+
+  [[nodiscard]] double thickness() const { return heights.upper - heights.lower; }
 };
 
 /// Finds piles among some faces, which are connected by common vertices and by some pairs.
@@ -67,7 +79,7 @@ class Piles {
 
   /// The pile about the plane of a face, without faces of the list `taken`, to which its faces are added.
   [[nodiscard]] Pile pile_of(Index face, const ViewedPlane& plane, double unit, std::vector<bool>& taken) const {
-    Pile pile{plane, {}, 0};
+    Pile pile{plane, {}, {}};
     const auto seed = number(face);
     if (!seed) return pile;
     std::vector<std::size_t> waiting{*seed};
@@ -75,13 +87,16 @@ class Piles {
     while (!waiting.empty()) {
       const std::size_t n = waiting.back();
       waiting.pop_back();
-      double height = 0;
-      for (const Index v : mesh_.mesh().triangles[faces_[n]]) height = std::max(height, plane.height(point(v)));
-      if (!(height <= 4 * unit)) {
+      Range heights;
+      for (const Index v : mesh_.mesh().triangles[faces_[n]]) {
+        const Bounded height = plane.height(point(v));
+        heights.include({height.lower(), height.upper()});
+      }
+      if (!(std::max(-heights.lower, heights.upper) <= 4 * unit)) {
         far_.push_back(faces_[n]);
         continue;
       }
-      pile.thickness = std::max(pile.thickness, 2 * height);
+      pile.heights.include(heights);
       pile.faces.push_back(faces_[n]);
       for (const std::size_t m : neighbours_[n]) {
         if (taken[faces_[m]]) continue;
@@ -316,7 +331,7 @@ bool flatten(MovingMesh& mesh, const ChangedRegion& region, const std::vector<In
       const auto filling = filling_of(mesh.mesh(), pile, grid, may_divide);
       if (!filling) continue;
       for (const Vertex& v : filling->added) (void)mesh.add_vertex(v);
-      mesh.replace(pile.faces, filling->triangles, pile.thickness + (filling->added.empty() ? 0 : unit));
+      mesh.replace(pile.faces, filling->triangles, pile.thickness() + (filling->added.empty() ? 0 : unit));
       is_changed = true;
     }
     if (is_changed) break;
