@@ -305,6 +305,15 @@ TEST_CASE("a small shell of a large mesh that rounding turns inside out is gone"
   }
 }
 
+TEST_CASE("what is constructed at doubles has not moved", "[csg][rounding]") {
+  const Mesh a = test::box({0, 0, 0}, {1, 1, 1}), b = test::box({0.5, 0.25, 0.5}, {1.5, 0.75, 1.5});
+  const MeshView views[] = {a, b};
+  const BooleanResult result = combine(Operation::union_, views, {.rounding = CoordinateGrid()});
+  REQUIRE(result.rounding.has_value());
+  CHECK(result.rounding->moved_vertices == 0);
+  CHECK(result.rounding->largest_movement == 0);
+}
+
 TEST_CASE("results rounded by combine are those of their exact vertices", "[csg][rounding][property]") {
   std::size_t rearranged = 0;
   for (unsigned seed = 0; seed < 30; ++seed) {

@@ -116,6 +116,11 @@ TEST_CASE("the area of triangles between rational vertices that round to one dou
   mesh.exact = {{1, {1 + tiny, 0, 0}}, {2, {1, tiny, 0}}};
   mesh.mesh.vertices[2][1] = to_nearest_double(tiny);
   CHECK(area(mesh) == std::ldexp(1.0, -401));
+  // Nearer to each other than what two doubles leave out.
+  const Rational far(1, Integer(3) << 55), near(1, Integer(3) << 108);
+  mesh.exact = {{0, {1 + far, 0, 0}}, {1, {1 + far + near, 0, 0}}, {2, {1 + far, near, 0}}};
+  mesh.mesh.vertices[2] = {1, to_nearest_double(near), 0};
+  CHECK(area(mesh) == to_nearest_double(Rational(near * near / 2)));
 }
 
 TEST_CASE("the area is right to the last bits, for slivers and extreme magnitudes too", "[mesh]") {
