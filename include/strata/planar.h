@@ -281,12 +281,13 @@ struct RoundedRegion {
 /// A region rounded to a grid such that it is a region again: loops are simple and meet in vertices only. Every vertex
 /// takes the nearest numbers of the grid. Where rounded edges cross then, the region is what the loops wind around
 /// counter-clockwise more often than clockwise; the vertices which that makes are rounded in turn, until there are
-/// none. Parts that the grid cannot hold vanish. The area changes by at most the movement times the lengths of both
-/// boundaries, to first order. It ends for every input: late rounds leave out bits. In practice one or two rounds do.
-/// Laws: a region on the grid is not changed; rounding the result again gives the result. Of each round O((n + k) log
-/// n) for k crossings. Throws std::invalid_argument for a step that is none (CoordinateGrid) and for coordinates beyond
-/// the largest number of the format; Cancelled. Source: iterated snap rounding (Halperin and Packer 2002), on the
-/// numbers of the format.
+/// none. From the fourth round on, edges are snapped to pixels that have vertices in them. Parts that the grid cannot
+/// hold vanish. The area changes by at most the movement times the lengths of both boundaries, to first order. It ends
+/// for every input: late rounds leave out bits. In practice one to four rounds do. Laws: a region on the grid is not
+/// changed; rounding the result again gives the result. Of each round O((n + k) log n) for k crossings; where edges are
+/// snapped, O(n^2) at worst. Throws std::invalid_argument for a step that is none (CoordinateGrid) and for coordinates
+/// beyond the largest number of the format; Cancelled. Source: iterated snap rounding (Halperin and Packer 2002), on
+/// the numbers of the format; snap rounding (Hobby 1999).
 [[nodiscard]] RoundedRegion round_to_region(const Region& region, const CoordinateGrid& grid = {},
                                             const Monitor& monitor = {});
 

@@ -57,7 +57,8 @@ class Planar(ToolTest):
         self.assertIn(b"rearranged", self.run_tool("planar", "union", "a.wkt", "b.wkt", "-o", "out.wkt").stderr)
         self.assertEqual(self.text("out.wkt"), "MULTIPOLYGON (((0 -1,1 -1,1 0,1 1,0 1,0 -1)),((1 0,2 -1,2 1,1 0)))\n")
         again = self.report("planar", "union", "out.wkt", "-o", "again.wkt")
-        self.assertEqual((again["rounding_conflicts"], again["rounding"]), ([], {"rounds": 0, "largest_movement": 0}))
+        self.assertEqual((again["rounding_conflicts"], again["rounding"]),
+                         ([], {"rounds": 0, "largest_movement": 0, "polygons": 2, "vertices": 8}))
         self.assertEqual(self.text("again.wkt"), self.text("out.wkt"))
         self.run_tool("planar", "union", "a.wkt", "b.wkt", "-o", "out.wkt", "--exact", "--grid", "0.1", expect=USAGE)
         report = self.report("planar", "union", "a.wkt", "b.wkt", "-o", "out.wkt", "--exact")

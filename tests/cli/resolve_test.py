@@ -83,7 +83,8 @@ class Resolve(ToolTest):
             self.assertEqual(volume, "1")
         done = self.run_tool("resolve", soup, "-o", "out.off", "--fill-holes", "2", expect=INVALID)
         self.assertIn("a hole is bounded by 3 open edges", done.stderr.decode())
-        self.run_tool("union", soup, "-o", "out.off", "--fill-holes", "few", expect=USAGE)
+        for word in ("few", "-1", "+4", " 4", "4.5", "99999999999999999999"):
+            self.run_tool("union", soup, "-o", "out.off", "--fill-holes", word, expect=USAGE)
         self.run_tool("union", soup, "-o", "out.off", "--fill-holes", "3", "--input", "soup", expect=USAGE)
 
     def test_a_soup_that_encloses_nothing_is_refused(self):

@@ -90,6 +90,27 @@ TEST_CASE("crossing slivers become regions of doubles and of multiples of a step
   CHECK(most_rounds < 5);
 }
 
+TEST_CASE("long slivers on a coarse grid end in few rounds, near where they were", "[planar][property]") {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<std::int64_t> at(-1000000000000, 1000000000000), width(1, 6);
+    Loops loops;
+    for (int i = 0; i < 30; ++i) {
+      const std::array<double, 4> p{double(at(random)), double(at(random)), double(at(random)), double(at(random))};
+      const double w = double(width(random));
+      loops.add(std::vector<PlanePoint>{{p[0], p[1]}, {p[2], p[3]}, {p[2] + w, p[3] + w}, {p[0] + w, p[1] + w}});
+    }
+    const Region region = fill(Operand(loops, FillRule::even_odd));
+    const CoordinateGrid integers{CoordinateGrid::Format::float64, Rational(1)};
+    const RoundedRegion rounded = round_to_region(region, integers);
+    check_rounded(region, rounded, integers);
+    CHECK(rounded.rounds <= 6);
+    CHECK(rounded.largest_movement <= 4);
+    CHECK(rounded.region.polygons() > 1);
+  }
+}
+
 TEST_CASE("what the grid cannot hold vanishes", "[planar]") {
   Loops loops;
   loops.add(std::vector<PlanePoint>{{0, 0}, {1, 0}, {1, 0.001}, {0, 0.001}});

@@ -96,7 +96,10 @@ ExitCode run_planar(Operation operation, const char* name, const PlanarSettings&
   if (!settings.report.empty() || !settings.quiet) report["result"] = facts(region);
   if (report["result"].is_object()) report["result"]["rounding_conflicts"] = written.conflicts.size();
   report["rounding_conflicts"] = to_json(written.conflicts);
-  report["rounding"] = {{"rounds", written.rounded.rounds}, {"largest_movement", written.rounded.largest_movement}};
+  report["rounding"] = {{"rounds", written.rounded.rounds},
+                        {"largest_movement", written.rounded.largest_movement},
+                        {"polygons", written.rounded.region.polygons()},
+                        {"vertices", written.rounded.region.loops.vertices.size()}};
   report["seconds"]["measure"] = stopwatch.lap();
 
   watch.on_stop(OnStop::finish);

@@ -97,9 +97,11 @@ void print_rounding(const strata::RoundingReport& report, const Settings& settin
   std::string lost;
   if (report.exact && report.rounded && report.exact->components != report.rounded->components)
     lost = fmt::format("; {} components are now {}", report.exact->components, report.rounded->components);
+  if (report.vanished_faces > 0) lost += fmt::format("; nothing is left of {} faces", report.vanished_faces);
   fmt::print(stderr,
-             "strata: rounded faces would cross: rearranged in {} rounds; nothing moved by more than {:.3g}{}\n",
-             report.rounds, report.largest_movement, lost);
+             "strata: rounded faces would cross: rearranged in {} rounds; what is left moved by {:.3g} at most ({:.3g} "
+             "units){}\n",
+             report.rounds, report.largest_movement, report.largest_movement / report.unit, lost);
 }
 
 RoundedOutput rounded_output(const strata::ExactMesh& exact, Format format, const Settings& settings,

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <string>
 
@@ -58,7 +59,8 @@ void add_input_class_and_holes(CLI::App& verb, Settings& settings) {
           [&settings](const std::string& word) {
             settings.input = strata::InputClass::soup;
             if (word == "all") return;
-            if (!CLI::detail::lexical_cast(word, settings.most_hole_edges))
+            const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), settings.most_hole_edges);
+            if (error != std::errc{} || end != word.data() + word.size())
               throw CLI::ValidationError("--fill-holes", "all or a number of edges, not " + word);
           },
           "The same as --input soup: all holes are filled, or those of at most N edges and others refused")

@@ -18,6 +18,20 @@ double with_bits(double x, int bits) {
   return std::ldexp(std::nearbyint(std::ldexp(fraction, bits)), exponent - bits);
 }
 
+/// The double nearest to k n / d, for an integer k, and integers n and d > 0 that are doubles.
+double nearest_multiple(double k, double n, double d) {
+  const double product = k * n, rest_of_product = std::fma(k, n, -product);
+  const double quotient = product / d;
+  constexpr double smallest = 0x1p-900;  // beyond it, remainders are no doubles
+  if (std::isfinite(product) && std::abs(quotient) > smallest) {
+    const double rest = (std::fma(-quotient, d, product) + rest_of_product) / d;
+    const double sum = quotient + rest, lost = rest - (sum - quotient);
+    const double below = std::abs(sum) - std::nextafter(std::abs(sum), 0.0);
+    if (std::abs(lost) < below / 2 * (1 - 0x1p-20)) return sum;
+  }
+  return to_nearest_double(Rational(k) * Rational(n) / Rational(d));
+}
+
 }  // namespace
 
 GridRounding::GridRounding(const CoordinateGrid& grid) : format_(grid.format) {
@@ -42,8 +56,8 @@ double GridRounding::operator()(double x, int bits_less) const {
   }
   if (bits_less >= most_bits) return 0;
   const double steps = std::ldexp(x * denominator_ / numerator_, -bits_less);
-  const double rounded = std::ldexp(std::nearbyint(steps), bits_less) * numerator_ / denominator_;
-  return to_format(std::isfinite(rounded) ? rounded : x);  // beyond that, the grid is finer than the format
+  if (!std::isfinite(steps)) return to_format(x);  // the grid is finer than the format
+  return to_format(nearest_multiple(std::ldexp(std::nearbyint(steps), bits_less), numerator_, denominator_));
 }
 
 Vertex GridRounding::operator()(const Vertex& v, int bits_less) const {
