@@ -1,5 +1,6 @@
 """Results in doubles, floats and on grids: --rounding, --grid and the verb round."""
 import json
+import math
 import unittest
 
 from tool import CUBE_FACES, DATA, FILE, NOT_CERTIFIED, USAGE, ToolTest, cube, off
@@ -8,6 +9,17 @@ from tool import CUBE_FACES, DATA, FILE, NOT_CERTIFIED, USAGE, ToolTest, cube, o
 def thin_box(height):
     base = [(0, 0), (1, 0), (1, 1), (0, 1)]
     return off([(i, j, k) for k in (0, height) for i, j in base], CUBE_FACES)
+
+
+def plate(k):
+    """One of plates that are turned about the z axis, and tilted by a thousandth each: nearly in one plane."""
+    tilt, points = k * 1e-3, []
+    for z in (-0.003, 0.003):
+        for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+            across, up = y * math.cos(tilt) - z * math.sin(tilt), y * math.sin(tilt) + z * math.cos(tilt)
+            points.append((x * math.cos(k) - across * math.sin(k), x * math.sin(k) + across * math.cos(k), up))
+    return off(points, [(0, 3, 2), (0, 2, 1), (4, 5, 6), (4, 6, 7), (0, 1, 5), (0, 5, 4), (1, 2, 6), (1, 6, 5), (2, 3, 7), (2, 7, 6),
+                        (3, 0, 4), (3, 4, 7)])
 
 
 class Rounding(ToolTest):
@@ -63,6 +75,14 @@ class Rounding(ToolTest):
         for how, vertices in (("shared", 14), ("separate", 16)):
             self.run_tool("union", a, b, "-o", "out.off", "--touching", how, "--grid", "0.001")
             self.assertEqual(int(self.path("out.off").read_text().split()[1]), vertices)
+
+    def test_what_is_far_from_the_exact_solid_is_not_certified(self):
+        files = [self.file(f"{k}.off", plate(k)) for k in range(6)]
+        for report in ((), ("--report", "r.json")):
+            said = self.run_tool("xor", *files, "-o", "out.ply", "--grid", "0.001", *report, expect=NOT_CERTIFIED).stderr
+            self.assertIn(b"not certified: the rounded solid is up to", said)
+            self.run_tool("check", "out.ply")
+        self.run_tool("xor", *files, "-o", "out.ply")
 
     def test_beyond_floats(self):
         huge = self.file("huge.off", thin_box(1e39))

@@ -84,7 +84,8 @@ ExitCode write(const strata::ExactMesh& exact, RoundedOutput rounded, strata::Fo
   write_output(settings, format, written);
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.report.empty()) write_report(settings.report, std::move(report));
-  if (rounded_valid != false) return ExitCode::ok;
+  if (rounded.strays) print_strays(*rounded.strays);
+  if (rounded_valid != false) return rounded.strays ? ExitCode::not_certified : ExitCode::ok;
   const std::string why = format != strata::Format::xoff ? "faces of the result cross after rounding"
                                                          : crossing_for_no_rounding(verb, asked, settings);
   fmt::print(stderr, "strata: not certified: {}; it was written all the same\n", why);
@@ -105,5 +106,7 @@ ExitCode write_rounded_result(strata::Mesh mesh, const strata::RoundingReport& r
   Stopwatch stopwatch;
   print_rounding(rounding, settings);
   const strata::ExactMesh written{std::move(mesh), {}};
-  return write(written, {}, format, Json(), settings, watch, stopwatch, verb, asked);
+  RoundedOutput output;
+  if (strays(rounding)) output.strays = rounding;
+  return write(written, std::move(output), format, Json(), settings, watch, stopwatch, verb, asked);
 }

@@ -60,5 +60,7 @@ ExitCode run_round(const Settings& settings) {
   write_output(settings, format, mesh);
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.report.empty()) write_report(settings.report, std::move(report));
-  return ExitCode::ok;
+  if (!strays(rounded.report)) return ExitCode::ok;
+  print_strays(rounded.report);
+  return ExitCode::not_certified;
 }

@@ -23,10 +23,16 @@
 /// Where faces were rearranged, a line to the standard error, unless `--quiet`.
 void print_rounding(const strata::RoundingReport& report, const Settings& settings);
 
+/// A solid so far from the exact one is not what was asked for: it is written, with exit code 5.
+[[nodiscard]] bool strays(const strata::RoundingReport& report);
+/// Says so on the standard error.
+void print_strays(const strata::RoundingReport& report);
+
 /// What a file holds in place of the exact boundary of a solid.
 struct RoundedOutput {
-  std::optional<strata::ExactMesh> mesh;  ///< none: the exact mesh, as the format keeps or rounds it
-  Json report;                            ///< what rounding did: as RoundingReport; null if nothing was asked
+  std::optional<strata::ExactMesh> mesh;         ///< none: the exact mesh, as the format keeps or rounds it
+  Json report;                                   ///< what rounding did: as RoundingReport; null if nothing was asked
+  std::optional<strata::RoundingReport> strays;  ///< if what is written strays from the exact mesh
 };
 /// Rounded such that it bounds a solid, unless the settings ask for the nearest numbers or the format holds all.
 [[nodiscard]] RoundedOutput rounded_output(const strata::ExactMesh& exact, strata::Format format,
