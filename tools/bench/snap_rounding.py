@@ -3,7 +3,7 @@
 
 Usage: tools/bench/snap_rounding.py BUILD SNAP_ROUNDING CASE...
 
-BUILD is a build folder with the programs strata and strata-bench, SNAP_ROUNDING the program of peers/snap_rounding.cpp, and a CASE the name
+BUILD is a build folder with the programs strata and strata-bench, SNAP_ROUNDING the program of tests/oracle/snap_rounding.cpp, and a CASE the name
 of a case of the benchmark with two operands. Of CGAL only the function is timed, arrays in, arrays out; of Strata the whole command, files in,
 file out, which also decides what is inside. Medians of 3. Untouched are triangles of the result that an operand has, coordinate by coordinate.
 Needs the peers' Python.

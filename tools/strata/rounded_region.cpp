@@ -49,13 +49,5 @@ ExitCode report_conflicts(const OutputRegion& written, const Settings& settings)
 
 void add_region_rounding_options(CLI::App& verb, Settings& settings) {
   verb.add_flag("--exact", settings.exact, "Quotients where coordinates are not doubles (WKT, CSV)");
-  verb.add_option("--rounding", settings.rounding,
-                  "How exact vertices become doubles: valid (where loops would meet, they are rearranged, so that the "
-                  "file holds polygons) or nearest (each by itself)")
-      ->type_name("HOW")
-      ->check(CLI::IsMember({"valid", "nearest"}))
-      ->default_str("valid");
-  verb.add_option("--grid", settings.grid,
-                  "Coordinates are multiples of this, as 0.001 or 1/1024; implies --rounding valid")
-      ->type_name("STEP");
+  add_rounding_options(verb, settings, "where loops would meet, they are rearranged, so that the file holds polygons");
 }

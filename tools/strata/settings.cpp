@@ -90,10 +90,10 @@ void add_output_options(CLI::App& verb, Settings& settings) {
                 "Check that no faces cross in the rounded result; exit code 5 if some do");
 }
 
-void add_rounding_options(CLI::App& verb, Settings& settings) {
+void add_rounding_options(CLI::App& verb, Settings& settings, const std::string& valid) {
   verb.add_option("--rounding", settings.rounding,
-                  "How exact vertices become the numbers that a file can hold: valid (where faces would cross, they "
-                  "are rearranged, so that the file holds a solid) or nearest (each by itself)")
+                  "How exact vertices become the numbers that a file can hold: valid (" + valid +
+                      ") or nearest (each by itself)")
       ->type_name("HOW")
       ->check(CLI::IsMember({"valid", "nearest"}))
       ->default_str("valid");

@@ -83,7 +83,9 @@ void add_output_file(CLI::App& verb, Settings& settings);
 void add_output_options(CLI::App& verb, Settings& settings);
 
 /// --rounding valid|nearest, --grid.
-void add_rounding_options(CLI::App& verb, Settings& settings);
+void add_rounding_options(
+    CLI::App& verb, Settings& settings,
+    const std::string& valid = "where faces would cross, they are rearranged, so that the file holds a solid");
 
 /// --origin x,y,z|auto|direction:x,y,z.
 void add_origin_option(CLI::App& verb, Settings& settings);

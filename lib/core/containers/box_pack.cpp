@@ -15,6 +15,20 @@ namespace {
 
 using Masks = BoxPackTests::Masks;
 
+/// BoxPackTests::pairs by the tests of one box and one lane. A part of each function that calls it, so that these tests
+/// are, too: instructions beyond those of all processors are for functions that ask for them.
+template <class Lanes>
+[[gnu::always_inline]] inline std::uint32_t pairs_in(const BoxPack& a, const KeyPack& keys_of_a, const BoxPack& b,
+                                                     const KeyPack& keys_of_b, const Box& bounds_of_b, Masks& masks) {
+  const std::uint32_t own = Lanes::overlapping(a, bounds_of_b);
+  for (std::uint32_t rest = own; rest != 0; rest &= rest - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+    masks[i] = Lanes::overlapping(b, a.box(i));
+    if (masks[i] != 0) masks[i] &= ~Lanes::with_common_key(keys_of_b, keys_of_a, i);
+  }
+  return own;
+}
+
 /// In two vectors of four keys, and four of two doubles, which every processor has.
 struct Portable {
   using TwoDoubles [[gnu::vector_size(16)]] = double;
@@ -56,13 +70,7 @@ struct Portable {
 
   static std::uint32_t pairs(const BoxPack& a, const KeyPack& keys_of_a, const BoxPack& b, const KeyPack& keys_of_b,
                              const Box& bounds_of_b, Masks& masks) {
-    const std::uint32_t own = overlapping(a, bounds_of_b);
-    for (std::uint32_t rest = own; rest != 0; rest &= rest - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-      masks[i] = overlapping(b, a.box(i));
-      if (masks[i] != 0) masks[i] &= ~with_common_key(keys_of_b, keys_of_a, i);
-    }
-    return own;
+    return pairs_in<Portable>(a, keys_of_a, b, keys_of_b, bounds_of_b, masks);
   }
 };
 
@@ -103,13 +111,7 @@ struct Avx2 {
 
   STRATA_AVX2 static std::uint32_t pairs(const BoxPack& a, const KeyPack& keys_of_a, const BoxPack& b,
                                          const KeyPack& keys_of_b, const Box& bounds_of_b, Masks& masks) {
-    const std::uint32_t own = overlapping(a, bounds_of_b);
-    for (std::uint32_t rest = own; rest != 0; rest &= rest - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-      masks[i] = overlapping(b, a.box(i));
-      if (masks[i] != 0) masks[i] &= ~with_common_key(keys_of_b, keys_of_a, i);
-    }
-    return own;
+    return pairs_in<Avx2>(a, keys_of_a, b, keys_of_b, bounds_of_b, masks);
   }
 };
 
@@ -142,13 +144,7 @@ struct Avx512 {
 
   STRATA_AVX512 static std::uint32_t pairs(const BoxPack& a, const KeyPack& keys_of_a, const BoxPack& b,
                                            const KeyPack& keys_of_b, const Box& bounds_of_b, Masks& masks) {
-    const std::uint32_t own = overlapping(a, bounds_of_b);
-    for (std::uint32_t rest = own; rest != 0; rest &= rest - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-      masks[i] = overlapping(b, a.box(i));
-      if (masks[i] != 0) masks[i] &= ~with_common_key(keys_of_b, keys_of_a, i);
-    }
-    return own;
+    return pairs_in<Avx512>(a, keys_of_a, b, keys_of_b, bounds_of_b, masks);
   }
 };
 #endif
