@@ -41,6 +41,10 @@ class Solid {
   explicit Solid(Mesh mesh, InputClass input = InputClass::automatic);
   /// The same for rational vertices, which are taken as they are: nothing is repaired.
   explicit Solid(ExactMesh mesh, InputClass input = InputClass::automatic);
+  /// The same, watched. Of the options `input`, `most_hole_edges`, `threads`, `progress` and `cancel` count. Throws
+  /// Cancelled, too.
+  Solid(Mesh mesh, const Options& options);
+  Solid(ExactMesh mesh, const Options& options);
 
   /// Of a mesh that is known to bound a solid, such as a result of Strata: nothing is checked. If it does not bound
   /// one, results are unspecified. O(n).

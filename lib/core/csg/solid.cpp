@@ -23,27 +23,36 @@ Solid::Data data_of(BooleanResult result) {
   return {{std::move(result.mesh), std::move(result.exact)}, std::move(result.sources), std::move(result.notes)};
 }
 
-Solid::Data accept(Mesh mesh, InputClass input);
-Solid::Data accept(ExactMesh mesh, InputClass input);
+/// The same with exact vertices in the result.
+Options exact(Options options) {
+  options.exact_vertices = true;
+  return options;
+}
+
+Solid::Data accept(Mesh mesh, const Options& options);
+Solid::Data accept(ExactMesh mesh, const Options& options);
 
 /// A mesh of class `automatic`; `operand` refers to it.
 template <class AnyMesh>
-Solid::Data accept_inspected(AnyMesh& mesh, const Operand& operand) {
+Solid::Data accept_inspected(AnyMesh& mesh, const Operand& operand, Options options) {
   FoundClass found;
-  arena_for({}, operand.mesh.triangles.size()).execute([&] { found = find_class({&operand, 1}, {}); });
-  Solid::Data data = accept(std::move(mesh), found.input);
+  arena_for(options, operand.mesh.triangles.size()).execute([&] {
+    found = find_class({&operand, 1}, Monitor(options.cancel));
+  });
+  options.input = found.input;
+  Solid::Data data = accept(std::move(mesh), options);
   data.notes.insert(data.notes.begin(), found.notes.begin(), found.notes.end());
   return data;
 }
 
-Solid::Data accept(Mesh mesh, InputClass input) {
-  switch (input) {
+Solid::Data accept(Mesh mesh, const Options& options) {
+  switch (options.input) {
     case InputClass::automatic: {
       const Operand operand{mesh, {}};
-      return accept_inspected(mesh, operand);
+      return accept_inspected(mesh, operand, options);
     }
     case InputClass::solid: {
-      Prepared p = prepare({MeshView(mesh), {}}, {.input = input});
+      Prepared p = prepare({MeshView(mesh), {}}, options);
       if (!p.mesh) {
         const std::size_t faces = mesh.triangles.size();
         return {{std::move(mesh), {}}, own_faces(faces), std::move(p.notes)};
@@ -56,22 +65,21 @@ Solid::Data accept(Mesh mesh, InputClass input) {
     case InputClass::repair:
     case InputClass::soup: {
       const MeshView view = mesh;
-      return data_of(
-          combine(Operation::union_, std::span<const MeshView>(&view, 1), {.input = input, .exact_vertices = true}));
+      return data_of(combine(Operation::union_, std::span<const MeshView>(&view, 1), exact(options)));
     }
   }
   return {};
 }
 
-Solid::Data accept(ExactMesh mesh, InputClass input) {
-  if (mesh.exact.empty()) return accept(std::move(mesh.mesh), input);
-  switch (input) {
+Solid::Data accept(ExactMesh mesh, const Options& options) {
+  if (mesh.exact.empty()) return accept(std::move(mesh.mesh), options);
+  switch (options.input) {
     case InputClass::automatic: {
       const Operand operand{mesh.mesh, mesh.exact};
-      return accept_inspected(mesh, operand);
+      return accept_inspected(mesh, operand, options);
     }
     case InputClass::solid: {
-      Prepared p = prepare(mesh, {.input = input});
+      Prepared p = prepare(mesh, options);
       if (p.mesh) mesh.mesh = std::move(*p.mesh);
       const std::size_t faces = mesh.mesh.triangles.size();
       return {std::move(mesh), own_faces(faces), std::move(p.notes)};
@@ -80,8 +88,7 @@ Solid::Data accept(ExactMesh mesh, InputClass input) {
     case InputClass::repair:
     case InputClass::soup: {
       const Operand operand{mesh.mesh, mesh.exact};
-      return data_of(
-          combine(Operation::union_, std::span<const Operand>(&operand, 1), {.input = input, .exact_vertices = true}));
+      return data_of(combine(Operation::union_, std::span<const Operand>(&operand, 1), exact(options)));
     }
   }
   return {};
@@ -91,9 +98,11 @@ Solid::Data accept(ExactMesh mesh, InputClass input) {
 
 Solid::Solid() : data_(Shared<Data>::make()) {}
 
-Solid::Solid(Mesh mesh, InputClass input) : data_(Shared<Data>::make(accept(std::move(mesh), input))) {}
+Solid::Solid(Mesh mesh, InputClass input) : Solid(std::move(mesh), Options{.input = input}) {}
+Solid::Solid(Mesh mesh, const Options& options) : data_(Shared<Data>::make(accept(std::move(mesh), options))) {}
 
-Solid::Solid(ExactMesh mesh, InputClass input) : data_(Shared<Data>::make(accept(std::move(mesh), input))) {}
+Solid::Solid(ExactMesh mesh, InputClass input) : Solid(std::move(mesh), Options{.input = input}) {}
+Solid::Solid(ExactMesh mesh, const Options& options) : data_(Shared<Data>::make(accept(std::move(mesh), options))) {}
 
 Solid::Solid(Shared<Data> data) : data_(std::move(data)) {}
 
@@ -133,8 +142,7 @@ namespace {
 
 Options of_solids(Options options) {
   options.input = InputClass::solid;
-  options.exact_vertices = true;
-  return options;
+  return exact(std::move(options));
 }
 
 }  // namespace

@@ -1,0 +1,243 @@
+#include "arrays.h"
+
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <strata/surface.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace strata::python {
+
+namespace {
+
+nb::module_ numpy() { return nb::module_::import_("numpy"); }
+
+std::string text_of(nb::handle object) { return nb::cast<std::string>(nb::str(object)); }
+
+std::string kind_of(nb::handle array) { return nb::cast<std::string>(array.attr("dtype").attr("kind")); }
+
+[[noreturn]] void throw_type_error(const std::string& message) { throw nb::type_error(message.c_str()); }
+[[noreturn]] void throw_value_error(const std::string& message) { throw nb::value_error(message.c_str()); }
+
+/// An array of three columns.
+nb::object array_of_rows(nb::handle source, const char* role) {
+  nb::object array;
+  try {
+    array = numpy().attr("asarray")(source);
+  } catch (nb::python_error& error) {
+    if (!error.matches(PyExc_ValueError)) throw;
+    throw_value_error(std::string(role) + ": expected an array of shape (n, 3), found rows of different lengths");
+  }
+  const auto dimensions = nb::cast<std::size_t>(array.attr("ndim"));
+  if (dimensions == 1 && nb::cast<std::size_t>(array.attr("size")) == 0) return array.attr("reshape")(0, 3);
+  if (dimensions != 2 || nb::cast<std::size_t>(array.attr("shape")[1]) != 3)
+    throw_value_error(std::string(role) + ": expected an array of shape (n, 3), found shape " +
+                      text_of(array.attr("shape")));
+  return array;
+}
+
+/// The same array in another type, if that changes no value.
+nb::object converted(const nb::object& array, const char* type, const char* role) {
+  const nb::object copy = array.attr("astype")(type);
+  if (!nb::cast<bool>(numpy().attr("array_equal")(copy.attr("astype")(array.attr("dtype")), array)))
+    throw_value_error(std::string(role) + ": not all numbers of type " + text_of(array.attr("dtype")) +
+                      " are doubles; an array of objects is taken exactly");
+  return copy;
+}
+
+nb::object contiguous(const nb::object& array, const char* type) {
+  return numpy().attr("ascontiguousarray")(array, nb::arg("dtype") = type);
+}
+
+/// Objects that are numbers, exactly.
+ExactMesh exact_points(const nb::object& array, const char* role) {
+  ExactMesh mesh;
+  for (const nb::handle row : array) {
+    RationalPoint position;
+    Vertex nearest{};
+    bool is_rounded = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      position[i] = to_rational(nb::object(row[i]), role);
+      nearest[i] = to_nearest_double(position[i]);
+      if (!std::isfinite(nearest[i])) throw_value_error(std::string(role) + ": a coordinate is beyond all doubles");
+      is_rounded = is_rounded || Rational(nearest[i]) != position[i];
+    }
+    const auto number = static_cast<std::uint32_t>(mesh.mesh.vertices.size());
+    mesh.mesh.vertices.push_back(nearest);
+    if (is_rounded) mesh.exact.push_back({number, std::move(position)});
+  }
+  return mesh;
+}
+
+void look_at(ArrayMesh& mesh, const DoubleRows& rows) {
+  mesh.view.vertices = {reinterpret_cast<const Vertex*>(rows.data()), rows.shape(0)};
+}
+
+void look_at(ArrayMesh& mesh, const IndexRows& rows) {
+  mesh.view.triangles = {reinterpret_cast<const Triangle*>(rows.data()), rows.shape(0)};
+}
+
+void set_vertices(ArrayMesh& mesh, nb::handle source, const char* role) {
+  if (DoubleRows rows; nb::try_cast(source, rows, false)) {
+    mesh.vertices = nb::borrow(source);
+    return look_at(mesh, rows);
+  }
+  nb::object array = array_of_rows(source, role);
+  const std::string kind = kind_of(array);
+  const auto size = nb::cast<std::size_t>(array.attr("size"));
+  if (kind == "O") {
+    mesh.owned = exact_points(array, role);
+    mesh.view.vertices = mesh.owned.mesh.vertices;
+    return;
+  }
+  if (kind == "f" && nb::cast<std::size_t>(array.attr("itemsize")) > sizeof(double))
+    array = converted(array, "float64", role);
+  else if (kind == "i" || kind == "u")
+    array = converted(array, "float64", role);
+  else if (kind != "f" && size != 0)
+    throw_type_error(std::string(role) + ": expected numbers, found type " + text_of(array.attr("dtype")));
+  mesh.vertices = contiguous(array, "float64");
+  look_at(mesh, nb::cast<DoubleRows>(mesh.vertices));
+}
+
+void set_triangles(ArrayMesh& mesh, nb::handle source) {
+  if (IndexRows rows; nb::try_cast(source, rows, false)) {
+    mesh.triangles = nb::borrow(source);
+    return look_at(mesh, rows);
+  }
+  const nb::object array = array_of_rows(source, "triangles");
+  const std::string kind = kind_of(array);
+  if (nb::cast<std::size_t>(array.attr("size")) != 0) {
+    if (kind != "i" && kind != "u")
+      throw_type_error("triangles: expected integers, found type " + text_of(array.attr("dtype")));
+    if (kind == "i" && array.attr("min")() < nb::int_(0))
+      throw_value_error("triangles: index " + text_of(array.attr("min")()) + " is negative");
+    if (array.attr("max")() > nb::int_(std::numeric_limits<std::uint32_t>::max()))
+      throw_value_error("triangles: index " + text_of(array.attr("max")()) + " is beyond 32 bits");
+  }
+  mesh.triangles = contiguous(array, "uint32");
+  look_at(mesh, nb::cast<IndexRows>(mesh.triangles));
+}
+
+MeshHandle mesh_of(ExactMeshView view, nb::object owner) {
+  auto mesh = std::make_shared<ArrayMesh>();
+  mesh->view = view.mesh;
+  mesh->owned.exact.assign(view.exact.begin(), view.exact.end());
+  mesh->vertices = nb::cast(rows_of(view.mesh.vertices, owner));
+  mesh->triangles = nb::cast(rows_of(view.mesh.triangles, owner));
+  return mesh;
+}
+
+}  // namespace
+
+ExactMesh ArrayMesh::copy() const {
+  return {{{view.vertices.begin(), view.vertices.end()}, {view.triangles.begin(), view.triangles.end()}}, owned.exact};
+}
+
+MeshHandle mesh_of_arrays(nb::handle vertices, nb::handle triangles) {
+  auto mesh = std::make_shared<ArrayMesh>();
+  set_vertices(*mesh, vertices, "vertices");
+  set_triangles(*mesh, triangles);
+  return mesh;
+}
+
+MeshHandle mesh_of(ExactMesh exact) {
+  auto mesh = std::make_shared<ArrayMesh>();
+  mesh->owned = std::move(exact);
+  mesh->view = mesh->owned.mesh;
+  return mesh;
+}
+
+MeshHandle mesh_of(BooleanResult result) {
+  auto mesh = std::make_shared<ArrayMesh>();
+  mesh->owned = {std::move(result.mesh), std::move(result.exact)};
+  mesh->view = mesh->owned.mesh;
+  mesh->sources = std::move(result.sources);
+  mesh->has_sources = true;
+  mesh->notes = std::move(result.notes);
+  mesh->rounding = std::move(result.rounding);
+  mesh->seconds = std::move(result.profile.seconds);
+  return mesh;
+}
+
+MeshHandle MeshLike::value(const char* role) const {
+  if (nb::isinstance<ArrayMesh>(object)) return nb::cast<MeshHandle>(object);
+  if (nb::isinstance<Solid>(object)) return mesh_of(ExactMeshView(nb::cast<const Solid&>(object).exact_mesh()), object);
+  if (nb::isinstance<Surface>(object))
+    return mesh_of(ExactMeshView(nb::cast<const Surface&>(object).exact_mesh()), object);
+  if (nb::isinstance<nb::tuple>(object) && nb::len(object) == 2) return mesh_of_arrays(object[0], object[1]);
+  if (nb::hasattr(object, "vertices")) {
+    if (nb::hasattr(object, "triangles")) return mesh_of_arrays(object.attr("vertices"), object.attr("triangles"));
+    if (nb::hasattr(object, "faces")) return mesh_of_arrays(object.attr("vertices"), object.attr("faces"));
+  }
+  throw_type_error(std::string(role) +
+                   ": expected a Mesh, a Solid, a pair (vertices, triangles), or an object with vertices and faces, "
+                   "found " +
+                   text_of(nb::handle(reinterpret_cast<PyObject*>(Py_TYPE(object.ptr())))));
+}
+
+MeshHandle points_of(nb::handle points, const char* role) {
+  if (nb::hasattr(points, "vertices")) return MeshLike{nb::borrow(points)}.value(role);
+  auto mesh = std::make_shared<ArrayMesh>();
+  set_vertices(*mesh, points, role);
+  return mesh;
+}
+
+DoubleRows rows_of(std::span<const Vertex> vertices, nb::handle owner) {
+  return DoubleRows(reinterpret_cast<const double*>(vertices.data()), {vertices.size(), 3}, owner);
+}
+
+IndexRows rows_of(std::span<const Triangle> triangles, nb::handle owner) {
+  return IndexRows(reinterpret_cast<const std::uint32_t*>(triangles.data()), {triangles.size(), 3}, owner);
+}
+
+IndexColumn operands_of(std::span<const Source> sources, nb::handle owner) {
+  return IndexColumn(sources.empty() ? nullptr : &sources.front().operand, {sources.size()}, owner, {2});
+}
+
+IndexColumn faces_of(std::span<const Source> sources, nb::handle owner) {
+  return IndexColumn(sources.empty() ? nullptr : &sources.front().face, {sources.size()}, owner, {2});
+}
+
+std::vector<Source> sources_of(nb::handle operands, nb::handle faces) {
+  using Column = nb::ndarray<const std::uint32_t, nb::ndim<1>>;
+  const auto operand = nb::cast<Column>(operands), face = nb::cast<Column>(faces);
+  if (operand.shape(0) != face.shape(0)) throw_value_error("sources: expected as many operands as faces");
+  std::vector<Source> sources(operand.shape(0));
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    sources[i] = {operand.data()[static_cast<std::ptrdiff_t>(i) * operand.stride(0)],
+                  face.data()[static_cast<std::ptrdiff_t>(i) * face.stride(0)]};
+  return sources;
+}
+
+nb::object exact_rows(ExactMeshView mesh) {
+  const nb::object rows = numpy().attr("empty")(nb::make_tuple(mesh.mesh.vertices.size(), 3), nb::arg("dtype") = "O");
+  std::size_t next = 0;
+  for (std::size_t v = 0; v < mesh.mesh.vertices.size(); ++v) {
+    const bool is_exact = next < mesh.exact.size() && mesh.exact[next].vertex == v;
+    const RationalPoint position =
+        is_exact ? mesh.exact[next++].position
+                 : RationalPoint{mesh.mesh.vertices[v][0], mesh.mesh.vertices[v][1], mesh.mesh.vertices[v][2]};
+    for (std::size_t i = 0; i < 3; ++i) rows[nb::make_tuple(v, i)] = to_python(position[i]);
+  }
+  return rows;
+}
+
+nb::tuple exact_parts(std::span<const ExactVertex> exact) {
+  std::vector<std::uint32_t> numbers;
+  const nb::tuple shape = nb::make_tuple(exact.size(), 3);
+  const nb::object above = numpy().attr("empty")(shape, nb::arg("dtype") = "O");
+  const nb::object below = numpy().attr("empty")(shape, nb::arg("dtype") = "O");
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    numbers.push_back(exact[k].vertex);
+    for (std::size_t i = 0; i < 3; ++i) {
+      above[nb::make_tuple(k, i)] = to_python(numerator(exact[k].position[i]));
+      below[nb::make_tuple(k, i)] = to_python(denominator(exact[k].position[i]));
+    }
+  }
+  return nb::make_tuple(column_of(std::move(numbers)), above, below);
+}
+
+}  // namespace strata::python

@@ -1,0 +1,123 @@
+#include "strata/contact.h"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "module.h"
+#include "names.h"
+#include "run.h"
+
+namespace strata::python {
+
+namespace {
+
+using namespace nb::literals;
+using contact::Assembly;
+
+/// The pair of parts as a record; what is costly is computed here.
+nb::dict record_of(const Assembly& assembly, const contact::RelatedPair& pair) {
+  nb::dict record;
+  record["a"] = pair.a;
+  record["b"] = pair.b;
+  record["relation"] = contact::name(pair.relation);
+  if (pair.relation == contact::Relation::interfering) {
+    const Solid overlap = run([&] { return assembly.overlap(pair.a, pair.b); });
+    record["overlap"] = overlap;
+  } else {
+    const contact::ContactRegion region = run([&] { return assembly.contact_region(pair.a, pair.b); });
+    nb::list points;
+    for (const RationalPoint& p : region.points) points.append(to_python(p));
+    record["area"] = region.area();
+    record["length"] = region.length();
+    record["points"] = points;
+    nb::list facets, edges, vertices;
+    for (const contact::ContactFacet& facet : region.facets) facets.append(nb::cast(facet.loops));
+    for (const contact::ContactEdge& edge : region.edges) edges.append(nb::make_tuple(edge.ends[0], edge.ends[1]));
+    for (const std::uint32_t vertex : region.vertices) vertices.append(vertex);
+    record["facets"] = facets;
+    record["edges"] = edges;
+    record["vertices"] = vertices;
+  }
+  return record;
+}
+
+nb::list contacts(const SolidList& parts, ProgressOption progress, std::optional<double> timeout) {
+  const Assembly assembly(parts.value("parts"));
+  const auto pairs =
+      run({0, std::move(progress), timeout}, [&](const Computation& c) { return assembly.pairs(c.monitor()); });
+  nb::list records;
+  for (const contact::RelatedPair& pair : pairs) records.append(record_of(assembly, pair));
+  return records;
+}
+
+nb::dict distance(const Solid& a, const Solid& b) {
+  const std::array parts{a, b};
+  const Assembly assembly(parts);
+  if (a.is_empty() || b.is_empty()) throw std::invalid_argument("distance: an empty solid has none");
+  nb::dict record;
+  if (run([&] { return assembly.relation(0, 1); }) != contact::Relation::apart) {
+    record["distance"] = 0.0;
+    record["squared"] = to_python(Rational(0));
+    return record;
+  }
+  const contact::Nearest nearest = run([&] { return assembly.nearest(0, 1); });
+  record["distance"] = nearest.distance;
+  record["squared"] = to_python(nearest.squared);
+  record["on_a"] = to_python(nearest.on_a);
+  record["on_b"] = to_python(nearest.on_b);
+  return record;
+}
+
+}  // namespace
+
+void bind_contact(nb::module_& m) {
+  m.def("contacts", contacts, "parts"_a, nb::kw_only(), "progress"_a = nb::none(), "timeout"_a = nb::none(),
+        nb::sig(
+            "def contacts(parts: collections.abc.Iterable[Solid], *, progress: Progress = None, timeout: float | None "
+            "= None) -> list[dict[str, typing.Any]]"),
+        R"(Which parts of an assembly interfere, and which touch, and where. Exact.
+
+Parameters
+----------
+parts : iterable of Solid
+progress, timeout
+    As for Solid.
+
+Returns
+-------
+list of dict
+    One per pair that is not apart: ``a``, ``b`` (numbers), ``relation``: "contact" or "interfering". Interfering:
+    ``overlap``, a Solid. Contact: ``points`` (tuples of Fractions), ``facets`` (loops of numbers of points), ``edges``
+    and ``vertices`` that lie in no facet, ``area`` and ``length``.
+
+Examples
+--------
+>>> pairs = contacts([box((0, 0, 0), (1, 1, 1)), box((1, 0, 0), (2, 1, 1)), box((1.5, 0, 0), (3, 1, 1))])
+>>> [(pair["a"], pair["b"], pair["relation"]) for pair in pairs]
+[(0, 1, 'contact'), (1, 2, 'interfering')]
+>>> pairs[0]["area"], pairs[1]["overlap"].volume
+(1.0, Fraction(1, 2))
+)");
+  m.def("distance", distance, "a"_a, "b"_a, nb::sig("def distance(a: Solid, b: Solid) -> dict[str, typing.Any]"),
+        R"(The least distance of two solids and where it is. Exact.
+
+Returns
+-------
+dict
+    ``distance`` (float, within an ulp), ``squared`` (Fraction, exact); where they are apart also ``on_a`` and
+    ``on_b``, a pair of closest points.
+
+Raises
+------
+ValueError
+    One of the solids is empty.
+
+Examples
+--------
+>>> distance(box((0, 0, 0), (1, 1, 1)), box((2, 2, 0), (3, 3, 1)))["squared"]
+Fraction(2, 1)
+)");
+}
+
+}  // namespace strata::python

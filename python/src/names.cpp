@@ -1,0 +1,87 @@
+#include "names.h"
+
+#include <strata/bsp.h>
+#include <strata/query.h>
+
+namespace strata::python {
+
+Operation OperationName::value() const {
+  std::string text;
+  if (nb::try_cast(object, text) && text == "xor") return Operation::symmetric_difference;
+  return named(object, "operation", all_operations, [](Operation o) { return name(o); });
+}
+InputClass InputName::value() const {
+  return named(object, "input", all_input_classes, [](InputClass i) { return name(i); });
+}
+Inside InsideName::value() const {
+  return named(object, "inside", all_insides, [](Inside i) { return name(i); });
+}
+ClipTo ClipName::value() const {
+  return named(object, "keep", all_clips, [](ClipTo c) { return name(c); });
+}
+
+std::optional<CoordinateGrid> Grid::value() const {
+  if (object.is_none()) return std::nullopt;
+  if (!nb::isinstance<nb::str>(object)) return CoordinateGrid{.step = to_rational(object, "rounding")};
+  using Format = CoordinateGrid::Format;
+  const Format format = named(object, "rounding", std::array{Format::float64, Format::float32},
+                              [](Format f) { return f == Format::float64 ? "float64" : "float32"; });
+  return CoordinateGrid{.format = format};
+}
+
+Plane PlanePair::value() const {
+  if (!nb::hasattr(object, "__len__") || nb::len(object) != 2)
+    throw nb::type_error("plane: expected a pair (normal, offset) of three numbers and one");
+  return {Point{nb::object(object[0])}.value("plane: normal"), to_rational(nb::object(object[1]), "plane: offset")};
+}
+
+namespace {
+
+std::array<Rational, 4> row_of(nb::handle row) {
+  std::array<Rational, 4> entries;
+  std::size_t count = 0;
+  for (const nb::handle entry : row) {
+    if (count < entries.size()) entries[count] = to_rational(entry, "matrix");
+    ++count;
+  }
+  if (count != entries.size()) throw nb::value_error("matrix: expected 3 or 4 rows of 4 numbers");
+  return entries;
+}
+
+}  // namespace
+
+Transform Matrix::value() const {
+  const std::size_t rows = nb::hasattr(object, "__len__") ? nb::len(object) : 0;
+  if (rows != 3 && rows != 4) throw nb::value_error("matrix: expected 3 or 4 rows of 4 numbers");
+  std::array<std::array<Rational, 4>, 3> above;
+  for (std::size_t i = 0; i < above.size(); ++i) above[i] = row_of(nb::object(object[i]));
+  if (rows == 4) {
+    const auto last = row_of(nb::object(object[3]));
+    if (last[0] != 0 || last[1] != 0 || last[2] != 0 || last[3] == 0)
+      throw nb::value_error("matrix: expected a multiple of (0, 0, 0, 1) as the last row: other maps are not affine");
+    for (auto& row : above)
+      for (Rational& entry : row) entry /= last[3];
+  }
+  return Transform(std::move(above));
+}
+
+const Engine* engine_named(nb::handle name) {
+  if (name.is_none()) return nullptr;
+  return named(name, "engine", std::array{&bsp_engine, &layer_engine}, [](const Engine* e) { return e->name; });
+}
+
+std::vector<Solid> SolidList::value(const char* role) const {
+  std::vector<Solid> solids;
+  if (!nb::hasattr(object, "__iter__"))
+    throw nb::type_error((std::string(role) + ": expected a list of solids").c_str());
+  for (const nb::handle member : object) {
+    if (!nb::isinstance<Solid>(member))
+      throw nb::type_error((std::string(role) + ": expected solids, found " + nb::cast<std::string>(nb::repr(member)) +
+                            "; Solid(mesh) makes one, boolean(operation, meshes) takes arrays")
+                               .c_str());
+    solids.push_back(nb::cast<Solid>(member));
+  }
+  return solids;
+}
+
+}  // namespace strata::python

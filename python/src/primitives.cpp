@@ -1,0 +1,96 @@
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/vector.h>
+#include <strata/primitives.h>
+
+#include "module.h"
+#include "numbers.h"
+#include "run.h"
+
+namespace strata::python {
+
+void bind_primitives(nb::module_& m) {
+  using namespace nb::literals;
+  m.def(
+      "box",
+      [](const Point& lower, const Point& upper) { return make_box(lower.doubles("lower"), upper.doubles("upper")); },
+      "lower"_a, "upper"_a, R"(The box with opposite corners `lower` and `upper`.
+
+Raises
+------
+ValueError
+    Unless lower < upper in every coordinate.
+
+Examples
+--------
+>>> box((0, 0, 0), (1, 2, 3)).volume
+Fraction(6, 1)
+)");
+  m.def(
+      "tetrahedron",
+      [](const Point& a, const Point& b, const Point& c, const Point& d) {
+        return make_tetrahedron(a.doubles("a"), b.doubles("b"), c.doubles("c"), d.doubles("d"));
+      },
+      "a"_a, "b"_a, "c"_a, "d"_a, R"(The tetrahedron with these corners, in any order.
+
+Examples
+--------
+>>> tetrahedron((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)).volume
+Fraction(1, 6)
+)");
+  m.def("cylinder", make_cylinder, "radius"_a, "height"_a, "sides"_a = 64,
+        R"(A cylinder about the z axis from z = 0: a prism over a regular polygon inscribed in the circle.
+
+Examples
+--------
+>>> cylinder(1, 2, 4).volume
+Fraction(4, 1)
+)");
+  m.def("cone", make_cone, "lower_radius"_a, "upper_radius"_a, "height"_a, "sides"_a = 64,
+        R"(A cone about the z axis, with `lower_radius` at z = 0 and `upper_radius` at z = height; one of them may be 0.
+
+Examples
+--------
+>>> cone(1, 0, 3, 4).volume
+Fraction(2, 1)
+)");
+  m.def("sphere", make_sphere, "radius"_a, "sides"_a = 64,
+        R"(A polyhedron inscribed in the sphere about the origin: circles of latitude of `sides` corners each.
+
+Examples
+--------
+>>> sphere(1, 4).volume
+Fraction(4, 3)
+)");
+  m.def("torus", make_torus, "radius"_a, "tube_radius"_a, "sides"_a = 64, "tube_sides"_a = 32,
+        R"(A torus about the z axis. `sides` corners on the great circle, `tube_sides` on the small one.
+
+Examples
+--------
+>>> float(torus(2, 1, 4, 4).volume)
+16.0
+)");
+  m.def(
+      "prism",
+      [](const std::vector<std::array<double, 2>>& polygon, double lower, double upper) {
+        return run([&] { return make_prism(polygon, lower, upper); });
+      },
+      "polygon"_a, "lower"_a, "upper"_a, R"(A simple polygon in the plane, extruded from z = lower to z = upper.
+
+Parameters
+----------
+polygon : sequence of pairs of float
+    Corners in either direction.
+
+Raises
+------
+InputError
+    Where the polygon crosses or touches itself.
+
+Examples
+--------
+>>> prism([(0, 0), (2, 0), (0, 2)], 0, 1).volume
+Fraction(2, 1)
+)");
+}
+
+}  // namespace strata::python
