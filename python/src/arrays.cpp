@@ -169,8 +169,9 @@ MeshHandle MeshLike::value(const char* role) const {
     return mesh_of(ExactMeshView(nb::cast<const Surface&>(object).exact_mesh()), object);
   if (nb::isinstance<nb::tuple>(object) && nb::len(object) == 2) return mesh_of_arrays(object[0], object[1]);
   if (nb::hasattr(object, "vertices")) {
-    if (nb::hasattr(object, "triangles")) return mesh_of_arrays(object.attr("vertices"), object.attr("triangles"));
+    // In this order: the triangles of trimesh are coordinates.
     if (nb::hasattr(object, "faces")) return mesh_of_arrays(object.attr("vertices"), object.attr("faces"));
+    if (nb::hasattr(object, "triangles")) return mesh_of_arrays(object.attr("vertices"), object.attr("triangles"));
   }
   throw_type_error(std::string(role) +
                    ": expected a Mesh, a Solid, a pair (vertices, triangles), or an object with vertices and faces, "

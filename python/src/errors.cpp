@@ -22,6 +22,11 @@ nb::tuple tuple_of(const T& values) {
   return nb::tuple(list);
 }
 
+/// A text, which may quote paths that are no UTF-8.
+nb::object text_of(std::string_view text) {
+  return nb::steal(PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape"));
+}
+
 nb::object record_of(const Defect& defect) {
   nb::object where = nb::none();
   if (defect.where) where = tuple_of(*defect.where);
@@ -42,11 +47,12 @@ void translate(const std::exception_ptr& exception, void*) {
   } catch (const InputError& error) {
     raise("InputError", error.what(), strata::python::to_python(std::span(error.defects())), error.operand());
   } catch (const IoError& error) {
-    raise("FileError", error.what(), error.path(), error.line(), error.byte(), error.reason());
+    raise("FileError", text_of(error.what()), text_of(error.path()), error.line(), error.byte(),
+          text_of(error.reason()));
   } catch (const ParseError& error) {
-    raise("ParseError", error.what(), error.position());
+    raise("ParseError", text_of(error.what()), error.position());
   } catch (const CsgError& error) {
-    raise("FileError", error.what(), error.file(), error.line(), nb::none(), error.reason());
+    raise("FileError", text_of(error.what()), text_of(error.file()), error.line(), nb::none(), text_of(error.reason()));
   } catch (const planar::UnboundedResult& error) {
     PyErr_SetString(PyExc_ValueError, error.what());
   } catch (const LogicError& error) {

@@ -171,6 +171,7 @@ Polygons rounded(const Polygons& polygons, const Grid& to) {
 std::string text_of(const Polygons& polygons, const std::string& format, bool exact) {
   const auto kind = planar::planar_format_named(format);
   if (!kind) throw nb::value_error(("format: expected one of wkt, geojson, svg, found '" + format + "'").c_str());
+  if (exact && *kind != planar::PlanarFormat::wkt) throw nb::value_error("format: WKT alone has exact coordinates");
   return run([&] {
     return planar::to_text(*polygons.region, *kind, exact ? planar::Coordinates::exact : planar::Coordinates::nearest);
   });

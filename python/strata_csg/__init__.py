@@ -3,7 +3,7 @@
 >>> import strata_csg as st
 >>> part = st.box((0, 0, 0), (4, 4, 2)) - st.cylinder(1, 2, 64).translated((2, 2, 0))
 >>> part
-Solid(136 vertices, 272 triangles)
+Solid(136 vertices, 272 triangles, 120 vertices rational)
 
 `Solid` is a value with operators; `boolean` goes from arrays to arrays; `Expression` and `Workpiece` are for chains of
 thousands of operations. Volumes and coordinates of results are fractions where they are not doubles.

@@ -428,8 +428,8 @@ class Solid:
         --------
         >>> from fractions import Fraction
         >>> mesh = box((0, 0, 0), (1, 1, 1)).scaled(Fraction(1, 3)).rounded("float32")
-        >>> mesh.rounding["moved_vertices"]
-        7
+        >>> float(mesh.vertices.max())
+        0.3333333432674408
         """
 
     def __invert__(self) -> Expression: ...

@@ -24,21 +24,6 @@ std::vector<std::string> words(const std::string& text) {
 
 bool is_name(const std::string& text) { return text.find_first_of(" /=") == std::string::npos; }
 
-/// Asks a script whether it can run: "--check" prints the unit roundoff's exponent by way of its exit status.
-std::unique_ptr<Engine> make_script(const std::string& name, const EngineFolders& folders) {
-  const std::filesystem::path script = folders.scripts / (name + ".py");
-  if (!std::filesystem::exists(script))
-    throw std::runtime_error(fmt::format("no engine is called '{}': there is no {}", name, script.string()));
-  const std::vector<std::string> command = {folders.python, std::filesystem::absolute(script).string()};
-  std::vector<std::string> check = command;
-  check.emplace_back("--check");
-  const Scratch scratch;
-  const ChildEnd end = run_child(check, {60, 0}, scratch.path());
-  if (end.how == ChildEnd::How::exited && end.code == 0) return make_command_engine(name, command, 0x1p-53);
-  if (end.how == ChildEnd::How::exited && end.code == 24) return make_command_engine(name, command, 0x1p-24);
-  throw std::runtime_error(fmt::format("engine not installed: {}", end.error.empty() ? name : end.error));
-}
-
 /// The last line that says something.
 std::string last_line(const std::string& text) {
   const std::size_t start = text.rfind('\n');
@@ -65,9 +50,31 @@ class GivenResult : public Engine {
 
 }  // namespace
 
+std::vector<std::string> script_command(const EngineFolders& folders, const std::filesystem::path& script,
+                                        double* unit_roundoff) {
+  const std::string name = script.stem().string();
+  if (!std::filesystem::exists(script))
+    throw std::runtime_error(fmt::format("no engine is called '{}': there is no {}", name, script.string()));
+  const std::vector<std::string> command = {folders.python, std::filesystem::absolute(script).string()};
+  std::vector<std::string> check = command;
+  check.emplace_back("--check");
+  const Scratch scratch;
+  const ChildEnd end = run_child(check, {60, 0}, scratch.path());
+  // The exit status is 0, or the exponent of the unit roundoff of floats.
+  const bool is_float = end.code == 24;
+  if (end.how != ChildEnd::How::exited || (end.code != 0 && !is_float))
+    throw std::runtime_error(fmt::format("engine not installed: {}", end.error.empty() ? name : end.error));
+  if (unit_roundoff != nullptr) *unit_roundoff = is_float ? 0x1p-24 : 0x1p-53;
+  return command;
+}
+
 std::unique_ptr<Engine> make_engine(const std::string& text, const EngineFolders& folders) {
-  if (std::unique_ptr<Engine> own = make_strata_engine(text)) return own;
-  if (is_name(text)) return make_script(text, folders);
+  if (std::unique_ptr<Engine> own = make_strata_engine(text, folders)) return own;
+  if (is_name(text)) {
+    double unit_roundoff = 0;
+    std::vector<std::string> script = script_command(folders, folders.scripts / (text + ".py"), &unit_roundoff);
+    return make_command_engine(text, std::move(script), unit_roundoff);
+  }
   const std::size_t equals = text.find('=');
   const bool is_named = equals != std::string::npos && is_name(text.substr(0, equals)) && equals > 0;
   const std::vector<std::string> command = words(is_named ? text.substr(equals + 1) : text);

@@ -38,6 +38,11 @@ struct EngineFolders {
   std::filesystem::path scripts;
 };
 
+/// The words that call a script. Throws std::runtime_error where there is none, or it says that it cannot run.
+/// `unit_roundoff`, if given, is set to what the script says of its numbers.
+[[nodiscard]] std::vector<std::string> script_command(const EngineFolders& folders, const std::filesystem::path& script,
+                                                      double* unit_roundoff = nullptr);
+
 /// "strata" (this program, exact files), "strata-doubles" and "strata-floats" (the same, results rounded), the name of
 /// a script in the folder of scripts, or a command: NAME=WORDS or WORDS, to which OPERATION A B OUT is appended for
 /// every operation. Throws std::runtime_error where there is no such script, or it says that it cannot run.

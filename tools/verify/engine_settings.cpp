@@ -28,7 +28,8 @@ std::string EngineSettings::named_oracle() const { return from_environment(oracl
 void add_engine_options(CLI::App& verb, EngineSettings& s, const std::string& jobs, const std::string& seconds) {
   verb.add_option(
           "--engine", s.engines,
-          "strata, strata-doubles, strata-floats, layers, manifold3d, trueform, meshlib, libigl, or a command that is "
+          "strata, strata-doubles, strata-floats, strata-python, layers, manifold3d, trueform, meshlib, libigl, or a "
+          "command that is "
           "called as\n"
           "COMMAND union|intersection|difference|symmetric-difference A.off B.off OUT.off; may be given several times")
       ->type_name("NAME|[NAME=]COMMAND");

@@ -49,16 +49,19 @@ struct Variant {
   const char* engine;  ///< as for --engine
   const char* result;
   double unit_roundoff = 0x1p-53;
+  const char* script = nullptr;  ///< if given, called in place of the command line
 };
 constexpr std::array variants{
     Variant{"strata", "arrangement", "result.xoff"}, Variant{"strata-doubles", "arrangement", "result.off"},
-    Variant{"strata-floats", "arrangement", "result.stl", 0x1p-24}, Variant{"layers", "layers", "result.xoff"}};
+    Variant{"strata-floats", "arrangement", "result.stl", 0x1p-24}, Variant{"layers", "layers", "result.xoff"},
+    Variant{"strata-python", "arrangement", "result.xoff", 0x1p-53, "strata_python.py"}};
 
 class StrataEngine : public Engine {
  public:
-  explicit StrataEngine(const Variant& variant) : variant_(variant), program_(sibling_program("strata").string()) {
-    if (program_.empty()) throw std::runtime_error("engine not installed: there is no program strata beside this one");
-  }
+  StrataEngine(const Variant& variant, const EngineFolders& folders)
+      : variant_(variant),
+        program_(variant.script == nullptr ? command_line()
+                                           : script_command(folders, folders.scripts / variant.script)) {}
 
   [[nodiscard]] std::string name() const override { return variant_.name; }
   [[nodiscard]] double unit_roundoff() const override { return variant_.unit_roundoff; }
@@ -66,7 +69,8 @@ class StrataEngine : public Engine {
   [[nodiscard]] Answer ask(const Case& c, const fs::path& folder, const Limits& limits) const override {
     Answer answer;
     answer.file = folder / variant_.result;
-    std::vector<std::string> command = {program_, "eval", c.expression};
+    std::vector<std::string> command = program_;
+    command.insert(command.end(), {"eval", c.expression});
     for (std::string& binding : bindings_of(c, folder)) command.push_back(std::move(binding));
     for (const std::string& word :
          {std::string("-o"), answer.file.string(), std::string("--input"), std::string(strata::name(c.input)),
@@ -90,8 +94,14 @@ class StrataEngine : public Engine {
   }
 
  private:
+  static std::vector<std::string> command_line() {
+    const std::string program = sibling_program("strata").string();
+    if (program.empty()) throw std::runtime_error("engine not installed: there is no program strata beside this one");
+    return {program};
+  }
+
   Variant variant_;
-  std::string program_;
+  std::vector<std::string> program_;
 };
 
 }  // namespace
@@ -106,9 +116,9 @@ std::vector<std::string> bindings_of(const Case& c, const fs::path& folder) {
   return bindings;
 }
 
-std::unique_ptr<Engine> make_strata_engine(const std::string& name) {
+std::unique_ptr<Engine> make_strata_engine(const std::string& name, const EngineFolders& folders) {
   const auto* v = std::find_if(variants.begin(), variants.end(), [&](const Variant& one) { return one.name == name; });
-  return v == variants.end() ? nullptr : std::make_unique<StrataEngine>(*v);
+  return v == variants.end() ? nullptr : std::make_unique<StrataEngine>(*v, folders);
 }
 
 }  // namespace verify

@@ -1,0 +1,163 @@
+"""Long computations: interruption, time limits, progress, threads."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+import strata_csg as st
+
+#: From the request to the exception.
+SOON = 0.5 if os.environ.get("STRATA_SLOW_BUILD") else 0.1
+
+
+def interrupt_after(seconds: float) -> tuple[threading.Thread, list[float]]:
+    sent: list[float] = []
+
+    def send() -> None:
+        time.sleep(seconds)
+        sent.append(time.perf_counter())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=send)
+    thread.start()
+    return thread, sent
+
+
+def test_ctrl_c_stops_an_operation(slow_solids):
+    thread, sent = interrupt_after(0.3)
+    with pytest.raises(KeyboardInterrupt):
+        st.union(slow_solids)
+    stopped = time.perf_counter()
+    thread.join()
+    assert stopped - sent[0] < SOON
+    assert (slow_solids[0] & slow_solids[0]).triangles.shape[0] > 0  # all is well
+
+
+def test_a_handler_of_its_own(slow_solids):
+    class Stop(Exception):
+        pass
+
+    def handler(number: int, frame: object) -> None:
+        raise Stop
+
+    before = signal.signal(signal.SIGALRM, handler)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+        with pytest.raises(Stop):
+            st.union(slow_solids)
+    finally:
+        signal.signal(signal.SIGALRM, before)
+
+
+def test_a_handler_that_goes_on():
+    seen = []
+    before = signal.signal(signal.SIGINT, lambda number, frame: seen.append(number))
+    try:
+        solids = [st.torus(3, 1, 200, 100).rotated((1, 2, 3), 9.0 * i) for i in range(8)]
+        expected = st.union(solids)
+        thread, _ = interrupt_after(0.05)
+        assert np.array_equal(st.union(solids).triangles, expected.triangles)
+        thread.join()
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert seen == [signal.SIGINT]
+
+
+def test_handlers_are_as_before(slow_solids):
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    with pytest.raises(TimeoutError):
+        st.union(slow_solids, timeout=0.05)
+    with pytest.raises(KeyboardInterrupt):
+        os.kill(os.getpid(), signal.SIGINT)
+        time.sleep(1)
+
+
+def test_time_limits(slow_solids):
+    begin = time.perf_counter()
+    with pytest.raises(TimeoutError):
+        st.union(slow_solids, timeout=0.2)
+    assert time.perf_counter() - begin < 0.2 + SOON
+    assert st.union(slow_solids[:1], timeout=60) == slow_solids[0]
+    for timeout in (0, -1, float("nan")):
+        with pytest.raises(ValueError, match="timeout: expected a positive number"):
+            st.union(slow_solids, timeout=timeout)
+
+
+def test_making_a_solid_can_be_stopped():
+    ball = st.sphere(1, 2000)
+    mesh = st.Mesh(np.array(ball.vertices), np.array(ball.triangles))
+    with pytest.raises(TimeoutError):
+        st.Solid(mesh, timeout=0.02)
+
+
+def test_progress():
+    a = st.sphere(1, 200)
+    b = a.translated((0.5, 0, 0))
+    seen: list[float] = []
+    st.union([a, b], progress=seen.append)
+    assert seen == sorted(seen) and seen[-1] == 1 and len(seen) > 2
+    st.union([a, b], progress=True)
+    st.union([a, b], progress=False)
+    with pytest.raises(TypeError, match="progress: expected None, True, or a callable"):
+        st.union([a, b], progress=3)
+
+
+def test_progress_that_raises():
+    a = st.sphere(1, 200)
+
+    def stop(fraction: float) -> None:
+        raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        st.union([a, a.translated((0.5, 0, 0))], progress=stop)
+
+
+def test_progress_that_computes():
+    a = st.sphere(1, 100)
+    volumes = []
+    st.union([a, a.translated((0.5, 0, 0))], progress=lambda f: volumes.append((st.box((0, 0, 0), (1, 1, 1)) | a).volume))
+    assert len(set(volumes)) == 1
+
+
+def test_the_lock_is_released(slow_solids):
+    ticks = 0
+    running = True
+
+    def tick() -> None:
+        nonlocal ticks
+        while running:
+            ticks += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    with pytest.raises(TimeoutError):
+        st.union(slow_solids, timeout=0.5)
+    running = False
+    thread.join()
+    assert ticks > 50
+
+
+def test_ten_threads():
+    a = st.sphere(1, 40)
+    solids = [a.translated((i / 7, 0, 0)) for i in range(10)]
+    expected = [a | s for s in solids]
+    results: list[list[bool]] = [[] for _ in solids]
+
+    def work(i: int) -> None:
+        for k in range(10):
+            j = (i + k) % 10
+            results[i].append(np.array_equal((a | solids[j]).triangles, expected[j].triangles))
+            results[i].append((a & solids[j]).nearest_volume >= 0)
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(10)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(len(r) == 20 and all(r) for r in results)
