@@ -21,4 +21,5 @@ NB_MODULE(_native, m) {
   bind_contact(m);
   bind_query(m);
   bind_complex(m);
+  bind_command_line(m);
 }

@@ -18,5 +18,6 @@ void bind_contact(nanobind::module_& m);
 void bind_query(nanobind::module_& m);
 void bind_planar(nanobind::module_& m);
 void bind_complex(nanobind::module_& m);
+void bind_command_line(nanobind::module_& m);
 
 }  // namespace strata::python

@@ -39,3 +39,8 @@ def test_a_program_that_uses_it_wrongly_is_found(tmp_path):
     program.write_text("import strata_csg as st\nst.box((0, 0, 0), (1, 1, 1)).volume.nothing\nst.boolean('unite', [])\n")
     checked = run(sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), str(program))
     assert checked.returncode == 1 and checked.stdout.count("error:") == 2, checked.stdout
+
+
+def test_versions_agree():
+    project = (SOURCE.parent / "pyproject.toml").read_text()
+    assert f'\nversion = "{st.__version__}"\n' in project

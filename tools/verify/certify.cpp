@@ -63,7 +63,7 @@ Verdict settle(const Case& c, const strata::ExactMesh& mesh) {
 
 Verdict certify_case(const Case& c, const RunOptions& options, Finding& finding) {
   const Scratch scratch;
-  const Answer answer = make_strata_engine("strata")->ask(c, scratch.path(), options.limits);
+  const Answer answer = make_strata_engine("strata", {})->ask(c, scratch.path(), options.limits);
   finding.seconds = answer.seconds;
   if (answer.file.empty()) return answer.why_not;
   strata::MeshFile file = strata::read_mesh(answer.file);

@@ -1,0 +1,313 @@
+// Draws triangle meshes by WebGL 2. strata_csg._notebook puts this script into a page of its own, with the elements
+// #data (JSON), #stage (the picture), #bar (#reset, #lines and, where there is one, #slider with #label) and #message.
+// The picture is a parallel projection: the camera is two angles, a zoom and a shift.
+(function () {
+  "use strict";
+
+  const element = (name) => document.getElementById(name);
+  const data = JSON.parse(element("data").textContent);
+  const stage = element("stage");
+
+  // ---- geometry ------------------------------------------------------------------------------------------------
+
+  // Arrays come as base64 of little-endian numbers, as they are in memory everywhere.
+  function decoded(text, ArrayType) {
+    const characters = atob(text);
+    const bytes = new Uint8Array(characters.length);
+    for (let i = 0; i < bytes.length; ++i) bytes[i] = characters.charCodeAt(i);
+    return new ArrayType(bytes.buffer);
+  }
+
+  const positions = decoded(data.positions, Float32Array);
+  const triangles = decoded(data.triangles, Uint32Array);
+  const edges = decoded(data.edges, Uint32Array);
+
+  // A value per part, repeated for each of its vertices. Parts lie one after the other in all arrays; a part lists the
+  // ends of its vertices, triangles and edges.
+  function spread(values, ArrayType) {
+    const result = new ArrayType(positions.length);
+    let vertex = 0;
+    data.parts.forEach((part) => {
+      for (; vertex < part.ends[0]; ++vertex) result.set(values(part), 3 * vertex);
+    });
+    return result;
+  }
+
+  const colors = spread((part) => part.color, Uint8Array);
+  const aways = spread((part) => part.away, Float32Array);
+
+  // ---- camera --------------------------------------------------------------------------------------------------
+
+  const home = { yaw: 0.5, pitch: -1.1, zoom: 1, x: 0, y: 0 };
+  const camera = Object.assign({}, home);
+  const limits = { least: 0.1, most: 2000 };
+
+  // Rotation about the z axis, then about the horizontal axis of the picture; columns one after the other.
+  function rotation() {
+    const c = Math.cos(camera.yaw), s = Math.sin(camera.yaw);
+    const d = Math.cos(camera.pitch), t = Math.sin(camera.pitch);
+    return [c, s * d, s * t, -s, c * d, c * t, 0, -t, d];
+  }
+
+  function turn(yaw, pitch) {
+    camera.yaw += yaw;
+    camera.pitch = Math.max(-Math.PI, Math.min(0, camera.pitch + pitch));
+  }
+
+  // Shifts and places are in halves of the shorter side of the picture.
+  function shift(x, y) {
+    camera.x += x;
+    camera.y += y;
+  }
+
+  // The point (x, y) of the picture stays where it is.
+  function zoom(factor, x, y) {
+    const next = Math.max(limits.least, Math.min(limits.most, camera.zoom * factor));
+    const ratio = next / camera.zoom;
+    camera.x = x - (x - camera.x) * ratio;
+    camera.y = y - (y - camera.y) * ratio;
+    camera.zoom = next;
+  }
+
+  // ---- picture -------------------------------------------------------------------------------------------------
+
+  const vertexShader = `#version 300 es
+    in vec3 position; in vec3 away; in vec3 color;
+    uniform mat3 rotation; uniform vec3 scale; uniform vec2 shift; uniform float explosion; uniform float nearer;
+    out vec3 place; out vec3 tint;
+    void main() {
+      place = rotation * (position + explosion * away);
+      tint = color;
+      gl_Position = vec4(place.xy * scale.xy + shift, -place.z * scale.z - nearer, 1.0);
+    }`;
+
+  // The normal of a face is that of the plane through neighbouring pixels, so that shading is flat.
+  const fragmentShader = `#version 300 es
+    precision highp float;
+    in vec3 place; in vec3 tint;
+    uniform float ink;
+    out vec4 pixel;
+    void main() {
+      if (ink > 0.0) { pixel = vec4(0.06, 0.08, 0.12, ink); return; }
+      vec3 normal = cross(dFdx(place), dFdy(place));
+      float light = abs(dot(normal, vec3(0.25, 0.45, 0.86))) / max(length(normal), 1e-30);
+      pixel = vec4(tint * (0.4 + 0.6 * light), 1.0);
+    }`;
+
+  let gl = null, canvas = null, program = null, faceArrays = null, edgeArrays = null;
+  let waiting = false;
+
+  function shader(type, source) {
+    const result = gl.createShader(type);
+    gl.shaderSource(result, source);
+    gl.compileShader(result);
+    if (!gl.getShaderParameter(result, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(result));
+    return result;
+  }
+
+  function linkedProgram() {
+    const result = gl.createProgram();
+    gl.attachShader(result, shader(gl.VERTEX_SHADER, vertexShader));
+    gl.attachShader(result, shader(gl.FRAGMENT_SHADER, fragmentShader));
+    gl.linkProgram(result);
+    if (!gl.getProgramParameter(result, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(result));
+    return result;
+  }
+
+  function filled(target, content) {
+    const buffer = gl.createBuffer();
+    gl.bindBuffer(target, buffer);
+    gl.bufferData(target, content, gl.STATIC_DRAW);
+    return buffer;
+  }
+
+  // The three attributes of vertices, with one list of indices.
+  function vertexArrays(attributes, indices) {
+    const result = gl.createVertexArray();
+    gl.bindVertexArray(result);
+    attributes.forEach(([name, buffer, type, normalized]) => {
+      const place = gl.getAttribLocation(program, name);
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      gl.enableVertexAttribArray(place);
+      gl.vertexAttribPointer(place, 3, type, normalized, 0, 0);
+    });
+    filled(gl.ELEMENT_ARRAY_BUFFER, indices);
+    return result;
+  }
+
+  // Makes a canvas and everything that lies in the memory of the graphics device.
+  function open() {
+    if (canvas) canvas.remove();
+    canvas = document.createElement("canvas");
+    stage.prepend(canvas);
+    gl = canvas.getContext("webgl2", { antialias: true, alpha: false });
+    if (!gl) return say("No picture: this browser has no WebGL 2, or it is switched off.");
+    canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      gl = null;
+      say("The browser took this picture back to draw others. Click here to see it again.");
+      element("message").onclick = open;
+    });
+    program = linkedProgram();
+    const attributes = [
+      ["position", filled(gl.ARRAY_BUFFER, positions), gl.FLOAT, false],
+      ["away", filled(gl.ARRAY_BUFFER, aways), gl.FLOAT, false],
+      ["color", filled(gl.ARRAY_BUFFER, colors), gl.UNSIGNED_BYTE, true],
+    ];
+    faceArrays = vertexArrays(attributes, triangles);
+    edgeArrays = vertexArrays(attributes, edges);
+    gl.useProgram(program);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
+    gl.enable(gl.POLYGON_OFFSET_FILL);
+    gl.polygonOffset(1, 1);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    gl.clearColor(0.965, 0.97, 0.98, 1);
+    say("");
+    resize();
+  }
+
+  function say(text) {
+    element("message").textContent = text;
+    element("message").hidden = text === "";
+    element("bar").hidden = text !== "";
+  }
+
+  function resize() {
+    if (!gl) return;
+    const ratio = window.devicePixelRatio || 1;
+    canvas.width = Math.max(1, Math.round(stage.clientWidth * ratio));
+    canvas.height = Math.max(1, Math.round(stage.clientHeight * ratio));
+    redraw();
+  }
+
+  // Draws once before the next frame, however much has changed.
+  function redraw() {
+    if (waiting) return;
+    waiting = true;
+    requestAnimationFrame(() => {
+      waiting = false;
+      draw();
+    });
+  }
+
+  function draw() {
+    if (!gl) return;
+    const explosion = data.slider === "explode" ? Number(element("slider").value) / 100 : 0;
+    const shown = data.slider === "layers" ? Number(element("slider").value) : data.parts.length;
+    const ends = shown > 0 ? data.parts[shown - 1].ends : [0, 0, 0];
+    const side = Math.min(canvas.width, canvas.height);
+    const wide = side / canvas.width, high = side / canvas.height, size = 0.85 * camera.zoom / (1 + 0.5 * explosion);
+    const uniform = (name) => gl.getUniformLocation(program, name);
+    gl.viewport(0, 0, canvas.width, canvas.height);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.uniformMatrix3fv(uniform("rotation"), false, rotation());
+    // No point is farther than 1 from the centre, nor moves by more than 1.
+    gl.uniform3f(uniform("scale"), size * wide, size * high, 0.98 / (1 + explosion));
+    gl.uniform2f(uniform("shift"), camera.x * wide, camera.y * high);
+    gl.uniform1f(uniform("explosion"), explosion);
+    gl.uniform1f(uniform("ink"), 0);
+    gl.uniform1f(uniform("nearer"), 0);
+    gl.bindVertexArray(faceArrays);
+    gl.drawElements(gl.TRIANGLES, 3 * ends[1], gl.UNSIGNED_INT, 0);
+    if (data.triangles !== "" && !element("lines").checked) return;
+    // Many edges in a small picture are drawn in lighter ink, so that they do not cover the faces.
+    const ink = Math.min(0.85, Math.max(0.1, 0.03 * side * camera.zoom / Math.sqrt(1 + edges.length)));
+    gl.uniform1f(uniform("ink"), ink);
+    gl.uniform1f(uniform("nearer"), 0.002 / camera.zoom);
+    gl.enable(gl.BLEND);
+    gl.bindVertexArray(edgeArrays);
+    gl.drawElements(gl.LINES, 2 * ends[2], gl.UNSIGNED_INT, 0);
+    gl.disable(gl.BLEND);
+  }
+
+  // ---- mouse, touch, keyboard ----------------------------------------------------------------------------------
+
+  const pointers = new Map();
+
+  // A place of the window, in halves of the shorter side from the middle of the picture.
+  function placed(event) {
+    const box = stage.getBoundingClientRect();
+    const half = Math.max(1, Math.min(box.width, box.height) / 2);
+    const x = event.clientX - box.left - box.width / 2, y = event.clientY - box.top - box.height / 2;
+    return { x: x / half, y: -y / half };
+  }
+
+  function middle() {
+    const [a, b] = [...pointers.values()];
+    return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, span: Math.hypot(a.x - b.x, a.y - b.y) };
+  }
+
+  // One pointer turns, or shifts with the shift key; two shift and zoom.
+  function moved(event) {
+    const before = pointers.get(event.pointerId);
+    if (!before) return;
+    const now = placed(event);
+    if (pointers.size === 2) {
+      const old = middle();
+      pointers.set(event.pointerId, now);
+      const next = middle();
+      shift(next.x - old.x, next.y - old.y);
+      if (old.span > 0) zoom(next.span / old.span, next.x, next.y);
+    } else {
+      pointers.set(event.pointerId, now);
+      const dx = now.x - before.x, dy = now.y - before.y;
+      if (event.shiftKey || event.buttons === 4) shift(dx, dy);
+      else turn(2 * dx, -2 * dy);
+    }
+    redraw();
+  }
+
+  function pressed(event) {
+    if (event.target !== canvas) return;
+    stage.setPointerCapture(event.pointerId);
+    pointers.set(event.pointerId, placed(event));
+  }
+
+  function wheeled(event) {
+    event.preventDefault();
+    const place = placed(event);
+    zoom(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0015)), place.x, place.y);
+    redraw();
+  }
+
+  function reset() {
+    Object.assign(camera, home);
+    redraw();
+  }
+
+  const keys = {
+    ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
+  };
+
+  function typed(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const way = keys[event.key];
+    if (way && event.shiftKey) shift(0.1 * way[0], 0.1 * way[1]);
+    else if (way) turn(0.1 * way[0], -0.1 * way[1]);
+    else if (event.key === "+" || event.key === "=") zoom(1.2, 0, 0);
+    else if (event.key === "-") zoom(1 / 1.2, 0, 0);
+    else if (event.key === "Home" || event.key === "r" || event.key === "0") reset();
+    else return;
+    event.preventDefault();
+    redraw();
+  }
+
+  function slid() {
+    const slider = element("slider");
+    element("label").textContent = data.slider === "layers" ? `layers ${slider.value} of ${slider.max}` : "explode";
+    redraw();
+  }
+
+  stage.addEventListener("pointerdown", pressed);
+  stage.addEventListener("pointermove", moved);
+  stage.addEventListener("pointerup", (event) => pointers.delete(event.pointerId));
+  stage.addEventListener("pointercancel", (event) => pointers.delete(event.pointerId));
+  stage.addEventListener("wheel", wheeled, { passive: false });
+  stage.addEventListener("keydown", typed);
+  element("reset").addEventListener("click", reset);
+  element("lines").addEventListener("change", redraw);
+  if (data.slider !== "one") element("slider").addEventListener("input", slid);
+  new ResizeObserver(resize).observe(stage);
+  open();
+})();
