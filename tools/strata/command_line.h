@@ -36,5 +36,8 @@ void add_contact_verbs(CommandLine& line);  ///< contacts
 void add_section_verbs(CommandLine& line);  ///< section, slice
 void add_surface_verbs(CommandLine& line);  ///< clip, split, imprint, cells
 
+/// batch: many command lines.
+void add_batch_verb(CommandLine& line);
+
 /// verify, fuzz: names of verbs that `strata-verify` has.
 void add_suite_verbs(CommandLine& line);

@@ -25,6 +25,7 @@ constexpr const char* examples = R"(Examples:
 void add_verbs(CommandLine& line) {
   add_boolean_verbs(line);
   add_extension_verbs(line);
+  if (line.wants({"batch"})) add_batch_verb(line);
 }
 
 }  // namespace
