@@ -12,7 +12,7 @@ class Usage(ToolTest):
 
     def test_every_verb_has_help(self):
         for verb in ("union", "intersection", "difference", "symmetric-difference", "resolve", "check", "info", "compare", "layers", "locate",
-                     "ray", "eval", "chain", "draw"):
+                     "ray", "eval", "chain", "draw", "batch"):
             self.assertIn("Exit codes:", self.run_tool(verb, "--help").stdout.decode())
 
     def test_version_is_a_number(self):

@@ -50,9 +50,11 @@ double ByteSource::fraction() const {
 void ByteSource::wait() const {
   constexpr int patience = 100;  // milliseconds between looks at the token
   pollfd ready = {descriptor_, POLLIN, 0};
+  int seen = 0;
   do {
     if (cancel_ != nullptr && cancel_->is_cancelled()) throw strata::Cancelled("cancelled while reading " + name_);
-  } while (::poll(&ready, 1, patience) == 0);
+    seen = ::poll(&ready, 1, patience);
+  } while (seen == 0 || (seen < 0 && errno == EINTR));
 }
 
 void ByteSource::fail(int error) const {

@@ -109,6 +109,14 @@ Json parse_json(std::string_view text, const std::string& file) {
   }
 }
 
+Json parse_json_line(std::string_view text, const std::string& where) {
+  try {
+    return parse_json(text, where);
+  } catch (const strata::IoError& error) {
+    throw strata::IoError(where, {}, error.reason());
+  }
+}
+
 JsonLocation::JsonLocation(const Json& value, std::string file, std::string path)
     : value_(&value), file_(std::move(file)), path_(std::move(path)) {}
 

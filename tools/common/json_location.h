@@ -12,6 +12,9 @@
 /// JSON, with the place for a key that an object has twice, and for arrays and objects nested more than 100 deep.
 [[nodiscard]] Json parse_json(std::string_view text, const std::string& file);
 
+/// The same for a line of a file of many; `where` is "file:line", and messages begin with it.
+[[nodiscard]] Json parse_json_line(std::string_view text, const std::string& where);
+
 /// A value in a JSON document that knows where it stands: "steps[3].operation". Whatever is not as asked for is a
 /// strata::IoError that begins with this place. Valid as long as the document.
 class JsonLocation {

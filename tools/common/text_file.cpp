@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "common/byte_source.h"
 #include "core/io/file.h"
 #include "strata/errors.h"
 
@@ -46,6 +47,19 @@ void write_file(const std::string& path, std::string_view text) {
 
 std::string read_file(const std::string& path) {
   return std::string(strata::io::FileBytes(strata::io::File(path)).view());
+}
+
+std::string read_text(const std::string& where, const strata::CancelToken* cancel) {
+  constexpr std::size_t block = 1 << 16;
+  ByteSource source(where, cancel);
+  std::string text;
+  while (true) {
+    const std::size_t before = text.size();
+    text.resize(before + block);
+    const std::size_t got = source.read(text.data() + before, block);
+    text.resize(before + got);
+    if (got == 0) return text;
+  }
 }
 
 void write_text(const std::string& where, std::string_view text) {

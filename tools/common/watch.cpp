@@ -52,7 +52,7 @@ int milliseconds_until(std::chrono::steady_clock::time_point end) {
 }  // namespace
 
 Watch::Watch(double seconds) : seconds_(std::min(seconds, 1e9)) {
-  if (pipe(pipe_ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  if (pipe_ends[0] < 0 && pipe(pipe_ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   for (const int end : pipe_ends) fcntl(end, F_SETFD, FD_CLOEXEC);
   handle_signals();
   thread_ = std::thread([this] { run(); });

@@ -4,8 +4,6 @@
 
 #include <array>
 #include <filesystem>
-#include <iostream>
-#include <iterator>
 #include <utility>
 
 #include "common/json_choice.h"
@@ -23,13 +21,6 @@ struct Defaults {
   strata::InputClass input;
   strata::Placement placement;
 };
-
-std::string read_text(const std::string& path) {
-  if (path != "-") return read_file(path);
-  std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-  if (std::cin.bad()) throw strata::IoError("standard input", {}, "read error");
-  return text;
-}
 
 strata::Placement read_placement(const JsonLocation& place) {
   constexpr std::array placements = {strata::Placement::exact, strata::Placement::rounded};

@@ -1,4 +1,7 @@
 #pragma once
+#include <initializer_list>
+#include <string_view>
+
 #include "common/run.h"
 #include "settings.h"
 
@@ -6,7 +9,11 @@
 struct CommandLine {
   CLI::App& app;
   Settings& settings;
-  Action& action;  ///< of the verb that is named
+  Action& action;          ///< of the verb that is named
+  std::string_view asked;  ///< the verb that is named, where others need not be added; empty: all are
+
+  /// Is one of these to be added? Adding all verbs takes longer than a small Boolean.
+  [[nodiscard]] bool wants(std::initializer_list<const char*> verbs) const;
 
   /// `run` is the action of `verb`.
   void on(CLI::App& verb, Action run);
@@ -28,6 +35,9 @@ void add_complex_verbs(CommandLine& line);  ///< topology
 void add_contact_verbs(CommandLine& line);  ///< contacts
 void add_section_verbs(CommandLine& line);  ///< section, slice
 void add_surface_verbs(CommandLine& line);  ///< clip, split, imprint, cells
+
+/// batch: many command lines.
+void add_batch_verb(CommandLine& line);
 
 /// verify, fuzz: names of verbs that `strata-verify` has.
 void add_suite_verbs(CommandLine& line);

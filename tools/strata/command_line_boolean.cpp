@@ -133,14 +133,15 @@ void add_compare(CommandLine& line) {
 
 void add_boolean_verbs(CommandLine& line) {
   using strata::Operation;
-  add_boolean(line, Operation::union_, "What is in any of the meshes");
-  add_boolean(line, Operation::intersection, "What is in all of the meshes");
-  add_boolean(line, Operation::difference, "What is in the first mesh and in no other");
-  add_boolean(line, Operation::symmetric_difference, "What is in an odd number of the meshes");
-  add_resolve(line);
-  add_round(line);
-  add_eval(line);
-  add_check(line);
-  add_info(line);
-  add_compare(line);
+  if (line.wants({"union"})) add_boolean(line, Operation::union_, "What is in any of the meshes");
+  if (line.wants({"intersection"})) add_boolean(line, Operation::intersection, "What is in all of the meshes");
+  if (line.wants({"difference"})) add_boolean(line, Operation::difference, "What is in the first mesh and in no other");
+  if (line.wants({"symmetric-difference", "xor"}))
+    add_boolean(line, Operation::symmetric_difference, "What is in an odd number of the meshes");
+  if (line.wants({"resolve"})) add_resolve(line);
+  if (line.wants({"round"})) add_round(line);
+  if (line.wants({"eval"})) add_eval(line);
+  if (line.wants({"check"})) add_check(line);
+  if (line.wants({"info"})) add_info(line);
+  if (line.wants({"compare"})) add_compare(line);
 }

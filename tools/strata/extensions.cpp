@@ -23,8 +23,10 @@ namespace {
   throw UsageError(fmt::format("{} needs the extension {}, which this build of strata does not have", what, extension));
 }
 
+using Verbs = std::initializer_list<const char*>;
+
 /// Verbs that are named in no help, and refused.
-[[maybe_unused]] void add_missing(CommandLine& line, const char* extension, std::initializer_list<const char*> verbs) {
+[[maybe_unused]] void add_missing(CommandLine& line, const char* extension, Verbs verbs) {
   for (const char* name : verbs) {
     CLI::App* verb = line.app.add_subcommand(name)->group("")->prefix_command();
     verb->set_help_flag();
@@ -67,49 +69,58 @@ strata::Expression read_model([[maybe_unused]] const Settings& settings) {
 }
 
 void add_extension_verbs(CommandLine& line) {
+  if (const Verbs verbs = {"chain"}; line.wants(verbs))
 #if STRATA_HAS_INCREMENTAL
-  add_chain_verb(line);
+    add_chain_verb(line);
 #else
-  add_missing(line, "incremental", {"chain"});
+    add_missing(line, "incremental", verbs);
 #endif
+  if (const Verbs verbs = {"draw", "layers", "locate", "ray"}; line.wants(verbs))
 #if STRATA_HAS_SCENE
-  add_scene_verbs(line);
+    add_scene_verbs(line);
 #else
-  add_missing(line, "scene", {"draw", "layers", "locate", "ray"});
+    add_missing(line, "scene", verbs);
 #endif
+  if (const Verbs verbs = {"bsp", "intervals"}; line.wants(verbs))
 #if STRATA_HAS_BSP
-  add_partition_verbs(line);
+    add_partition_verbs(line);
 #else
-  add_missing(line, "bsp", {"bsp", "intervals"});
+    add_missing(line, "bsp", verbs);
 #endif
+  if (const Verbs verbs = {"topology"}; line.wants(verbs))
 #if STRATA_HAS_COMPLEX
-  add_complex_verbs(line);
+    add_complex_verbs(line);
 #else
-  add_missing(line, "complex", {"topology"});
+    add_missing(line, "complex", verbs);
 #endif
+  if (const Verbs verbs = {"contacts"}; line.wants(verbs))
 #if STRATA_HAS_CONTACT
-  add_contact_verbs(line);
+    add_contact_verbs(line);
 #else
-  add_missing(line, "contact", {"contacts"});
+    add_missing(line, "contact", verbs);
 #endif
+  if (const Verbs verbs = {"clip", "split", "imprint", "cells"}; line.wants(verbs))
 #if STRATA_HAS_SURFACE
-  add_surface_verbs(line);
+    add_surface_verbs(line);
 #else
-  add_missing(line, "surface", {"clip", "split", "imprint", "cells"});
+    add_missing(line, "surface", verbs);
 #endif
+  if (const Verbs verbs = {"section", "slice"}; line.wants(verbs))
 #if STRATA_HAS_SECTION
-  add_section_verbs(line);
+    add_section_verbs(line);
 #else
-  add_missing(line, "section", {"section", "slice"});
+    add_missing(line, "section", verbs);
 #endif
+  if (const Verbs verbs = {"decompose", "hull", "minkowski", "erosion", "offset"}; line.wants(verbs))
 #if STRATA_HAS_CONVEX
-  add_shape_verbs(line);
+    add_shape_verbs(line);
 #else
-  add_missing(line, "convex", {"decompose", "hull", "minkowski", "erosion", "offset"});
+    add_missing(line, "convex", verbs);
 #endif
+  if (const Verbs verbs = {"planar"}; line.wants(verbs))
 #if STRATA_HAS_PLANAR
-  add_planar_verbs(line);
+    add_planar_verbs(line);
 #else
-  add_missing(line, "planar", {"planar"});
+    add_missing(line, "planar", verbs);
 #endif
 }

@@ -14,36 +14,27 @@
 #include <iterator>
 #include <system_error>
 #include <thread>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
+
+#include "common/child_process.h"
 
 namespace verify {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void limit(int resource, rlim_t value) {
-  const rlimit both{value, value};
-  setrlimit(static_cast<__rlimit_resource_t>(resource), &both);
-}
-
 /// What goes on between fork and exec: calls that are safe after a fork of a process with threads.
 [[noreturn]] void become(char* const* arguments, const Limits& limits, const char* folder, const char* error_file) {
   setpgid(0, 0);
-#ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
+  tie_to_parent();
   const int nothing = open("/dev/null", O_RDWR);
   const int error = open(error_file, O_WRONLY | O_CREAT | O_TRUNC, 0600);
   dup2(nothing, STDIN_FILENO);
   dup2(nothing, STDOUT_FILENO);
   dup2(error, STDERR_FILENO);
   if (chdir(folder) != 0) _exit(127);
-  limit(RLIMIT_CORE, 0);
   constexpr rlim_t cpu_per_second = 64;  // many threads; the clock decides, this only ends what outlives the caller
-  limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.seconds)) * cpu_per_second + 1);
-  if (limits.bytes != 0) limit(RLIMIT_AS, limits.bytes);
+  limit_for_good(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.seconds)) * cpu_per_second + 1);
+  if (limits.bytes != 0) limit_for_good(RLIMIT_AS, limits.bytes);
   execvp(arguments[0], arguments);
   _exit(127);
 }
