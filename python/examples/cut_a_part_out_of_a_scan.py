@@ -1,16 +1,16 @@
 """A head cut out of a scan that is open and damaged
 
-Scans are rarely closed. The scanner does not see under the feet, misses spots, and programs that merge its pictures list
-triangles twice or turn them over. Such a mesh bounds no solid, and a Boolean of it has no meaning.
+Scans are rarely closed. The scanner does not see under the feet, misses spots, and programs that merge its pictures
+list triangles twice or turn them over. Such a mesh bounds no solid, and a Boolean of it has no meaning.
 
-Strata says so, with every defect, its place and its faces. With `input="soup"` it mends the mesh: equal triangles become
-one, triangles are turned to agree with their neighbours, and holes are filled with triangles between the vertices on
-their rims. No vertex moves. The notes of the solid tell what was done.
+Strata says so, with every defect, its place and its faces. With `input="soup"` it mends the mesh: equal triangles
+become one, triangles are turned to agree with their neighbours, and holes are filled with triangles between the
+vertices on their rims. No vertex moves. The notes of the solid tell what was done.
 """
 
 # %% A scan
-# The mesh of a cow is closed and clean. Without the soles of the hooves, with a hole in the flank, with triangles that are
-# doubled and turned over, it is what a scanner would make of it.
+# The mesh of a cow is closed and clean. Without the soles of the hooves, with a hole in the flank, with triangles
+# that are doubled and turned over, it is what a scanner would make of it.
 
 from __future__ import annotations
 
@@ -76,7 +76,8 @@ assert head.volume + body.volume == mended.volume
 assert len(head.components()) == 1
 
 # %% Written
-# Binary STL has floats. `rounded` moves vertices to floats such that the mesh bounds a solid still, and tells how far.
+# Binary STL has floats. `rounded` moves vertices to floats such that the mesh bounds a solid still, and tells how
+# far.
 
 folder = Path(tempfile.mkdtemp())
 rounded = head.rounded("float32")

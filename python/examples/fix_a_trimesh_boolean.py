@@ -1,10 +1,10 @@
 """A Boolean of trimesh that comes out empty, and one that joins what is apart
 
-Plants and buildings have coordinates that count from far away: a pump in a map has a position of 5,600,000 metres, and
-its drawing is in millimetres. trimesh has doubles, which hold such numbers. Its default engine, manifold3d, is called
-with 32-bit floats, which do not: they have 24 binary digits. Vertices of a small part far from the origin fall together,
-and the result is empty, without an error. Near the origin, the same loss closes gaps that are narrower than a float
-resolves.
+Plants and buildings have coordinates that count from far away: a pump in a map has a position of 5,600,000 metres,
+and its drawing is in millimetres. trimesh has doubles, which hold such numbers. Its default engine, manifold3d, is
+called with 32-bit floats, which do not: they have 24 binary digits. Vertices of a small part far from the origin fall
+together, and the result is empty, without an error. Near the origin, the same loss closes gaps that are narrower than
+a float resolves.
 
 Strata takes the doubles as they are. Nothing is moved, nothing is joined because it is near.
 """
@@ -15,16 +15,17 @@ Strata takes the doubles as they are. Nothing is moved, nothing is joined becaus
 from __future__ import annotations
 
 from fractions import Fraction
+from importlib import import_module
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
 import strata_csg as st
 
-try:
-    import manifold3d  # noqa: F401
-    import trimesh
-except ImportError:
-    trimesh = None
+trimesh: Any = None
+if find_spec("trimesh") and find_spec("manifold3d"):
+    trimesh = import_module("trimesh")
+else:
     print("SKIPPED: the comparison needs trimesh and manifold3d")
 
 BLOCK = st.box((0, 0, 0), (1, 1, 1))

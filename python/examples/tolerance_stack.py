@@ -1,15 +1,15 @@
 """An assembly checked for gaps of a micrometre: press fits, contacts and interference
 
-A shaft with washers runs in a housing. The parts are modelled at their real sizes within their tolerances, so a press fit
-is an interference of some micrometres and a running fit a gap of as many. Programs with a tolerance of their own take
-both for contact. Here every relation is decided exactly.
+A shaft with washers runs in a housing. The parts are modelled at their real sizes within their tolerances, so a press
+fit is an interference of some micrometres and a running fit a gap of as many. Programs with a tolerance of their own
+take both for contact. Here every relation is decided exactly.
 
 The unit is the micrometre: sizes are integers, so the models are the drawing.
 """
 
 # %% The parts
-# The bore and the shaft are prisms of 48 sides. Their corners are rounded to doubles once, when they are made; from then on
-# they are exact. Both have the same directions, so that gap and interference are the same all around.
+# The bore and the shaft are prisms of 48 sides. Their corners are rounded to doubles once, when they are made; from
+# then on they are exact. Both have the same directions, so that gap and interference are the same all around.
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ for number, thickness in enumerate(THICKNESSES, 1):
     height += thickness
 
 # %% All relations
-# `contacts` lists the pairs that touch or interfere, and `distance` tells how far the others are apart: the square of the
-# distance is a fraction.
+# `contacts` lists the pairs that touch or interfere, and `distance` tells how far the others are apart: the square of
+# the distance is a fraction.
 
 names, solids = list(parts), list(parts.values())
 near = {(pair["a"], pair["b"]): pair for pair in st.contacts(solids)}
@@ -72,9 +72,10 @@ for (first, second), (relation, value) in relations.items():
     print(f"{first + ' - ' + second:<22} {relation:<12} {text:>24}")
 
 # %% What it shows
-# The shaft is pressed into the housing, and the interference is that of two prisms and a wall: the ring between the bore and
-# the shaft, as long as the bore. Washers touch each other and the floor of the cavity. Between the last one and the ceiling
-# is a gap of 2 micrometres, and between shaft and washers one of 1 micrometre, measured across the flats.
+# The shaft is pressed into the housing, and the interference is that of two prisms and a wall: the ring between the
+# bore and the shaft, as long as the bore. Washers touch each other and the floor of the cavity. Between the last one
+# and the ceiling is a gap of 2 micrometres, and between shaft and washers one of 1 micrometre, measured across the
+# flats.
 
 assert relations["housing", "shaft"][0] == "interfering"
 ring_area = st.cylinder(BORE + 12, 1, SIDES).volume - st.cylinder(BORE, 1, SIDES).volume

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "module.h"
-#include "strata/run_command.h"
-#include "strata/suite.h"
+#include "run_command.h"
+#include "suite.h"
 
 namespace strata::python {
 
@@ -18,7 +18,7 @@ int run_command_line(std::vector<std::string> words) {
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const nanobind::gil_scoped_release released;
-  if (words.size() > 1 && is_suite_verb(words[1].c_str())) return become_suite(arguments.data());
+  if (words.size() > 1 && is_suite_verb(words[1])) return become_suite(arguments.data());
   return run_command(static_cast<int>(words.size()), arguments.data());
 }
 

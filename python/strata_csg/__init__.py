@@ -9,6 +9,7 @@ Solid(136 vertices, 272 triangles, 120 vertices rational)
 thousands of operations. Volumes and coordinates of results are fractions where they are not doubles.
 """
 
+from strata_csg._batch import Record, batch
 from strata_csg._errors import Defect, FileError, InputError, InternalError, ParseError
 from strata_csg._native import (
     Expression,
@@ -60,6 +61,7 @@ from strata_csg._native import version as __version__
 
 __all__ = [
     "__version__",
+    "batch",
     "boolean",
     "box",
     "cells_of",
@@ -94,6 +96,7 @@ __all__ = [
     "read",
     "read_bytes",
     "read_openscad",
+    "Record",
     "resolve",
     "section",
     "SelectiveComplex",
