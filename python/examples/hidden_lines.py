@@ -90,7 +90,7 @@ def sharp_edges(solid: st.Solid) -> dict[int, list[tuple[Any, Any]]]:
 
 
 def outlines_of(mesh: st.Mesh, sharp: list[dict[int, list[tuple[Any, Any]]]]) -> Iterator[tuple[int, int, int]]:
-    """The edges of pieces that lie on sharp edges of solids, with the third vertex of the piece: numbers of vertices."""
+    """Edges of pieces that lie on sharp edges of solids, with the third vertex of the piece: numbers of vertices."""
     exact = mesh.exact_vertices
     assert mesh.source_operands is not None and mesh.source_faces is not None
     sources = zip(mesh.source_operands.tolist(), mesh.source_faces.tolist())

@@ -9,7 +9,8 @@ Solid(136 vertices, 272 triangles, 120 vertices rational)
 thousands of operations. Volumes and coordinates of results are fractions where they are not doubles.
 """
 
-from strata_csg._batch import Record, batch
+from typing import TYPE_CHECKING, Any
+
 from strata_csg._errors import Defect, FileError, InputError, InternalError, ParseError
 from strata_csg._native import (
     Expression,
@@ -58,6 +59,9 @@ from strata_csg._native import (
     write_bytes,
 )
 from strata_csg._native import version as __version__
+
+if TYPE_CHECKING:
+    from strata_csg._batch import Record, batch
 
 __all__ = [
     "__version__",
@@ -113,3 +117,12 @@ __all__ = [
     "write",
     "write_bytes",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    # Processes and their pipes take longer to import than all the rest.
+    if name in ("Record", "batch"):
+        from strata_csg import _batch
+
+        return getattr(_batch, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

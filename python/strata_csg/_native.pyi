@@ -1507,3 +1507,6 @@ class SelectiveComplex:
     @property
     def length(self) -> float:
         """The length of its edges, to a few units in the last place."""
+
+def _run_command_line(words: Sequence[str]) -> int:
+    """Runs the command line `strata` in this process: its exit code."""
