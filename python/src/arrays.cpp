@@ -2,8 +2,10 @@
 
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
+#include <strata/check.h>
 #include <strata/surface.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -141,6 +143,18 @@ MeshHandle mesh_of_arrays(nb::handle vertices, nb::handle triangles) {
   set_vertices(*mesh, vertices, "vertices");
   set_triangles(*mesh, triangles);
   return mesh;
+}
+
+void require_readable(const ArrayMesh& mesh) {
+  const std::size_t count = mesh.view.vertices.size();
+  const bool is_readable =
+      std::ranges::all_of(mesh.view.triangles,
+                          [&](const Triangle& t) { return t[0] < count && t[1] < count && t[2] < count; }) &&
+      std::ranges::all_of(
+          mesh.view.vertices,
+          [](const Vertex& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }) &&
+      std::ranges::all_of(mesh.owned.exact, [&](const ExactVertex& v) { return v.vertex < count; });
+  if (!is_readable) throw InputError(diagnose(mesh.exact_view()));
 }
 
 MeshHandle mesh_of(ExactMesh exact) {

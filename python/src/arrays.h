@@ -43,6 +43,10 @@ using MeshHandle = std::shared_ptr<const ArrayMesh>;
 /// with which array.
 [[nodiscard]] MeshHandle mesh_of_arrays(nb::handle vertices, nb::handle triangles);
 
+/// Throws InputError where an index is out of range or a coordinate not finite: for functions that read past arrays
+/// otherwise. O(n).
+void require_readable(const ArrayMesh& mesh);
+
 /// A mesh that owns its arrays.
 [[nodiscard]] MeshHandle mesh_of(ExactMesh mesh);
 [[nodiscard]] MeshHandle mesh_of(BooleanResult result);

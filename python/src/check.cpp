@@ -24,7 +24,9 @@ nb::tuple defects_of(const MeshLike& argument, std::size_t listed, unsigned thre
 }
 
 nb::dict measures_of(const MeshLike& argument, unsigned threads) {
-  const ExactMesh mesh = argument.value()->copy();
+  const MeshHandle held = argument.value();
+  require_readable(*held);
+  const ExactMesh mesh = held->copy();
   const Measures measures = run([&] { return measure(mesh, {.threads = threads}); });
   nb::dict facts;
   facts["volume"] = measures.volume;

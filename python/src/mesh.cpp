@@ -134,6 +134,10 @@ Fraction(1, 6)
       .def_prop_ro("seconds", seconds_of, nb::sig("def seconds(self) -> dict[str, float]"),
                    "Of a result: the time that each stage took.")
       .def("__repr__", describe)
+      .def(
+          "_repr_html_",
+          [](nb::object thing) { return nb::module_::import_("strata_csg._notebook").attr("html_of")(thing); },
+          nb::sig("def _repr_html_(self) -> str"), "A viewer, for notebooks.")
       .def("__eq__", are_equal, nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
       .def("__hash__", [](const ArrayMesh& mesh) { return mesh.view.triangles.size(); })
       .def(

@@ -2,18 +2,41 @@
 #include <nanobind/stl/vector.h>
 #include <strata/primitives.h>
 
+#include <cmath>
+#include <stdexcept>
+
 #include "module.h"
 #include "numbers.h"
 #include "run.h"
 
 namespace strata::python {
 
+namespace {
+
+/// Of corners that need not be doubles.
+Solid exact_box(const RationalPoint& lower, const RationalPoint& upper) {
+  Vertex from{}, to{};
+  bool is_of_doubles = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (lower[i] >= upper[i]) throw std::invalid_argument("box: expected lower < upper in every coordinate");
+    from[i] = to_nearest_double(lower[i]);
+    to[i] = to_nearest_double(upper[i]);
+    is_of_doubles = is_of_doubles && std::isfinite(from[i]) && std::isfinite(to[i]) && Rational(from[i]) == lower[i] &&
+                    Rational(to[i]) == upper[i];
+  }
+  if (is_of_doubles) return make_box(from, to);
+  const RationalPoint size{upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]};
+  return make_box({0, 0, 0}, {1, 1, 1}).scaled(size).translated(lower);
+}
+
+}  // namespace
+
 void bind_primitives(nb::module_& m) {
   using namespace nb::literals;
   m.def(
       "box",
-      [](const Point& lower, const Point& upper) { return make_box(lower.doubles("lower"), upper.doubles("upper")); },
-      "lower"_a, "upper"_a, R"(The box with opposite corners `lower` and `upper`.
+      [](const Point& lower, const Point& upper) { return exact_box(lower.value("lower"), upper.value("upper")); },
+      "lower"_a, "upper"_a, R"(The box with opposite corners `lower` and `upper`, numbers of any kind, taken exactly.
 
 Raises
 ------

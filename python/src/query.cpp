@@ -253,6 +253,13 @@ painter's order. Faces that cross, or that dominate one another in a cycle, are 
             return nb::make_tuple(p[0], p[1], p[2]);
           },
           nb::sig("def origin(self) -> tuple[float, float, float]"), "The point, or the direction, of the view.")
+      .def(
+          "_repr_html_",
+          [](nb::object thing) { return nb::module_::import_("strata_csg._notebook").attr("html_of")(thing); },
+          nb::sig("def _repr_html_(self) -> str"), "A viewer, for notebooks.")
+      .def_prop_ro(
+          "is_direction", [](const LayerDecomposition& layers) { return !layers.origin().is_point(); },
+          "Whether `origin` is the direction of parallel rays.")
       .def("__repr__", [](const LayerDecomposition& layers) {
         return "Layers(" + std::to_string(layers.layer_count()) + " of " + std::to_string(layers.piece_count()) +
                " pieces)";

@@ -111,7 +111,12 @@ Solid restored(nb::object vertices, nb::object triangles, const std::string& exa
                nb::object faces) {
   ExactMesh mesh = mesh_of_arrays(vertices, triangles)->copy();
   mesh.exact = exact_of(exact);
-  return Solid::trusted(std::move(mesh), sources_of(operands, faces));
+  const MeshHandle held = mesh_of(std::move(mesh));
+  require_readable(*held);
+  std::vector<Source> sources = sources_of(operands, faces);
+  if (sources.size() != held->view.triangles.size())
+    throw std::invalid_argument("the pickled solid has not as many sources as triangles");
+  return Solid::trusted(held->copy(), std::move(sources));
 }
 
 void bind_measures(nb::class_<Solid>& type) {
@@ -399,7 +404,13 @@ Fraction(37, 6)
           "mesh"_a, nb::kw_only(), "input"_a = nb::str("automatic"), "most_hole_edges"_a = nb::none(),
           STRATA_WATCH_ARGUMENTS)
       .def_static(
-          "trusted", [](const MeshLike& mesh) { return Solid::trusted(mesh.value()->copy()); }, "mesh"_a,
+          "trusted",
+          [](const MeshLike& mesh) {
+            const MeshHandle held = mesh.value();
+            require_readable(*held);
+            return Solid::trusted(held->copy());
+          },
+          "mesh"_a,
           R"(Of a mesh that is known to bound a solid, such as a result: nothing is checked.
 
 Results are unspecified where it does not bound one.

@@ -129,6 +129,10 @@ Examples
           nb::sig("def notes(self) -> tuple[Defect, ...]"), "What was left out when the surface was made.")
       .def_prop_ro("area", &Surface::area, "Of all triangles, to a few units in the last place.")
       .def("__bool__", [](const Surface& s) { return !s.is_empty(); })
+      .def(
+          "_repr_html_",
+          [](nb::object thing) { return nb::module_::import_("strata_csg._notebook").attr("html_of")(thing); },
+          nb::sig("def _repr_html_(self) -> str"), "A viewer, for notebooks.")
       .def("__repr__", describe);
 
   m.def("clip", clipped, "surface"_a, "solid"_a, nb::kw_only(), "keep"_a = nb::str("inside"), STRATA_WATCH_ARGUMENTS,

@@ -9,6 +9,7 @@ Solid(136 vertices, 272 triangles, 120 vertices rational)
 thousands of operations. Volumes and coordinates of results are fractions where they are not doubles.
 """
 
+import importlib
 from typing import TYPE_CHECKING, Any
 
 from strata_csg._errors import Defect, FileError, InputError, InternalError, ParseError
@@ -62,6 +63,7 @@ from strata_csg._native import version as __version__
 
 if TYPE_CHECKING:
     from strata_csg._batch import Record, batch
+    from strata_csg._notebook import Viewer, show
 
 __all__ = [
     "__version__",
@@ -86,8 +88,8 @@ __all__ = [
     "InputError",
     "InternalError",
     "intersection",
-    "Layers",
     "layers",
+    "Layers",
     "Locator",
     "measure",
     "Mesh",
@@ -104,6 +106,7 @@ __all__ = [
     "resolve",
     "section",
     "SelectiveComplex",
+    "show",
     "slice",
     "Solid",
     "sphere",
@@ -113,16 +116,18 @@ __all__ = [
     "tetrahedron",
     "torus",
     "union",
+    "Viewer",
     "Workpiece",
     "write",
     "write_bytes",
 ]
 
 
-def __getattr__(name: str) -> Any:
-    # Processes and their pipes take longer to import than all the rest.
-    if name in ("Record", "batch"):
-        from strata_csg import _batch
+#: What takes longer to import than all the rest, and is imported when it is used.
+_LATER = {"Record": "_batch", "batch": "_batch", "Viewer": "_notebook", "show": "_notebook"}
 
-        return getattr(_batch, name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+def __getattr__(name: str) -> Any:
+    if name not in _LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"strata_csg.{_LATER[name]}"), name)

@@ -111,6 +111,9 @@ class Mesh:
 
     def __repr__(self) -> str: ...
 
+    def _repr_html_(self) -> str:
+        """A viewer, for notebooks."""
+
     def __eq__(self, other: object, /) -> bool: ...
 
     def __hash__(self) -> int: ...
@@ -590,7 +593,7 @@ def measure(mesh: MeshLike, *, threads: int = 0) -> dict[str, int | float | None
 
 def box(lower: PointLike, upper: PointLike) -> Solid:
     """
-    The box with opposite corners `lower` and `upper`.
+    The box with opposite corners `lower` and `upper`, numbers of any kind, taken exactly.
 
     Raises
     ------
@@ -986,6 +989,9 @@ class Surface:
 
     def __bool__(self) -> bool: ...
 
+    def _repr_html_(self) -> str:
+        """A viewer, for notebooks."""
+
     def __repr__(self) -> str: ...
 
 def clip(surface: MeshLike, solid: Solid, *, keep: Literal['inside', 'outside', 'on'] = 'inside', threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> Surface:
@@ -1364,6 +1370,13 @@ class Layers:
     @property
     def origin(self) -> tuple[float, float, float]:
         """The point, or the direction, of the view."""
+
+    def _repr_html_(self) -> str:
+        """A viewer, for notebooks."""
+
+    @property
+    def is_direction(self) -> bool:
+        """Whether `origin` is the direction of parallel rays."""
 
     def __repr__(self) -> str: ...
 

@@ -52,4 +52,4 @@ def test_module(module):
 
 def test_all_public_functions_have_an_example():
     without = {name for name in st.__all__ if name[0].islower()} - {name for name, _ in EXAMPLES}
-    assert without <= {"batch", "read_openscad"}
+    assert without <= {"batch", "show", "read_openscad"}

@@ -39,6 +39,23 @@ def test_check_lists_all_kinds():
     assert sum(defect.count for defect in st.check((A.vertices, A.triangles[6:]), listed=1)) > 1
 
 
+def test_indices_that_nothing_checks_later():
+    for mesh in ((A.vertices, [[0, 1, 99]]), ([[0, 0, float("inf")]], [])):
+        with pytest.raises(st.InputError):
+            st.measure(mesh)
+        with pytest.raises(st.InputError):
+            st.Solid.trusted(mesh)
+    make, (vertices, triangles, exact, operands, faces) = A.__reduce__()
+    for wrong in (
+        (vertices, triangles + 8, exact, operands, faces),
+        (vertices, triangles, "9 1/3 0 0\n", operands, faces),
+        (vertices, triangles, "1 1/3", operands, faces),
+        (vertices, triangles, exact, operands[:3], faces[:3]),
+    ):
+        with pytest.raises(ValueError):
+            make(*wrong)
+
+
 def test_files(tmp_path):
     part = A - st.box((1, 1, 1), (3, 3, 3)).rotated((1, 2, 3), 40)
     path = tmp_path / "part.xoff"

@@ -119,6 +119,12 @@ def test_parts():
     assert [part.volume for part in (A | st.box((5, 5, 5), (6, 6, 6))).components()] == [8, 1]
 
 
+def test_boxes_of_fractions():
+    third = Fraction(1, 3)
+    cube = st.box((0, 0, 0), (third, third, third))
+    assert cube.volume == third**3 and cube == st.box((0, 0, 0), (1, 1, 1)).scaled(third)
+
+
 def test_numbers_of_any_size():
     tiny = Fraction(1, 3**400)
     cube = st.box((0, 0, 0), (1, 1, 1)).translated((tiny, -tiny, 10**20))
