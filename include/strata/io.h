@@ -28,7 +28,9 @@ enum class Format {
   ply,   ///< binary, little endian, doubles
   ply_ascii,
   ply_big_endian,
-  other,  ///< glTF, 3MF, FBX, DAE and whatever else assimp reads, into floats; cannot be written
+  /// glTF, 3MF, FBX, DAE and whatever else assimp reads, into floats; cannot be written. Its readers run in a child
+  /// process with limits of memory and time, and read other files only where they are beneath the folder of the model.
+  other,
 };
 
 /// What a file holds. Coordinates are the numbers in the file, decimals as their nearest doubles: no units, no welding

@@ -55,6 +55,14 @@ class Files(ToolTest):
                     self.assertIn(bad, self.run_tool(*verb, expect=FILE).stderr.decode())
         self.assertFalse(self.path("out.off").exists())
 
+    def test_a_limit_of_file_sizes_is_an_error_as_a_full_disk_is(self):
+        import resource
+        a, b = self.file("a.off", cube()), self.file("b.off", cube(0.5, 0.5, 0.5))
+        limit = (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100)))
+        done = self.run_tool("union", a, b, "-o", "out.obj", expect=FILE, preexec_fn=limit)
+        self.assertIn("out.obj", done.stderr.decode())
+        self.assertEqual([f for f in os.listdir(self.folder) if "out" in f], [])
+
     def test_text_errors_name_the_line(self):
         self.file("words.off", cube().replace("1 0 0\n", "1 0 zero\n", 1))
         self.assertIn("words.off:4", self.run_tool("info", "words.off", expect=FILE).stderr.decode())

@@ -2,18 +2,25 @@
 
 #if STRATA_WITH_ASSIMP
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/mesh.h>
 #include <assimp/scene.h>
 #include <assimp/version.h>
 
+#include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <memory>
+#include <new>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "core/io/apart.h"
 #include "core/io/face_list.h"
 
 namespace strata::io {
@@ -119,6 +126,41 @@ void forget_freed_textures(aiScene& scene) {
   scene.mNumTextures = 0;
 }
 
+/// Opens the file of a model and files beneath its folder, and no others: not what a path within the model names beyond
+/// that, by `..`, by an absolute path or by a link. Assimp owns it.
+class FolderOfModel : public Assimp::DefaultIOSystem {
+ public:
+  explicit FolderOfModel(const std::filesystem::path& model) {
+    std::error_code ignored;
+    model_ = std::filesystem::weakly_canonical(std::filesystem::absolute(model), ignored);
+    folder_ = std::filesystem::weakly_canonical(std::filesystem::absolute(model).parent_path(), ignored);
+  }
+  bool Exists(const char* file) const override { return is_beneath(file) && DefaultIOSystem::Exists(file); }
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    return is_beneath(file) && std::string_view(mode).find_first_of("wa+") == std::string_view::npos
+               ? DefaultIOSystem::Open(file, mode)
+               : nullptr;
+  }
+
+ private:
+  [[nodiscard]] bool is_beneath(const char* file) const {
+    std::error_code error;
+    const std::filesystem::path path = std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
+    if (error) return false;
+    return path == model_ ||
+           std::mismatch(folder_.begin(), folder_.end(), path.begin(), path.end()).first == folder_.end();
+  }
+
+  std::filesystem::path model_, folder_;
+};
+
+/// Of a model in memory there are no other files.
+class NoFiles : public Assimp::DefaultIOSystem {
+ public:
+  bool Exists(const char*) const override { return false; }
+  Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
+};
+
 /// Runs one of assimp's readers and takes over the scene. No post-processing is requested, because it rounds and welds.
 template <class Import>
 MeshFile read_scene(const std::string& name, const Import& import) {
@@ -131,6 +173,8 @@ MeshFile read_scene(const std::string& name, const Import& import) {
     return SceneReader(*scene, name).read();
   } catch (const IoError&) {
     throw;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw IoError(name, {}, std::string("cannot be read: ") + error.what());
   }
@@ -142,13 +186,23 @@ bool can_read_other(const std::string& extension) { return Assimp::Importer().Is
 
 MeshFile read_other(const Input& input) {
   const std::string hint = std::filesystem::path(input.name).extension().string();
-  return read_scene(input.name, [&](Assimp::Importer& importer) {
-    return importer.ReadFileFromMemory(input.data.data(), input.data.size(), 0, hint.empty() ? "" : hint.c_str() + 1);
+  return read_apart(input.name, limits_for(input.data.size()), [&] {
+    return read_scene(input.name, [&](Assimp::Importer& importer) {
+      importer.SetIOHandler(new NoFiles);
+      return importer.ReadFileFromMemory(input.data.data(), input.data.size(), 0, hint.empty() ? "" : hint.c_str() + 1);
+    });
   });
 }
 
 MeshFile read_other(const std::filesystem::path& path) {
-  return read_scene(path.string(), [&](Assimp::Importer& importer) { return importer.ReadFile(path.string(), 0); });
+  std::error_code ignored;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, ignored);
+  return read_apart(path.string(), limits_for(ignored ? 0 : bytes), [&] {
+    return read_scene(path.string(), [&](Assimp::Importer& importer) {
+      importer.SetIOHandler(new FolderOfModel(path));
+      return importer.ReadFile(path.string(), 0);
+    });
+  });
 }
 
 }  // namespace strata::io
