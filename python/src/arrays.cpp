@@ -81,8 +81,11 @@ void look_at(ArrayMesh& mesh, const IndexRows& rows) {
   mesh.view.triangles = {reinterpret_cast<const Triangle*>(rows.data()), rows.shape(0)};
 }
 
+/// Whether to look at an object without NumPy between: other buffers may go while the object stays.
+bool is_array(nb::handle source) { return nb::isinstance(source, numpy().attr("ndarray")); }
+
 void set_vertices(ArrayMesh& mesh, nb::handle source, const char* role) {
-  if (DoubleRows rows; nb::try_cast(source, rows, false)) {
+  if (DoubleRows rows; is_array(source) && nb::try_cast(source, rows, false)) {
     mesh.vertices = nb::borrow(source);
     return look_at(mesh, rows);
   }
@@ -105,7 +108,7 @@ void set_vertices(ArrayMesh& mesh, nb::handle source, const char* role) {
 }
 
 void set_triangles(ArrayMesh& mesh, nb::handle source) {
-  if (IndexRows rows; nb::try_cast(source, rows, false)) {
+  if (IndexRows rows; is_array(source) && nb::try_cast(source, rows, false)) {
     mesh.triangles = nb::borrow(source);
     return look_at(mesh, rows);
   }
@@ -145,18 +148,6 @@ MeshHandle mesh_of_arrays(nb::handle vertices, nb::handle triangles) {
   return mesh;
 }
 
-void require_readable(const ArrayMesh& mesh) {
-  const std::size_t count = mesh.view.vertices.size();
-  const bool is_readable =
-      std::ranges::all_of(mesh.view.triangles,
-                          [&](const Triangle& t) { return t[0] < count && t[1] < count && t[2] < count; }) &&
-      std::ranges::all_of(
-          mesh.view.vertices,
-          [](const Vertex& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }) &&
-      std::ranges::all_of(mesh.owned.exact, [&](const ExactVertex& v) { return v.vertex < count; });
-  if (!is_readable) throw InputError(diagnose(mesh.exact_view()));
-}
-
 MeshHandle mesh_of(ExactMesh exact) {
   auto mesh = std::make_shared<ArrayMesh>();
   mesh->owned = std::move(exact);
@@ -174,6 +165,21 @@ MeshHandle mesh_of(BooleanResult result) {
   mesh->rounding = std::move(result.rounding);
   mesh->seconds = std::move(result.profile.seconds);
   return mesh;
+}
+
+MeshHandle copy_of(const MeshHandle& original) {
+  const MeshHandle copied = mesh_of(original->copy());
+  const ArrayMesh& mesh = *copied;
+  const std::size_t count = mesh.view.vertices.size();
+  const bool is_readable =
+      std::ranges::all_of(mesh.view.triangles,
+                          [&](const Triangle& t) { return t[0] < count && t[1] < count && t[2] < count; }) &&
+      std::ranges::all_of(
+          mesh.view.vertices,
+          [](const Vertex& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }) &&
+      std::ranges::all_of(mesh.owned.exact, [&](const ExactVertex& v) { return v.vertex < count; });
+  if (!is_readable) throw InputError(diagnose(mesh.exact_view()));
+  return copied;
 }
 
 MeshHandle MeshLike::value(const char* role) const {

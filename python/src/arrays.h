@@ -43,9 +43,9 @@ using MeshHandle = std::shared_ptr<const ArrayMesh>;
 /// with which array.
 [[nodiscard]] MeshHandle mesh_of_arrays(nb::handle vertices, nb::handle triangles);
 
-/// Throws InputError where an index is out of range or a coordinate not finite: for functions that read past arrays
-/// otherwise. O(n).
-void require_readable(const ArrayMesh& mesh);
+/// A copy, which no other thread changes, for functions that read past arrays where indices are out of range. Throws
+/// InputError for these, and for coordinates that are not finite. O(n).
+[[nodiscard]] MeshHandle copy_of(const MeshHandle& mesh);
 
 /// A mesh that owns its arrays.
 [[nodiscard]] MeshHandle mesh_of(ExactMesh mesh);

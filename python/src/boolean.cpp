@@ -88,7 +88,8 @@ void bind_boolean(nb::module_& m) {
         R"(The regularized Boolean of any number of meshes, from arrays to arrays.
 
 The combinatorics are those of the exact result; coordinates of new vertices are the nearest doubles. Faces that meet
-no other operand come out untouched. Arrays that are C-contiguous are not copied.
+no other operand come out untouched. Arrays that are C-contiguous are not copied: no other thread, and no callback, may
+write to them meanwhile.
 
 Parameters
 ----------

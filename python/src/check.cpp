@@ -24,9 +24,8 @@ nb::tuple defects_of(const MeshLike& argument, std::size_t listed, unsigned thre
 }
 
 nb::dict measures_of(const MeshLike& argument, unsigned threads) {
-  const MeshHandle held = argument.value();
-  require_readable(*held);
-  const ExactMesh mesh = held->copy();
+  const MeshHandle held = copy_of(argument.value());
+  const ExactMesh& mesh = held->owned;
   const Measures measures = run([&] { return measure(mesh, {.threads = threads}); });
   nb::dict facts;
   facts["volume"] = measures.volume;

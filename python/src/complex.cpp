@@ -48,7 +48,7 @@ std::string describe(const SelectiveComplex& s) {
 
 void bind_complex(nb::module_& m) {
   nb::class_<SelectiveComplex>(
-      m, "SelectiveComplex",
+      m, "SelectiveComplex", nb::is_weak_referenceable(),
       R"(A point set of space that need not be regular: open, closed, of mixed dimension, unbounded.
 
 Cells that are pairwise disjoint and cover space, each in the set or not. Always the minimal complex of its set, so

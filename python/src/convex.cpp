@@ -22,8 +22,9 @@ Solid hull_of(const ArrayLike& points, unsigned threads) {
   return run([&] { return convex::solid_of(convex::convex_hull(mesh->exact_view(), threads)); });
 }
 
-std::pair<Solid, double> grown(const Solid& solid, double radius, std::uint32_t facets, unsigned threads,
+std::pair<Solid, double> grown(const Solid& solid, const Number& distance, std::uint32_t facets, unsigned threads,
                                ProgressOption progress, std::optional<double> timeout) {
+  const double radius = distance.as_double("radius");
   convex::Offset offset = run({threads, std::move(progress), timeout},
                               [&](const Computation& c) { return convex::offset(solid, radius, facets, c.options()); });
   return {std::move(offset.solid), offset.excess};

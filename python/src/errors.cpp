@@ -8,6 +8,7 @@
 
 #include <exception>
 #include <stdexcept>
+#include <typeinfo>
 
 namespace strata::python {
 
@@ -41,7 +42,7 @@ void raise(const char* type, const A&... arguments) {
   PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
 }
 
-void translate(const std::exception_ptr& exception, void*) {
+void translate_own(const std::exception_ptr& exception) {
   try {
     std::rethrow_exception(exception);
   } catch (const InputError& error) {
@@ -59,6 +60,16 @@ void translate(const std::exception_ptr& exception, void*) {
     raise("InternalError", error.what());
   } catch (const std::length_error& error) {
     PyErr_SetString(PyExc_ValueError, error.what());
+  } catch (const std::bad_cast&) {
+    PyErr_SetString(PyExc_TypeError, "an object is of another type than expected, or was never initialised");
+  }
+}
+
+void translate(const std::exception_ptr& exception, void*) {
+  try {
+    translate_own(exception);
+  } catch (nb::python_error& error) {  // of the handler of a signal, while the exception was made
+    error.restore();
   }
 }
 

@@ -34,7 +34,7 @@ nb::list primitives_of(const Expression& expression) {
 }  // namespace
 
 void bind_expression(nb::module_& m) {
-  nb::class_<Expression> type(m, "Expression",
+  nb::class_<Expression> type(m, "Expression", nb::is_weak_referenceable(),
                               R"(A Boolean expression of solids: nothing is computed before it is evaluated.
 
 All of it is then evaluated in one arrangement, so that a chain of thousands of operations is exact without growing

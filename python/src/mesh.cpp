@@ -71,7 +71,7 @@ bool are_equal(const ArrayMesh& a, const ArrayMesh& b) {
 }  // namespace
 
 void bind_mesh(nb::module_& m) {
-  nb::class_<ArrayMesh>(m, "Mesh",
+  nb::class_<ArrayMesh>(m, "Mesh", nb::is_weak_referenceable(),
                         R"(A triangle mesh: arrays of vertices and of triangles. No invariant, nothing checked.
 
 Parameters
@@ -90,7 +90,7 @@ TypeError, ValueError
 Notes
 -----
 Results of `boolean` are meshes, too, with the source of every triangle. Meshes are immutable, but arrays that are
-looked at are the caller's.
+looked at are the caller's: nothing may write to them while a computation uses them.
 
 Examples
 --------

@@ -22,7 +22,11 @@ ClipTo ClipName::value() const {
 
 std::optional<CoordinateGrid> Grid::value() const {
   if (object.is_none()) return std::nullopt;
-  if (!nb::isinstance<nb::str>(object)) return CoordinateGrid{.step = to_rational(object, "rounding")};
+  if (!nb::isinstance<nb::str>(object)) {
+    CoordinateGrid grid{.step = to_rational(object, "rounding")};
+    if (grid.step <= 0) throw nb::value_error("rounding: expected a positive step");
+    return grid;
+  }
   using Format = CoordinateGrid::Format;
   const Format format = named(object, "rounding", std::array{Format::float64, Format::float32},
                               [](Format f) { return f == Format::float64 ? "float64" : "float32"; });

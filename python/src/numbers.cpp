@@ -115,7 +115,7 @@ std::array<nb::object, 3> members(nb::handle sequence, const char* role) {
   if (PyIter_Check(sequence.ptr()) || nb::hasattr(sequence, "__len__"))
     for (const nb::handle entry : sequence) {
       if (count < entries.size()) entries[count] = nb::borrow(entry);
-      ++count;
+      if (++count > entries.size()) break;
     }
   if (count != entries.size())
     throw_type_error(std::string(role) + ": expected three numbers, found " +
@@ -130,16 +130,17 @@ RationalPoint Point::value(const char* role) const {
   return {to_rational(entries[0], role), to_rational(entries[1], role), to_rational(entries[2], role)};
 }
 
+double Number::as_double(const char* role) const {
+  const Rational exact = value(role);
+  const double nearest = to_nearest_double(exact);
+  if (!std::isfinite(nearest) || Rational(nearest) != exact)
+    throw nb::value_error((std::string(role) + ": expected a number that is a double, found " + exact.str()).c_str());
+  return nearest;
+}
+
 std::array<double, 3> Point::doubles(const char* role) const {
-  const RationalPoint exact = value(role);
-  std::array<double, 3> rounded{};
-  for (std::size_t i = 0; i < rounded.size(); ++i) {
-    rounded[i] = to_nearest_double(exact[i]);
-    if (!std::isfinite(rounded[i]) || Rational(rounded[i]) != exact[i])
-      throw nb::value_error(
-          (std::string(role) + ": expected numbers that are doubles, found " + exact[i].str()).c_str());
-  }
-  return rounded;
+  const auto entries = members(object, role);
+  return {Number{entries[0]}.as_double(role), Number{entries[1]}.as_double(role), Number{entries[2]}.as_double(role)};
 }
 
 }  // namespace strata::python

@@ -4,6 +4,7 @@
 #include <strata/rational.h>
 
 #include <array>
+#include <new>
 
 namespace strata::python {
 
@@ -24,6 +25,7 @@ namespace nb = nanobind;
 struct Number {
   nb::object object;
   [[nodiscard]] Rational value(const char* role) const { return to_rational(object, role); }
+  [[nodiscard]] double as_double(const char* role) const;  ///< throws ValueError where it is no double
 };
 
 /// A sequence of three numbers.
@@ -60,8 +62,15 @@ template <>
 struct type_caster<strata::Rational> {
   NB_TYPE_CASTER(strata::Rational, const_name("fractions.Fraction"))
   bool from_python(handle, std::uint32_t, cleanup_list*) noexcept { return false; }
-  static handle from_cpp(const strata::Rational& x, rv_policy, cleanup_list*) {
-    return strata::python::to_python(x).release();
+  static handle from_cpp(const strata::Rational& x, rv_policy, cleanup_list*) noexcept {
+    try {
+      return strata::python::to_python(x).release();
+    } catch (python_error& error) {  // a signal's handler, or no memory
+      error.restore();
+    } catch (const std::bad_alloc&) {
+      PyErr_NoMemory();
+    }
+    return {};
   }
 };
 

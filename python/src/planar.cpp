@@ -8,6 +8,7 @@
 
 #include <array>
 
+#include "arrays.h"
 #include "module.h"
 #include "names.h"
 #include "run.h"
@@ -87,8 +88,20 @@ Polygons united(const std::vector<Polygons>& parts) {
   return run([&] { return shared(planar::combine(operands, Operation::union_)); });
 }
 
+/// Counts calls that contain one another; throws RecursionError where there are too many.
+class RecursiveCall {
+ public:
+  RecursiveCall() {
+    if (Py_EnterRecursiveCall(" in a geometry") != 0) throw nb::python_error();
+  }
+  RecursiveCall(const RecursiveCall&) = delete;
+  RecursiveCall& operator=(const RecursiveCall&) = delete;
+  ~RecursiveCall() { Py_LeaveRecursiveCall(); }
+};
+
 /// Of a geometry as GeoJSON describes it.
 Polygons polygons_of(nb::handle geometry) {
+  const RecursiveCall call;
   const auto type = nb::cast<std::string>(nb::object(geometry["type"]));
   if (type == "Polygon") return polygon_of(geometry["coordinates"]);
   std::vector<Polygons> parts;
@@ -199,8 +212,10 @@ int membership(const Polygons& polygons, nb::handle point) {
   return -1;
 }
 
-std::vector<Polygons> sliced(const Solid& solid, std::size_t axis, const std::vector<double>& at, unsigned threads,
+std::vector<Polygons> sliced(const Solid& solid, std::size_t axis, const ArrayLike& heights, unsigned threads,
                              ProgressOption progress, std::optional<double> timeout) {
+  std::vector<double> at;
+  for (const nb::handle x : heights.object) at.push_back(Number{nb::borrow(x)}.as_double("at"));
   return run({threads, std::move(progress), timeout}, [&](const Computation& c) {
     std::vector<Polygons> layers(at.size());
     slice(
@@ -211,7 +226,7 @@ std::vector<Polygons> sliced(const Solid& solid, std::size_t axis, const std::ve
 }
 
 void bind_polygons(nb::module_& m) {
-  nb::class_<Polygons>(m, "Polygons",
+  nb::class_<Polygons>(m, "Polygons", nb::is_weak_referenceable(),
                        R"(A bounded set of the plane: simple polygons with holes. An immutable value, exact.
 
 `|`, `&`, `-`, `^` as for solids. Geometries of shapely and of others with ``__geo_interface__`` go in by `from_geo`, and
@@ -323,8 +338,9 @@ void bind_planar(nb::module_& m) {
       },
       "solid"_a, "plane"_a, R"(The section of a solid by a plane (normal, offset), as polygons. Exact.
 
-Coordinates are those of space without the axis along which the normal is longest. Faces in the plane belong to it
-where the solid is in front of them.
+Coordinates are those of space without the axis along which the normal is longest; they turn counter-clockwise as seen
+from in front of the plane: for the normal (0, 0, 1) they are x, y; for (0, 0, -1) y, x; for (0, 1, 0) z, x. Faces in
+the plane belong to the section where the solid is in front of them.
 
 Examples
 --------
@@ -332,7 +348,9 @@ Examples
 Fraction(2, 1)
 )");
   m.def("slice", sliced, "solid"_a, "axis"_a, "at"_a, nb::kw_only(), STRATA_WATCH_ARGUMENTS,
-        R"(The sections by planes perpendicular to an axis (0, 1, 2), at coordinates that do not decrease. Exact.
+        R"(The sections by planes perpendicular to an axis (0, 1, 2), at doubles that do not decrease. Exact.
+
+Coordinates of the polygons are y, z for axis 0; z, x for axis 1; x, y for axis 2. See `section`.
 
 Examples
 --------

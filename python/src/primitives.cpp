@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "arrays.h"
 #include "module.h"
 #include "numbers.h"
 #include "run.h"
@@ -27,6 +28,21 @@ Solid exact_box(const RationalPoint& lower, const RationalPoint& upper) {
   if (is_of_doubles) return make_box(from, to);
   const RationalPoint size{upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]};
   return make_box({0, 0, 0}, {1, 1, 1}).scaled(size).translated(lower);
+}
+
+/// Pairs of numbers that are doubles.
+std::vector<std::array<double, 2>> corners_of(nb::handle polygon) {
+  std::vector<std::array<double, 2>> corners;
+  for (const nb::handle pair : polygon) {
+    std::vector<double> corner;
+    for (const nb::handle x : pair) {
+      corner.push_back(Number{nb::borrow(x)}.as_double("polygon"));
+      if (corner.size() > 2) break;
+    }
+    if (corner.size() != 2) throw nb::value_error("polygon: expected pairs of numbers");
+    corners.push_back({corner[0], corner[1]});
+  }
+  return corners;
 }
 
 }  // namespace
@@ -60,32 +76,55 @@ Examples
 >>> tetrahedron((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)).volume
 Fraction(1, 6)
 )");
-  m.def("cylinder", make_cylinder, "radius"_a, "height"_a, "sides"_a = 64,
-        R"(A cylinder about the z axis from z = 0: a prism over a regular polygon inscribed in the circle.
+  m.def(
+      "cylinder",
+      [](const Number& radius, const Number& height, std::uint32_t sides) {
+        return make_cylinder(radius.as_double("radius"), height.as_double("height"), sides);
+      },
+      "radius"_a, "height"_a, "sides"_a = 64,
+      R"(A cylinder about the z axis from z = 0: a prism over a regular polygon inscribed in the circle.
 
 Examples
 --------
 >>> cylinder(1, 2, 4).volume
 Fraction(4, 1)
 )");
-  m.def("cone", make_cone, "lower_radius"_a, "upper_radius"_a, "height"_a, "sides"_a = 64,
-        R"(A cone about the z axis, with `lower_radius` at z = 0 and `upper_radius` at z = height; one of them may be 0.
+  m.def(
+      "cone",
+      [](const Number& lower, const Number& upper, const Number& height, std::uint32_t sides) {
+        return make_cone(lower.as_double("lower_radius"), upper.as_double("upper_radius"), height.as_double("height"),
+                         sides);
+      },
+      "lower_radius"_a, "upper_radius"_a, "height"_a, "sides"_a = 64,
+      R"(A cone about the z axis, with `lower_radius` at z = 0 and `upper_radius` at z = height; one of them may be 0.
 
 Examples
 --------
 >>> cone(1, 0, 3, 4).volume
 Fraction(2, 1)
 )");
-  m.def("sphere", make_sphere, "radius"_a, "sides"_a = 64,
-        R"(A polyhedron inscribed in the sphere about the origin: circles of latitude of `sides` corners each.
+  m.def(
+      "sphere",
+      [](const Number& radius, std::uint32_t sides) {
+        const double r = radius.as_double("radius");
+        return run([&] { return make_sphere(r, sides); });
+      },
+      "radius"_a, "sides"_a = 64,
+      R"(A polyhedron inscribed in the sphere about the origin: circles of latitude of `sides` corners each.
 
 Examples
 --------
 >>> sphere(1, 4).volume
 Fraction(4, 3)
 )");
-  m.def("torus", make_torus, "radius"_a, "tube_radius"_a, "sides"_a = 64, "tube_sides"_a = 32,
-        R"(A torus about the z axis. `sides` corners on the great circle, `tube_sides` on the small one.
+  m.def(
+      "torus",
+      [](const Number& radius, const Number& tube_radius, std::uint32_t sides, std::uint32_t tube_sides) {
+        const double r = radius.as_double("radius"), tube = tube_radius.as_double("tube_radius");
+        return run([&] { return make_torus(r, tube, sides, tube_sides); });
+      },
+      "radius"_a, "tube_radius"_a, "sides"_a = 64, "tube_sides"_a = 32,
+      R"(A torus about the z axis. `sides` corners on the great circle, `tube_sides` on the small one.
 
 Examples
 --------
@@ -94,8 +133,10 @@ Examples
 )");
   m.def(
       "prism",
-      [](const std::vector<std::array<double, 2>>& polygon, double lower, double upper) {
-        return run([&] { return make_prism(polygon, lower, upper); });
+      [](const ArrayLike& polygon, const Number& lower, const Number& upper) {
+        const auto corners = corners_of(polygon.object);
+        const double from = lower.as_double("lower"), to = upper.as_double("upper");
+        return run([&] { return make_prism(corners, from, to); });
       },
       "polygon"_a, "lower"_a, "upper"_a, R"(A simple polygon in the plane, extruded from z = lower to z = upper.
 

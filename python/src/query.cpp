@@ -157,7 +157,7 @@ MeshHandle layer_mesh(const LayerDecomposition& layers, std::uint32_t layer) {
 }
 
 void bind_locator(nb::module_& m) {
-  nb::class_<Locator>(m, "Locator", R"(Locates points in solids: in, on or out. Exact.
+  nb::class_<Locator>(m, "Locator", nb::is_weak_referenceable(), R"(Locates points in solids: in, on or out. Exact.
 
 Parameters
 ----------
@@ -178,7 +178,8 @@ Examples
           "solids"_a)
       .def("membership", membership, "points"_a,
            nb::sig("def membership(self, points: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.int8]"),
-           "Per point (n, 3): 1 in the interior of the union of the solids, 0 on a boundary, -1 outside. In parallel.")
+           "Per point (n, 3): 0 on the boundary of a solid, else 1 in the interior of one, -1 outside of all. In "
+           "parallel.")
       .def("locate", located, "points"_a,
            nb::sig("def locate(self, points: numpy.typing.ArrayLike) -> list[tuple[dict[int, int], dict[int, int]]]"),
            R"(Per point the solids that it is in, with winding numbers, and those that it lies on, with a face.
@@ -191,7 +192,7 @@ Examples
 }
 
 void bind_ray_caster(nb::module_& m) {
-  nb::class_<RayCaster>(m, "RayCaster", R"(Exact ray queries over solids, from any point.
+  nb::class_<RayCaster>(m, "RayCaster", nb::is_weak_referenceable(), R"(Exact ray queries over solids, from any point.
 
 Parameters
 ----------
@@ -237,7 +238,8 @@ dict of arrays
 void bind_query(nb::module_& m) {
   bind_locator(m);
   bind_ray_caster(m);
-  nb::class_<LayerDecomposition>(m, "Layers", R"(Faces in layers as seen from an origin: `layers` makes them.
+  nb::class_<LayerDecomposition>(m, "Layers", nb::is_weak_referenceable(),
+                                 R"(Faces in layers as seen from an origin: `layers` makes them.
 
 Layer 1 has the faces that nothing is behind of, on any ray; going through the layers from the first to the last is the
 painter's order. Faces that cross, or that dominate one another in a cycle, are cut.

@@ -18,6 +18,25 @@ namespace {
 /// The signals that end a program, and may have handlers in Python.
 constexpr std::array watched_signals{SIGINT, SIGTERM, SIGALRM};
 
+/// Whether the interpreter ends, and the thread that ends it, which alone may ask for the lock then.
+std::atomic<bool> is_ending{false};
+std::thread::id ending_thread;
+/// How many threads ask for the lock.
+std::atomic<int> asking{0};
+
+/// Calls `ask`, which waits for the lock, unless the interpreter ends.
+template <class Ask>
+auto ask_for_lock(Ask ask) {
+  ++asking;
+  if (is_ending && std::this_thread::get_id() != ending_thread) {
+    --asking;
+    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+  }
+  const auto state = ask();
+  --asking;
+  return state;
+}
+
 /// The token of the computation that the main thread is in.
 std::atomic<CancelToken*> interrupted{nullptr};
 
@@ -66,14 +85,25 @@ class SignalGuard {
   }
   SignalGuard(const SignalGuard&) = delete;
   SignalGuard& operator=(const SignalGuard&) = delete;
-  ~SignalGuard() {
+  ~SignalGuard() { stop(); }
+
+  /// From here on, signals do what they did before.
+  void stop() {
     if (!is_set_) return;
+    is_set_ = false;
     for (std::size_t i = 0; i < watched_signals.size(); ++i)
-      if (is_replaced_[i]) sigaction(watched_signals[i], &handlers_before[i], nullptr);
+      if (is_replaced_[i] && is_ours(watched_signals[i])) sigaction(watched_signals[i], &handlers_before[i], nullptr);
     interrupted = before_;
   }
 
  private:
+  /// Whether nobody has set another handler meanwhile.
+  static bool is_ours(int signal_number) {
+    struct sigaction now;
+    sigaction(signal_number, nullptr, &now);
+    return (now.sa_flags & SA_SIGINFO) != 0 && now.sa_sigaction == stop_and_note;
+  }
+
   CancelToken* before_ = nullptr;
   bool is_set_ = false;
   std::array<bool, watched_signals.size()> is_replaced_{};
@@ -121,16 +151,38 @@ Progress progress_of(const nb::object& progress) {
     throw nb::type_error("progress: expected None, True, or a callable that takes the fraction done");
   // The last copy may go in any thread.
   const std::shared_ptr<nb::object> kept(new nb::object(std::move(callable)), [](nb::object* object) {
-    const nb::gil_scoped_acquire acquired;
+    const LockHeld held;
     delete object;
   });
   return [kept](double fraction) {
-    const nb::gil_scoped_acquire acquired;
+    const LockHeld held;
     (*kept)(fraction);
   };
 }
 
 }  // namespace
+
+LockReleased::~LockReleased() {
+  ask_for_lock([this] {
+    PyEval_RestoreThread(state_);
+    return 0;
+  });
+}
+
+LockHeld::LockHeld() : state_(ask_for_lock([] { return PyGILState_Ensure(); })) {}
+
+void watch_for_the_end() {
+  const nb::object end = nb::cpp_function([] {
+    ending_thread = std::this_thread::get_id();
+    is_ending = true;
+    // Those who ask already get the lock: it is theirs as long as they are counted.
+    PyThreadState* const state = PyEval_SaveThread();
+    // A fork may have left a count without its thread: no longer than a second.
+    for (int i = 0; asking > 0 && i < 1000; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    PyEval_RestoreThread(state);
+  });
+  nb::module_::import_("atexit").attr("register")(end);
+}
 
 struct Computation::State {
   explicit State(const Watch& watch) : signals(token) {
@@ -161,6 +213,32 @@ void Computation::stopped() {
     PyErr_SetString(PyExc_TimeoutError, "the computation was stopped at its time limit");
     throw nb::python_error();
   }
+}
+
+void Computation::run_aside(FunctionRef<void()> work) {
+  state_->signals.stop();
+  std::atomic<bool> is_done = false;
+  std::mutex mutex;
+  std::condition_variable done;
+  std::thread thread([&] {
+    work();
+    const std::lock_guard lock(mutex);
+    is_done = true;
+    done.notify_one();
+  });
+  bool is_raised = false;
+  while (!is_done) {
+    {
+      const LockReleased released;
+      std::unique_lock lock(mutex);
+      done.wait_for(lock, std::chrono::milliseconds(20), [&] { return is_done.load(); });
+    }
+    if (is_raised || PyErr_CheckSignals() == 0) continue;
+    is_raised = true;
+    state_->token.cancel();
+  }
+  thread.join();
+  if (is_raised) throw nb::python_error();
 }
 
 }  // namespace strata::python

@@ -2,9 +2,11 @@
 /// How a long computation is run from Python: without the interpreter's lock, watched, and stopped by signals.
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/optional.h>
+#include <strata/function.h>
 #include <strata/monitor.h>
 #include <strata/options.h>
 
+#include <exception>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -28,6 +30,35 @@ struct Watch {
   std::optional<double> timeout;
 };
 
+/// While it lives, the interpreter's lock is released. Once the interpreter ends, other threads than its own must not
+/// ask for the lock again: they would be ended, and their destructors not survive that. They wait for the end of the
+/// process.
+class LockReleased {
+ public:
+  LockReleased() : state_(PyEval_SaveThread()) {}
+  LockReleased(const LockReleased&) = delete;
+  LockReleased& operator=(const LockReleased&) = delete;
+  ~LockReleased();
+
+ private:
+  PyThreadState* state_;
+};
+
+/// While it lives, the lock is held, by a thread of any kind.
+class LockHeld {
+ public:
+  LockHeld();
+  LockHeld(const LockHeld&) = delete;
+  LockHeld& operator=(const LockHeld&) = delete;
+  ~LockHeld() { PyGILState_Release(state_); }
+
+ private:
+  PyGILState_STATE state_;
+};
+
+/// To be called once, when the module is made.
+void watch_for_the_end();
+
 /// One computation: while it lives, signals that Python handles and the end of the time limit stop what is given its
 /// options. To be made and destroyed with the interpreter's lock held.
 class Computation {
@@ -42,8 +73,12 @@ class Computation {
   [[nodiscard]] Monitor monitor() const;
 
   /// To be called after Cancelled, with the lock held: throws what the signal's handler raised, or TimeoutError.
-  /// Returns where a handler decided that the program goes on: the computation is to be started anew.
+  /// Returns where a handler decided that the program goes on: the computation is to be started anew, aside.
   void stopped();
+
+  /// Runs `work`, which throws nothing, in another thread, and the handlers of signals in this one meanwhile. With the
+  /// lock held. Signals alone no longer stop the computation, but what their handlers raise does, and is thrown.
+  void run_aside(FunctionRef<void()> work);
 
  private:
   struct State;
@@ -56,25 +91,35 @@ template <class F>
 auto run(const Watch& watch, F&& compute) {
   using Result = std::invoke_result_t<F&, const Computation&>;
   Computation computation(watch);
-  for (;;) {
+  try {
+    const LockReleased released;
+    return compute(std::as_const(computation));
+  } catch (const Cancelled&) {
+  }
+  computation.stopped();
+  // Rare: a handler let the program go on. More signals may come, so that starting anew at each might never end.
+  std::optional<Result> result;
+  std::exception_ptr error;
+  computation.run_aside([&] {
     try {
-      const nb::gil_scoped_release released;
-      if constexpr (std::is_void_v<Result>) {
-        compute(std::as_const(computation));
-        return;
-      } else {
-        return compute(std::as_const(computation));
-      }
-    } catch (const Cancelled&) {
+      result.emplace(compute(std::as_const(computation)));
+    } catch (...) {
+      error = std::current_exception();
     }
-    computation.stopped();
+  });
+  if (result) return std::move(*result);
+  try {
+    std::rethrow_exception(error);
+  } catch (const Cancelled&) {
+    computation.stopped();  // the time limit
+    throw;
   }
 }
 
 /// The same for what can neither be watched nor stopped.
 template <class F>
 auto run(F&& compute) {
-  const nb::gil_scoped_release released;
+  const LockReleased released;
   return compute();
 }
 

@@ -111,12 +111,11 @@ Solid restored(nb::object vertices, nb::object triangles, const std::string& exa
                nb::object faces) {
   ExactMesh mesh = mesh_of_arrays(vertices, triangles)->copy();
   mesh.exact = exact_of(exact);
-  const MeshHandle held = mesh_of(std::move(mesh));
-  require_readable(*held);
+  const MeshHandle held = copy_of(mesh_of(std::move(mesh)));
   std::vector<Source> sources = sources_of(operands, faces);
   if (sources.size() != held->view.triangles.size())
     throw std::invalid_argument("the pickled solid has not as many sources as triangles");
-  return Solid::trusted(held->copy(), std::move(sources));
+  return Solid::trusted(held->owned, std::move(sources));
 }
 
 void bind_measures(nb::class_<Solid>& type) {
@@ -360,7 +359,7 @@ Examples
 }  // namespace
 
 void bind_solid(nb::module_& m) {
-  nb::class_<Solid> type(m, "Solid",
+  nb::class_<Solid> type(m, "Solid", nb::is_weak_referenceable(),
                          R"(A bounded solid, given by its boundary: a closed triangle mesh. An immutable value.
 
 Operations are exact: vertices are doubles or, where operations made them, fractions. `|` is union, `&` intersection,
@@ -404,13 +403,7 @@ Fraction(37, 6)
           "mesh"_a, nb::kw_only(), "input"_a = nb::str("automatic"), "most_hole_edges"_a = nb::none(),
           STRATA_WATCH_ARGUMENTS)
       .def_static(
-          "trusted",
-          [](const MeshLike& mesh) {
-            const MeshHandle held = mesh.value();
-            require_readable(*held);
-            return Solid::trusted(held->copy());
-          },
-          "mesh"_a,
+          "trusted", [](const MeshLike& mesh) { return Solid::trusted(copy_of(mesh.value())->owned); }, "mesh"_a,
           R"(Of a mesh that is known to bound a solid, such as a result: nothing is checked.
 
 Results are unspecified where it does not bound one.

@@ -64,7 +64,7 @@ std::vector<Solid> cells(const MeshList& surfaces, unsigned threads, ProgressOpt
 }  // namespace
 
 void bind_surface(nb::module_& m) {
-  nb::class_<Surface>(m, "Surface",
+  nb::class_<Surface>(m, "Surface", nb::is_weak_referenceable(),
                       R"(A set of triangles in space: open or closed, oriented or not, crossing itself or not.
 
 Vertices at one position become one; triangles without area are left out, which `notes` say. Immutable.

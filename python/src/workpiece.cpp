@@ -10,7 +10,7 @@ namespace strata::python {
 
 void bind_workpiece(nb::module_& m) {
   using namespace nb::literals;
-  nb::class_<IncrementalSolid>(m, "Workpiece",
+  nb::class_<IncrementalSolid>(m, "Workpiece", nb::is_weak_referenceable(),
                                R"(A solid that is combined with one tool after the other, in thousands of steps.
 
 A step costs about what the surfaces cost where tool and workpiece meet; all versions may be kept, and coordinates do

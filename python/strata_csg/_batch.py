@@ -50,7 +50,8 @@ def batch(
         Seconds by the clock after which a job is stopped. Its process is killed and replaced.
     memory : int, optional
         Bytes of address space that a job may take beside what its process has when it starts. What asks for more gets
-        a ``MemoryError``. Every thread that a job starts takes some 70 MB.
+        a ``MemoryError``; builds with GMP, which ends the process then, have the status "crashed" for large fractions.
+        Every thread that a job starts takes some 70 MB.
     records : path, optional
         A file that gets a JSON line for each job, as soon as the job has ended. Results are pickled into a file beside
         it, with ``.results`` at the end of its name.
@@ -92,7 +93,13 @@ def batch(
     if resume and records is None:
         raise ValueError("resume needs the file of the records")
     if workers is not None and workers < 1:
-        raise ValueError("there must be a worker")
+        raise ValueError("workers: expected a positive number, or None")
+    if timeout is not None and not timeout > 0:
+        raise ValueError("timeout: expected a positive number of seconds, or None")
+    if memory is not None and memory <= 0:
+        raise ValueError("memory: expected a positive number of bytes, or None")
+    if not (progress is None or isinstance(progress, bool) or callable(progress)):
+        raise TypeError("progress: expected None, True, or a callable that takes the fraction done")
     show = bar() if progress is True else progress or None
     with contextlib.ExitStack() as stack:
         file = None if records is None else stack.enter_context(RecordFile(records, resume))
@@ -113,6 +120,13 @@ def batch(
             stack.callback(pool.kill)
             pool.run(count)
     return [done[index] for index in range(len(pickled))]
+
+
+def _signal_name(number: int) -> str:
+    try:
+        return signal.Signals(number).name
+    except ValueError:  # those of real time have no names
+        return str(number)
 
 
 class _Worker:
@@ -285,7 +299,7 @@ class _Pool:
             return Record(index, "timeout", None, f"took longer than {self._timeout:g} s", seconds, 0)
         if code == OUT_OF_MEMORY:
             return Record(index, "memory", None, "out of memory", seconds, 0)
-        how = f"by signal {signal.Signals(-code).name}" if code < 0 else f"with exit code {code}"
+        how = f"by signal {_signal_name(-code)}" if code < 0 else f"with exit code {code}"
         return Record(index, "crashed", None, f"the process ended {how}", seconds, 0)
 
     def _share_out(self) -> None:

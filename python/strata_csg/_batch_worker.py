@@ -109,9 +109,13 @@ def _open(path: str, flags: int) -> int | None:
 
 def described(error: BaseException) -> str:
     """A line that says what went wrong, and after it where."""
-    where = "".join(traceback.format_exception(type(error), error, error.__traceback__))
     most = 8000
-    return f"{type(error).__qualname__}: {error}"[:most] + "\n" + where[-most:]
+    name = type(error).__qualname__
+    try:
+        where = "".join(traceback.format_exception(type(error), error, error.__traceback__))
+        return f"{name}: {error}"[:most] + "\n" + where[-most:]
+    except Exception:  # of its __str__
+        return name
 
 
 def _execute(function: Callable[[Any], Any], job: bytes, memory: _Memory, limit: int | None) -> tuple[str, bytes]:

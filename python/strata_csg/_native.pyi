@@ -44,7 +44,7 @@ class Mesh:
     Notes
     -----
     Results of `boolean` are meshes, too, with the source of every triangle. Meshes are immutable, but arrays that are
-    looked at are the caller's.
+    looked at are the caller's: nothing may write to them while a computation uses them.
 
     Examples
     --------
@@ -119,6 +119,10 @@ class Mesh:
     def __hash__(self) -> int: ...
 
     def __reduce__(self) -> tuple[Any, ...]: ...
+
+    def __copy__(self) -> object: ...
+
+    def __deepcopy__(self, memo: object) -> object: ...
 
 def _mesh_of(vertices: object, triangles: object, operands: object | None, faces: object | None) -> Mesh:
     """What pickle calls for a Mesh."""
@@ -445,7 +449,8 @@ def boolean(operation: Operation, meshes: Iterable[MeshLike], *, input: InputCla
     The regularized Boolean of any number of meshes, from arrays to arrays.
 
     The combinatorics are those of the exact result; coordinates of new vertices are the nearest doubles. Faces that meet
-    no other operand come out untouched. Arrays that are C-contiguous are not copied.
+    no other operand come out untouched. Arrays that are C-contiguous are not copied: no other thread, and no callback, may
+    write to them meanwhile.
 
     Parameters
     ----------
@@ -616,7 +621,7 @@ def tetrahedron(a: PointLike, b: PointLike, c: PointLike, d: PointLike) -> Solid
     Fraction(1, 6)
     """
 
-def cylinder(radius: float, height: float, sides: int = 64) -> Solid:
+def cylinder(radius: Number, height: Number, sides: int = 64) -> Solid:
     """
     A cylinder about the z axis from z = 0: a prism over a regular polygon inscribed in the circle.
 
@@ -626,7 +631,7 @@ def cylinder(radius: float, height: float, sides: int = 64) -> Solid:
     Fraction(4, 1)
     """
 
-def cone(lower_radius: float, upper_radius: float, height: float, sides: int = 64) -> Solid:
+def cone(lower_radius: Number, upper_radius: Number, height: Number, sides: int = 64) -> Solid:
     """
     A cone about the z axis, with `lower_radius` at z = 0 and `upper_radius` at z = height; one of them may be 0.
 
@@ -636,7 +641,7 @@ def cone(lower_radius: float, upper_radius: float, height: float, sides: int = 6
     Fraction(2, 1)
     """
 
-def sphere(radius: float, sides: int = 64) -> Solid:
+def sphere(radius: Number, sides: int = 64) -> Solid:
     """
     A polyhedron inscribed in the sphere about the origin: circles of latitude of `sides` corners each.
 
@@ -646,7 +651,7 @@ def sphere(radius: float, sides: int = 64) -> Solid:
     Fraction(4, 3)
     """
 
-def torus(radius: float, tube_radius: float, sides: int = 64, tube_sides: int = 32) -> Solid:
+def torus(radius: Number, tube_radius: Number, sides: int = 64, tube_sides: int = 32) -> Solid:
     """
     A torus about the z axis. `sides` corners on the great circle, `tube_sides` on the small one.
 
@@ -656,7 +661,7 @@ def torus(radius: float, tube_radius: float, sides: int = 64, tube_sides: int = 
     16.0
     """
 
-def prism(polygon: Sequence[Sequence[float]], lower: float, upper: float) -> Solid:
+def prism(polygon: numpy.typing.ArrayLike, lower: Number, upper: Number) -> Solid:
     """
     A simple polygon in the plane, extruded from z = lower to z = upper.
 
@@ -852,6 +857,10 @@ class Expression:
         The different solids in order: name, solid, whether it occurs as it is, whether it occurs complemented, whether the result depends on it.
         """
 
+    def __copy__(self) -> object: ...
+
+    def __deepcopy__(self, memo: object) -> object: ...
+
 def read_openscad(path: str | os.PathLike[str]) -> Expression:
     """
     Reads a model in the .csg format that OpenSCAD writes (``openscad -o part.csg part.scad``).
@@ -916,6 +925,10 @@ class Workpiece:
     def __bool__(self) -> bool: ...
 
     def __repr__(self) -> str: ...
+
+    def __copy__(self) -> object: ...
+
+    def __deepcopy__(self, memo: object) -> object: ...
 
 class Surface:
     """
@@ -993,6 +1006,10 @@ class Surface:
         """A viewer, for notebooks."""
 
     def __repr__(self) -> str: ...
+
+    def __copy__(self) -> object: ...
+
+    def __deepcopy__(self, memo: object) -> object: ...
 
 def clip(surface: MeshLike, solid: Solid, *, keep: Literal['inside', 'outside', 'on'] = 'inside', threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> Surface:
     """
@@ -1150,12 +1167,17 @@ class Polygons:
 
     def __repr__(self) -> str: ...
 
+    def __copy__(self) -> object: ...
+
+    def __deepcopy__(self, memo: object) -> object: ...
+
 def section(solid: Solid, plane: PlaneLike) -> Polygons:
     """
     The section of a solid by a plane (normal, offset), as polygons. Exact.
 
-    Coordinates are those of space without the axis along which the normal is longest. Faces in the plane belong to it
-    where the solid is in front of them.
+    Coordinates are those of space without the axis along which the normal is longest; they turn counter-clockwise as seen
+    from in front of the plane: for the normal (0, 0, 1) they are x, y; for (0, 0, -1) y, x; for (0, 1, 0) z, x. Faces in
+    the plane belong to the section where the solid is in front of them.
 
     Examples
     --------
@@ -1163,9 +1185,11 @@ def section(solid: Solid, plane: PlaneLike) -> Polygons:
     Fraction(2, 1)
     """
 
-def slice(solid: Solid, axis: int, at: Sequence[float], *, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> list[Polygons]:
+def slice(solid: Solid, axis: int, at: numpy.typing.ArrayLike, *, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> list[Polygons]:
     """
-    The sections by planes perpendicular to an axis (0, 1, 2), at coordinates that do not decrease. Exact.
+    The sections by planes perpendicular to an axis (0, 1, 2), at doubles that do not decrease. Exact.
+
+    Coordinates of the polygons are y, z for axis 0; z, x for axis 1; x, y for axis 2. See `section`.
 
     Examples
     --------
@@ -1217,7 +1241,7 @@ def erosion(a: Solid, b: Solid, *, threads: int = 0, progress: Progress | None =
     Fraction(8, 1)
     """
 
-def offset(solid: Solid, radius: float, *, facets: int = 320, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> tuple[Solid, float]:
+def offset(solid: Solid, radius: Number, *, facets: int = 320, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> tuple[Solid, float]:
     """
     A solid grown, or shrunk by a negative radius, by a ball of facets.
 
@@ -1300,7 +1324,7 @@ class Locator:
 
     def membership(self, points: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.int8]:
         """
-        Per point (n, 3): 1 in the interior of the union of the solids, 0 on a boundary, -1 outside. In parallel.
+        Per point (n, 3): 0 on the boundary of a solid, else 1 in the interior of one, -1 outside of all. In parallel.
         """
 
     def locate(self, points: numpy.typing.ArrayLike) -> list[tuple[dict[int, int], dict[int, int]]]:
@@ -1312,6 +1336,10 @@ class Locator:
         >>> Locator([box((0, 0, 0), (1, 1, 1)), box((0, 0, 0), (2, 2, 2))]).locate([[.5, .5, .5]])
         [({0: 1, 1: 1}, {})]
         """
+
+    def __copy__(self) -> object: ...
+
+    def __deepcopy__(self, memo: object) -> object: ...
 
 class RayCaster:
     """
@@ -1348,6 +1376,10 @@ class RayCaster:
         All events of one ray, exactly: (t, solid, face, passage, place); passage is entering, leaving, touching or along.
         """
 
+    def __copy__(self) -> object: ...
+
+    def __deepcopy__(self, memo: object) -> object: ...
+
 class Layers:
     """
     Faces in layers as seen from an origin: `layers` makes them.
@@ -1379,6 +1411,10 @@ class Layers:
         """Whether `origin` is the direction of parallel rays."""
 
     def __repr__(self) -> str: ...
+
+    def __copy__(self) -> object: ...
+
+    def __deepcopy__(self, memo: object) -> object: ...
 
 def layers(solids: Iterable[Solid], *, origin: PointLike | None = None, direction: PointLike | None = None, progress: Progress = None, timeout: float | None = None) -> Layers:
     """
@@ -1520,6 +1556,10 @@ class SelectiveComplex:
     @property
     def length(self) -> float:
         """The length of its edges, to a few units in the last place."""
+
+    def __copy__(self) -> object: ...
+
+    def __deepcopy__(self, memo: object) -> object: ...
 
 def _run_command_line(words: Sequence[str]) -> int:
     """Runs the command line `strata` in this process: its exit code."""

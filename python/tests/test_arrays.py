@@ -145,3 +145,21 @@ def test_results_of_solids_cannot_be_written_to():
     solid = st.box((0, 0, 0), (1, 1, 1))
     with pytest.raises(ValueError, match="read-only"):
         solid.vertices[0, 0] = 3
+
+
+def test_buffers_are_kept_while_they_are_looked_at(corner):
+    vertices, triangles = corner
+    memory = bytearray(vertices.tobytes())
+    mesh = st.Mesh(memoryview(memory).cast("B").cast("d", (4, 3)), triangles)
+    with pytest.raises(BufferError):
+        memory.clear()
+    assert isinstance(mesh.vertices, np.ndarray) and st.Solid(mesh).volume == VOLUME
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+def test_objects_that_were_never_initialised():
+    for thing in (st.Solid.__new__(st.Solid), st.Mesh.__new__(st.Mesh)):
+        with pytest.raises(TypeError):
+            st.boolean("union", [thing])
+    with pytest.raises(TypeError):
+        st.union([st.Solid.__new__(st.Solid)])

@@ -254,3 +254,28 @@ def test_records_are_values():
     assert record == Record(0, "ok", 1, None, 0.5, 0)
     with pytest.raises(AttributeError):
         record.index = 1
+
+
+def kill_by_number(number: int) -> None:
+    os.kill(os.getpid(), number)
+
+
+class Unspeakable(Exception):
+    def __str__(self) -> str:
+        raise RuntimeError("no text")
+
+
+def raise_unspeakable(job: int) -> None:
+    raise Unspeakable
+
+
+def test_signals_without_names_and_errors_without_texts() -> None:
+    records = batch(kill_by_number, [40, 9], workers=1, timeout=60)
+    assert [r.status for r in records] == ["crashed", "crashed"]
+    assert batch(raise_unspeakable, [1], workers=1, timeout=60)[0].status == "failed"
+
+
+@pytest.mark.parametrize("wrong", [{"timeout": 0}, {"timeout": float("nan")}, {"memory": 0}, {"workers": 0}])
+def test_limits_that_are_none(wrong: dict[str, float]) -> None:
+    with pytest.raises(ValueError, match=next(iter(wrong))):
+        batch(kill_by_number, [], **wrong)  # type: ignore[arg-type]

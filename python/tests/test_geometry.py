@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 import json
 import pickle
+import weakref
 from fractions import Fraction
 
 import numpy as np
@@ -147,3 +149,44 @@ def test_complexes():
     hair = a | st.SelectiveComplex.simplex([[2, 2, 2], [3, 3, 3]])
     assert hair.dangle().length == pytest.approx(3**0.5) and hair.regularized() == a
     assert len((a | st.SelectiveComplex(st.box((9, 9, 9), (10, 10, 10)))).components()) == 2
+
+
+def test_geometries_that_are_none():
+    recursive: dict[str, object] = {"type": "GeometryCollection"}
+    recursive["geometries"] = [recursive]
+    with pytest.raises(RecursionError):
+        st.Polygons.from_geo(recursive)
+
+
+def test_numbers_that_are_no_doubles_are_refused_where_doubles_are_meant():
+    third = Fraction(1, 3)
+    for call in (
+        lambda: st.slice(A, 2, [third]),
+        lambda: st.cylinder(third, 1),
+        lambda: st.sphere(2**53 + 1),
+        lambda: st.prism([(0, 0), (third, 0), (0, 1)], 0, 1),
+        lambda: st.offset(A, third),
+        lambda: A.rounded(0),
+        lambda: st.boolean("union", [A], rounding=0),
+    ):
+        with pytest.raises(ValueError, match="double|positive step"):
+            call()
+    assert st.prism(np.array([[0, 0], [1, 0], [0, 1]]), 0, 1).volume == Fraction(1, 2)
+    assert st.slice(A, 2, np.array([1.0]))[0].area == 4
+
+
+def test_immutable_values_are_their_own_copies():
+    things = [
+        st.Surface(A),
+        st.Expression(A),
+        st.Workpiece(A),
+        st.Polygons(),
+        st.SelectiveComplex(A),
+        st.Locator([A]),
+        st.RayCaster([A]),
+        st.layers([A]),
+        st.Mesh(A.vertices, A.triangles),
+    ]
+    for thing in things:
+        assert copy.copy(thing) is thing and copy.deepcopy(thing) is thing
+        assert weakref.ref(thing)() is thing

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -161,3 +163,84 @@ def test_ten_threads():
     for thread in threads:
         thread.join()
     assert all(len(r) == 20 and all(r) for r in results)
+
+
+def test_signals_that_never_stop_coming():
+    seen = []
+    before = signal.signal(signal.SIGALRM, lambda number, frame: seen.append(number))
+    try:
+        solids = [st.torus(3, 1, 200, 100).rotated((1, 2, 3), 9.0 * i) for i in range(8)]
+        expected = st.union(solids)
+        signal.setitimer(signal.ITIMER_REAL, 0.01, 0.01)
+        assert np.array_equal(st.union(solids).triangles, expected.triangles)
+        with pytest.raises(TimeoutError):
+            st.union([s.translated((i, 0, 0)) for s in solids for i in range(9)], timeout=0.3)
+        thread, sent = interrupt_after(0.1)
+        with pytest.raises(KeyboardInterrupt):
+            st.union([s.translated((i / 9, 0, 0)) for s in solids for i in range(9)])
+        thread.join()
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert len(seen) > 3
+
+
+def test_handlers_that_a_callback_sets_stay():
+    a = st.sphere(1, 200)
+    try:
+        st.union([a, a.translated((0.5, 0, 0))], progress=lambda f: signal.signal(signal.SIGINT, signal.SIG_IGN))
+        os.kill(os.getpid(), signal.SIGINT)  # is ignored
+        time.sleep(0.01)
+    finally:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+STORM = """
+import signal, sys
+import strata_csg as st
+cube = st.box((0, 0, 0), (1, 1, 1))
+complex_ = st.SelectiveComplex(cube)
+vertices, triangles = cube.vertices, cube.triangles[1:]
+armed = False
+def stop(number, frame):
+    global armed
+    if armed:
+        armed = False
+        raise KeyboardInterrupt
+signal.signal(signal.SIGALRM, stop)
+signal.setitimer(signal.ITIMER_REAL, 0.0005, 0.0005)
+count = 0
+while count < 300:
+    try:
+        armed = True
+        while True:
+            complex_.volume
+            try:
+                st.Solid((vertices, triangles))
+            except st.InputError:
+                pass
+    except KeyboardInterrupt:
+        count += 1
+signal.setitimer(signal.ITIMER_REAL, 0)
+print("well")
+"""
+
+SHUTDOWN = """
+import threading, time
+import strata_csg as st
+a = st.sphere(1, 60)
+def work():
+    while True:
+        a.volume
+        st.union([a, a.translated((0.5, 0, 0))], progress=lambda f: None)
+for _ in range(4): threading.Thread(target=work, daemon=True).start()
+time.sleep(0.3)
+print("well")
+"""
+
+
+@pytest.mark.parametrize("program", [STORM, SHUTDOWN], ids=["interrupts", "threads at the end"])
+def test_the_process_ends_well(program):
+    for _ in range(3):
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120, check=False)
+        assert (done.returncode, done.stdout) == (0, "well\n"), done.stderr

@@ -13,8 +13,8 @@ namespace strata {
 namespace {
 
 template <class Body>
-auto in_arena(const Options& options, const Body& body) {
-  tbb::task_arena arena = arena_for(options);
+auto in_arena(const Options& options, const ExactMeshView& mesh, const Body& body) {
+  tbb::task_arena arena = arena_for(options, mesh.mesh.triangles.size());
   return arena.execute(body);
 }
 
@@ -38,7 +38,7 @@ std::vector<Defect> check(MeshView mesh, const Options& options, std::size_t lis
 }
 
 std::vector<Defect> check(ExactMeshView mesh, const Options& options, std::size_t listed) {
-  return in_arena(options, [&] {
+  return in_arena(options, mesh, [&] {
     const Monitor monitor(options.cancel);
     if (mesh.exact.empty() && is_plainly_solid(mesh.mesh, monitor)) return std::vector<Defect>{};
     std::vector<Defect> defects = diagnose(mesh, listed);
@@ -54,7 +54,7 @@ std::vector<Defect> check(ExactMeshView mesh, const Options& options, std::size_
 }
 
 std::vector<Defect> defects_as_operand(const ExactMesh& mesh, InputClass input, const Options& options) try {
-  return in_arena(options, [&] {
+  return in_arena(options, mesh, [&] {
     const Operand operand{mesh.mesh, mesh.exact};
     std::vector<Defect> notes = input == InputClass::automatic
                                     ? find_class({&operand, 1}, Monitor(options.cancel)).notes
@@ -72,7 +72,7 @@ std::vector<Defect> defects_as_operand(const ExactMesh& mesh, InputClass input, 
 bool is_embedded(MeshView mesh, const Options& options) { return is_embedded(ExactMeshView(mesh, {}), options); }
 
 bool is_embedded(ExactMeshView mesh, const Options& options) {
-  return in_arena(options, [&] {
+  return in_arena(options, mesh, [&] {
     const Monitor monitor(options.cancel);
     if (!has_sound_faces(mesh)) return false;
     if (is_embedded_by_number(mesh, monitor)) return true;

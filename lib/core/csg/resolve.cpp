@@ -27,7 +27,7 @@ FoundClass class_of(const Operand& operand, const Options& options) {
 
 Solid resolve(ExactMesh mesh, Inside inside, const Options& options) {
   BooleanResult result;
-  arena_for(options).execute([&] {
+  arena_for(options, mesh.mesh.triangles.size()).execute([&] {
     // Reversed as a whole, a mesh has the negative winding numbers: odd where they were odd, and not 0 where they were.
     if (inside != Inside::winding && has_negative_volume(mesh))
       for (Triangle& t : mesh.mesh.triangles) std::swap(t[1], t[2]);
