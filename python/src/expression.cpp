@@ -80,21 +80,28 @@ Fraction(7, 1)
 )")
       .def_static(
           "any", [](const std::vector<Expression>& terms) { return Expression::any(terms); }, "terms"_a,
+          nb::sig("def any(terms: collections.abc.Sequence[Expression | Solid]) -> Expression"),
           "The union of any number of expressions.")
       .def_static(
           "all", [](const std::vector<Expression>& terms) { return Expression::all(terms); }, "terms"_a,
+          nb::sig("def all(terms: collections.abc.Sequence[Expression | Solid]) -> Expression"),
           "The intersection of one or more expressions.")
       .def_static(
           "odd", [](const std::vector<Expression>& terms) { return Expression::odd(terms); }, "terms"_a,
+          nb::sig("def odd(terms: collections.abc.Sequence[Expression | Solid]) -> Expression"),
           "What is in an odd number of expressions.")
       .def(
-          "__or__", [](const Expression& a, const Expression& b) { return a | b; }, nb::is_operator())
+          "__or__", [](const Expression& a, const Expression& b) { return a | b; }, nb::is_operator(),
+          nb::sig("def __or__(self, other: Expression | Solid, /) -> Expression"))
       .def(
-          "__and__", [](const Expression& a, const Expression& b) { return a & b; }, nb::is_operator())
+          "__and__", [](const Expression& a, const Expression& b) { return a & b; }, nb::is_operator(),
+          nb::sig("def __and__(self, other: Expression | Solid, /) -> Expression"))
       .def(
-          "__sub__", [](const Expression& a, const Expression& b) { return a - b; }, nb::is_operator())
+          "__sub__", [](const Expression& a, const Expression& b) { return a - b; }, nb::is_operator(),
+          nb::sig("def __sub__(self, other: Expression | Solid, /) -> Expression"))
       .def(
-          "__xor__", [](const Expression& a, const Expression& b) { return a ^ b; }, nb::is_operator())
+          "__xor__", [](const Expression& a, const Expression& b) { return a ^ b; }, nb::is_operator(),
+          nb::sig("def __xor__(self, other: Expression | Solid, /) -> Expression"))
       .def(
           "__ror__", [](const Expression& b, const Solid& a) { return a | b; }, nb::is_operator())
       .def(

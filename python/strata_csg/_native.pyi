@@ -801,24 +801,24 @@ class Expression:
         """
 
     @staticmethod
-    def any(terms: Sequence[Expression]) -> Expression:
+    def any(terms: Sequence[Expression | Solid]) -> Expression:
         """The union of any number of expressions."""
 
     @staticmethod
-    def all(terms: Sequence[Expression]) -> Expression:
+    def all(terms: Sequence[Expression | Solid]) -> Expression:
         """The intersection of one or more expressions."""
 
     @staticmethod
-    def odd(terms: Sequence[Expression]) -> Expression:
+    def odd(terms: Sequence[Expression | Solid]) -> Expression:
         """What is in an odd number of expressions."""
 
-    def __or__(self, arg: Expression, /) -> Expression: ...
+    def __or__(self, other: Expression | Solid, /) -> Expression: ...
 
-    def __and__(self, arg: Expression, /) -> Expression: ...
+    def __and__(self, other: Expression | Solid, /) -> Expression: ...
 
-    def __sub__(self, arg: Expression, /) -> Expression: ...
+    def __sub__(self, other: Expression | Solid, /) -> Expression: ...
 
-    def __xor__(self, arg: Expression, /) -> Expression: ...
+    def __xor__(self, other: Expression | Solid, /) -> Expression: ...
 
     def __ror__(self, arg: Solid, /) -> Expression: ...
 
