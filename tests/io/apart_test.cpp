@@ -1,5 +1,6 @@
 #include "core/io/apart.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -190,6 +191,8 @@ TEST_CASE("a model reads files beneath its folder, and no others", "[io]") {
   CHECK_FALSE(reads("parts/../../above.bin"));
   CHECK_FALSE(reads((folder.path / "above.bin").string()));
   CHECK_FALSE(reads("link.bin"));
+  REQUIRE(::mkfifo((folder.path / "models" / "pipe.bin").c_str(), 0600) == 0);
+  CHECK_FALSE(reads("pipe.bin"));
   write_text(model, gltf("beside.bin"));
   std::filesystem::create_symlink(model, folder.path / "models" / "parts" / "linked.gltf");
   CHECK_THROWS_AS(read_mesh((inside / "linked.gltf").string()), IoError);  // its buffer is not beneath this folder

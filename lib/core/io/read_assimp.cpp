@@ -147,7 +147,9 @@ class FolderOfModel : public Assimp::DefaultIOSystem {
     std::error_code error;
     const std::filesystem::path path = std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
     if (error) return false;
-    return path == model_ ||
+    if (path == model_) return true;
+    // A pipe may never have an end.
+    return std::filesystem::is_regular_file(path, error) &&
            std::mismatch(folder_.begin(), folder_.end(), path.begin(), path.end()).first == folder_.end();
   }
 
