@@ -2,6 +2,7 @@
 /// Strata: exact Booleans of solids given as triangle meshes, and what is built on them. This header has the core;
 /// every extension has a header of its own: bsp.h, complex.h, contact.h, convex.h, incremental.h, openscad.h, planar.h,
 /// query.h, section.h, surface.h.
+#include "strata/attributes.h"
 #include "strata/check.h"
 #include "strata/combine.h"
 #include "strata/coordinate_grid.h"
