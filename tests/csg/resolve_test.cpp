@@ -6,6 +6,7 @@
 #include "strata/check.h"
 #include "support/random.h"
 #include "support/shapes.h"
+#include "support/shuffled.h"
 
 using namespace strata;
 
@@ -145,4 +146,25 @@ TEST_CASE("meshes of which few faces cross are resolved as those of which many d
     add(test::box({8.75, -0.25, -0.25}, {9.25, 0.25, 0.25}), true);
     CHECK(resolve({all, {}}, Inside::winding) == united);
   }
+}
+
+TEST_CASE("a large mesh in any order is inspected as it is", "[csg]") {
+  const Mesh ordered = test::icosphere({0, 0, 0}, 1, 7);
+  REQUIRE(ordered.vertices.size() > 100'000);
+  Mesh mesh = test::shuffled(ordered, 1);
+  CHECK(check(mesh).empty());
+  const std::uint32_t moved = mesh.triangles[5][1];
+  mesh.vertices[moved] = {-2 * mesh.vertices[moved][0], -2 * mesh.vertices[moved][1], -2 * mesh.vertices[moved][2]};
+  const std::vector<Defect> defects = check(mesh);
+  REQUIRE_FALSE(defects.empty());
+  CHECK(defects[0].kind == DefectKind::self_intersection);
+  for (const std::uint32_t f : defects[0].faces) CHECK(f < mesh.triangles.size());
+  Mesh inside_out = mesh;
+  for (Triangle& t : inside_out.triangles) std::swap(t[0], t[1]);
+  CHECK_FALSE(check(inside_out).empty());
+  mesh.vertices[moved][0] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(check(mesh)[0].kind == DefectKind::non_finite_coordinate);
+  mesh.vertices[moved][0] = 0;
+  mesh.triangles[9][0] = 0xffff'fff0;
+  CHECK_FALSE(check(mesh).empty());
 }

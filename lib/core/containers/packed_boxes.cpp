@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "core/containers/z_order.h"
+#include "core/containers/z_cells.h"
 
 namespace strata {
 namespace {
@@ -22,11 +22,6 @@ void for_each_run(std::size_t count, const Visit& visit) {
                     [&](std::size_t n) { visit(n * grain, std::min(count, (n + 1) * grain)); });
 }
 
-/// An item and its place on a Z-curve.
-struct Placed {
-  std::uint32_t code, item;
-};
-
 using Centre = std::array<double, 3>;
 
 /// Halves before adding: the sum of two doubles may overflow.
@@ -34,62 +29,25 @@ Centre centre_of(const Box& b) {
   return {b.lower[0] / 2 + b.upper[0] / 2, b.lower[1] / 2 + b.upper[1] / 2, b.lower[2] / 2 + b.upper[2] / 2};
 }
 
-/// A cube divided into 1024 cells each way, along a Z-curve.
-class Cells {
- public:
-  explicit Cells(const Box& bounds) : lower_(bounds.lower) {
-    double extent = 0;
-    for (std::size_t i = 0; i < 3; ++i) extent = std::max(extent, bounds.upper[i] / 2 - bounds.lower[i] / 2);
-    per_unit_ = 512 / extent;
-  }
-  /// False where all cells would be one, or where the number of cells per unit is beyond all doubles.
-  [[nodiscard]] bool are_useful() const { return per_unit_ < Box::infinity; }
-  [[nodiscard]] std::uint32_t code(const Centre& c) const {
-    std::array<std::uint32_t, 3> at{};
-    for (std::size_t i = 0; i < 3; ++i)
-      at[i] = static_cast<std::uint32_t>(std::clamp((c[i] - lower_[i]) * per_unit_, 0.0, 1023.0));
-    return z_order(at[0], at[1], at[2]);
-  }
-
- private:
-  Centre lower_;
-  double per_unit_;
-};
-
-/// Sorts by code, 10 bits at a time from the lowest; equal codes keep their order.
-void sort_by_code(FreshArray<Placed>& placed) {
-  constexpr std::uint32_t bits = 10, mask = (1u << bits) - 1;
-  std::array<std::array<std::size_t, mask + 1>, 3> first{};
-  for (const Placed& p : placed)
-    for (std::uint32_t k = 0; k < 3; ++k) ++first[k][p.code >> k * bits & mask];
-  FreshArray<Placed> other(placed.size());
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    std::size_t sum = 0;
-    for (std::size_t& f : first[k]) sum += std::exchange(f, sum);
-    for (const Placed& p : placed) other[first[k][p.code >> k * bits & mask]++] = p;
-    std::swap(placed, other);
-  }
-}
-
 /// Orders items along a Z-curve; those in one cell, if there are more than a pack, along one of their own.
 class Ordering {
  public:
   explicit Ordering(PackedBoxes::BoxOf box_of) : box_of_(box_of) {}
 
-  void order(std::span<Placed> placed, int depth) const {
+  void order(std::span<PlacedItem> placed, int depth) const {
     Box bounds;
-    for (const Placed& p : placed) bounds.include(centre_of(box_of_(p.item)));
-    const Cells cells(bounds);
+    for (const PlacedItem& p : placed) bounds.include(centre_of(box_of_(p.item)));
+    const ZCells cells(bounds);
     if (!cells.are_useful()) return;
-    for (Placed& p : placed) p.code = cells.code(centre_of(box_of_(p.item)));
-    std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+    for (PlacedItem& p : placed) p.code = cells.code(centre_of(box_of_(p.item)));
+    std::sort(placed.begin(), placed.end(), [](const PlacedItem& a, const PlacedItem& b) {
       return a.code < b.code || (a.code == b.code && a.item < b.item);
     });
     order_within_cells(placed, depth);
   }
 
   /// Requires items sorted by code.
-  void order_within_cells(std::span<Placed> placed, int depth) const {
+  void order_within_cells(std::span<PlacedItem> placed, int depth) const {
     constexpr int most_depth = 256;  // a crowd is 1024 times smaller than what it was in: more than doubles can be
     if (depth == most_depth) return;
     for (std::size_t i = 0, end = 0; i < placed.size(); i = end) {
@@ -182,8 +140,8 @@ void PackedBoxes::append_pairs_of(std::size_t group, std::vector<Pair>& pairs) c
 PackedBoxes::PackedBoxes(std::uint32_t count, const Box& bounds, BoxOf box_of, KeysOf keys_of,
                          const BoxPackTests& tests)
     : tests_(&tests) {
-  FreshArray<Placed> placed(count);
-  const Cells cells(bounds);
+  FreshArray<PlacedItem> placed(count);
+  const ZCells cells(bounds);
   for_each_run(count, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const auto item = static_cast<std::uint32_t>(i);

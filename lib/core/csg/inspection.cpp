@@ -1,11 +1,13 @@
 #include "core/csg/inspection.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
 #include "core/csg/shell_windings.h"
 #include "core/mesh/defect_list.h"
+#include "core/mesh/gathered_mesh.h"
 #include "core/mesh/prepare.h"
 #include "core/overlap/embedded_stars.h"
 
@@ -69,11 +71,29 @@ std::vector<Defect> Inspection::defects(Severity severity, const std::vector<std
   return defects;
 }
 
-bool is_plainly_solid(MeshView mesh, const Monitor& monitor) {
-  if (mesh.triangles.empty()) return false;
+namespace {
+
+bool bounds_plainly(MeshView mesh, const Monitor& monitor) {
   const Screening facts = screen(mesh);
   return facts.finite && facts.indices_valid && facts.chain_closed && !facts.degenerate && facts.orientation > 0 &&
          Inspection(ExactMeshView(mesh, {}), monitor, 1).finds_nothing();
+}
+
+bool are_usable(MeshView mesh) {
+  const auto is_finite = [](const Vertex& v) {
+    return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+  };
+  const auto is_valid = [&](const Triangle& t) { return std::max({t[0], t[1], t[2]}) < mesh.vertices.size(); };
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), is_valid) &&
+         std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_finite);
+}
+
+}  // namespace
+
+bool is_plainly_solid(MeshView mesh, const Monitor& monitor) {
+  if (mesh.triangles.empty()) return false;
+  if (is_scattered(mesh) && are_usable(mesh)) return bounds_plainly(gathered(mesh, monitor), monitor);
+  return bounds_plainly(mesh, monitor);
 }
 
 bool windings_are_those_of_a_solid(MeshView mesh, const EmbeddedStars* stars, const Monitor& monitor) {

@@ -1,12 +1,10 @@
 #include "extensions/contact/part_boxes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
-#include <utility>
 #include <vector>
 
+#include "core/containers/z_cells.h"
 #include "core/containers/z_order.h"
 
 namespace strata::contact {
@@ -26,14 +24,8 @@ Box box_of_vertex(const InputComplex& input, std::uint32_t vertex) {
 
 namespace {
 
-/// A face, and where it is on a Z-curve.
-struct Placed {
-  std::uint32_t cell = 0;
-  std::uint32_t face = 0;
-};
-
 /// By the sums of their corners. Eighths of coordinates do not overflow when added.
-std::vector<Placed> placed_faces(const InputComplex& input, std::uint32_t part) {
+FreshArray<PlacedItem> placed_faces(const InputComplex& input, std::uint32_t part) {
   const auto points = input.points(part);
   const auto faces = input.faces(part);
   Box bounds;
@@ -41,7 +33,7 @@ std::vector<Placed> placed_faces(const InputComplex& input, std::uint32_t part) 
   double extent = 0;
   for (std::size_t i = 0; i < 3; ++i) extent = std::max(extent, bounds.upper[i] / 8 - bounds.lower[i] / 8);
   const double scale = extent > 0x1p-1000 ? 1023 / (3 * extent) : 0;  // of three eighths
-  std::vector<Placed> placed(faces.size());
+  FreshArray<PlacedItem> placed(faces.size());
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
     const auto& [a, b, c] = faces[f];
     const auto &p = points[a], &q = points[b], &r = points[c];
@@ -54,28 +46,14 @@ std::vector<Placed> placed_faces(const InputComplex& input, std::uint32_t part) 
   return placed;
 }
 
-/// By cells, and within a cell by number, digit by digit.
-void sort_by_cells(std::vector<Placed>& faces) {
-  constexpr std::uint32_t digits = 1024;
-  std::vector<Placed> sorted(faces.size());
-  for (const int shift : {0, 10, 20}) {
-    const auto digit = [shift](const Placed& p) { return p.cell >> shift & (digits - 1); };
-    std::array<std::uint32_t, digits + 1> place{};
-    for (const Placed& p : faces) ++place[digit(p) + 1];
-    std::partial_sum(place.begin(), place.end(), place.begin());
-    for (const Placed& p : faces) sorted[place[digit(p)]++] = p;
-    faces.swap(sorted);
-  }
-}
-
 }  // namespace
 
 BoxTree tree_of_part(const InputComplex& input, std::uint32_t part) {
-  std::vector<Placed> placed = placed_faces(input, part);
-  sort_by_cells(placed);
+  FreshArray<PlacedItem> placed = placed_faces(input, part);
+  sort_by_code(placed);
   std::vector<std::uint32_t> faces;
   faces.reserve(placed.size());
-  for (const Placed& p : placed) faces.push_back(p.face);
+  for (const PlacedItem& p : placed) faces.push_back(p.item);
   return BoxTree::by_order(std::move(faces), [&](std::span<const std::uint32_t> some) {
     Box box;
     for (const std::uint32_t f : some) box.include(box_of_face(input, part, f));
