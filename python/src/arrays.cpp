@@ -58,17 +58,9 @@ ExactMesh exact_points(const nb::object& array, const char* role) {
   ExactMesh mesh;
   for (const nb::handle row : array) {
     RationalPoint position;
-    Vertex nearest{};
-    bool is_rounded = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      position[i] = to_rational(nb::object(row[i]), role);
-      nearest[i] = to_nearest_double(position[i]);
-      if (!std::isfinite(nearest[i])) throw_value_error(std::string(role) + ": a coordinate is beyond all doubles");
-      is_rounded = is_rounded || Rational(nearest[i]) != position[i];
-    }
-    const auto number = static_cast<std::uint32_t>(mesh.mesh.vertices.size());
-    mesh.mesh.vertices.push_back(nearest);
-    if (is_rounded) mesh.exact.push_back({number, std::move(position)});
+    for (std::size_t i = 0; i < 3; ++i) position[i] = to_rational(nb::object(row[i]), role);
+    for (const double x : mesh.mesh.vertices[add_vertex(mesh, std::move(position))])
+      if (!std::isfinite(x)) throw_value_error(std::string(role) + ": a coordinate is beyond all doubles");
   }
   return mesh;
 }
@@ -139,6 +131,18 @@ MeshHandle mesh_of(ExactMeshView view, nb::object owner) {
 
 ExactMesh ArrayMesh::copy() const {
   return {{{view.vertices.begin(), view.vertices.end()}, {view.triangles.begin(), view.triangles.end()}}, owned.exact};
+}
+
+std::uint32_t add_vertex(ExactMesh& mesh, RationalPoint position) {
+  const auto number = static_cast<std::uint32_t>(mesh.mesh.vertices.size());
+  Vertex& nearest = mesh.mesh.vertices.emplace_back();
+  bool is_double = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    nearest[i] = to_nearest_double(position[i]);
+    is_double = is_double && std::isfinite(nearest[i]) && strata::to_rational(nearest[i]) == position[i];
+  }
+  if (!is_double) mesh.exact.push_back({number, std::move(position)});
+  return number;
 }
 
 MeshHandle mesh_of_arrays(nb::handle vertices, nb::handle triangles) {

@@ -47,6 +47,9 @@ using MeshHandle = std::shared_ptr<const ArrayMesh>;
 /// InputError for these, and for coordinates that are not finite. O(n).
 [[nodiscard]] MeshHandle copy_of(const MeshHandle& mesh);
 
+/// Adds a vertex to a mesh, and returns its number. Beyond all doubles its nearest doubles are infinite.
+std::uint32_t add_vertex(ExactMesh& mesh, RationalPoint position);
+
 /// A mesh that owns its arrays.
 [[nodiscard]] MeshHandle mesh_of(ExactMesh mesh);
 [[nodiscard]] MeshHandle mesh_of(BooleanResult result);

@@ -134,25 +134,20 @@ LayerDecomposition layers(const SolidList& solids, nb::object origin, nb::object
 MeshHandle layer_mesh(const LayerDecomposition& layers, std::uint32_t layer) {
   if (layer < 1 || layer > layers.layer_count())
     throw nb::index_error(("there are layers from 1 to " + std::to_string(layers.layer_count())).c_str());
-  BooleanResult result;
+  ExactMesh mesh;
+  std::vector<Source> sources;
   for (const std::uint32_t piece : layers.layer_pieces(layer)) {
     Triangle corners{};
     const auto triangle = layers.triangle(piece);
-    for (std::size_t i = 0; i < 3; ++i) {
-      corners[i] = static_cast<std::uint32_t>(result.mesh.vertices.size());
-      Vertex nearest{};
-      bool is_rounded = false;
-      for (std::size_t k = 0; k < 3; ++k) {
-        nearest[k] = to_nearest_double(triangle[i][k]);
-        is_rounded = is_rounded || Rational(nearest[k]) != triangle[i][k];
-      }
-      result.mesh.vertices.push_back(nearest);
-      if (is_rounded) result.exact.push_back({corners[i], triangle[i]});
-    }
-    result.mesh.triangles.push_back(corners);
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = add_vertex(mesh, triangle[i]);
+    mesh.mesh.triangles.push_back(corners);
     const std::uint32_t face = layers.face_of(piece);
-    result.sources.push_back({layers.scene().solid_of(face), layers.scene().local(face)});
+    sources.push_back({layers.scene().solid_of(face), layers.scene().local(face)});
   }
+  BooleanResult result;
+  result.mesh = std::move(mesh.mesh);
+  result.exact = std::move(mesh.exact);
+  result.sources = std::move(sources);
   return mesh_of(std::move(result));
 }
 
