@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "strata/measure.h"
+#include "strata/monitor.h"
 #include "strata/options.h"
 #include "strata/rational.h"
 #include "strata/shared.h"
@@ -137,14 +138,16 @@ class Assembly {
   /// Requires that `reach` is not negative.
   [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(double reach) const;
 
-  /// The relation of two different parts. Law: symmetric. An empty part is apart from all.
-  [[nodiscard]] Relation relation(std::uint32_t a, std::uint32_t b) const;
+  /// The relation of two different parts. Law: symmetric. An empty part is apart from all. This and what follows throw
+  /// Cancelled.
+  [[nodiscard]] Relation relation(std::uint32_t a, std::uint32_t b, const Monitor& monitor = {}) const;
   /// The contact region of two parts; empty where they are apart. Requires that they do not interfere.
-  [[nodiscard]] ContactRegion contact_region(std::uint32_t a, std::uint32_t b) const;
-  /// The regularized intersection of two parts, with exact vertices; empty unless they interfere.
-  [[nodiscard]] Solid overlap(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] ContactRegion contact_region(std::uint32_t a, std::uint32_t b, const Monitor& monitor = {}) const;
+  /// The regularized intersection of two parts, with exact vertices; empty unless they interfere. Of the options those
+  /// count that do for `combine_solids`.
+  [[nodiscard]] Solid overlap(std::uint32_t a, std::uint32_t b, const Options& options = {}) const;
   /// The least distance of two parts, and a pair of closest points. Requires that they are apart, and not empty.
-  [[nodiscard]] Nearest nearest(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] Nearest nearest(std::uint32_t a, std::uint32_t b, const Monitor& monitor = {}) const;
 
  private:
   Shared<Parts> parts_;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "strata/mesh.h"
+#include "strata/monitor.h"
 #include "strata/options.h"
 #include "strata/rational.h"
 #include "strata/shared.h"
@@ -52,14 +53,13 @@ struct Polytope {
 /// (dimension 2) it has the one whose second vertex is lower.
 /// `threads` 0: all cores.
 /// Throws std::invalid_argument for coordinates that are not finite and for exact positions that are not by increasing
-/// index or do not round to the coordinates. Expected O(n log n). Source: Quickhull (Barber, Dobkin, Huhdanpaa 1996)
-/// with exact signs; lib/extensions/convex/theory.md,
-/// "Hulls".
-[[nodiscard]] Polytope convex_hull(ExactMeshView points, unsigned threads = 0);
-[[nodiscard]] Polytope convex_hull(std::span<const Vertex> points, unsigned threads = 0);
+/// index or do not round to the coordinates, and Cancelled. Expected O(n log n). Source: Quickhull (Barber, Dobkin,
+/// Huhdanpaa 1996) with exact signs; lib/extensions/convex/theory.md, "Hulls".
+[[nodiscard]] Polytope convex_hull(ExactMeshView points, unsigned threads = 0, const Monitor& monitor = {});
+[[nodiscard]] Polytope convex_hull(std::span<const Vertex> points, unsigned threads = 0, const Monitor& monitor = {});
 
 /// The convex hull of the union of solids, of dimension 3, or -1 when all are empty.
-[[nodiscard]] Polytope convex_hull(std::span<const Solid> solids, unsigned threads = 0);
+[[nodiscard]] Polytope convex_hull(std::span<const Solid> solids, unsigned threads = 0, const Monitor& monitor = {});
 
 /// A polytope as a solid; of a dimension below 3, the empty solid.
 [[nodiscard]] Solid solid_of(const Polytope& polytope);
@@ -67,10 +67,10 @@ struct Polytope {
 /// The Minkowski sum {x + y : x in a, y in b} of two polytopes of any dimensions; empty if one of them
 /// is.
 /// Laws: commutative, associative, exact for all finite input. Throws std::overflow_error where a coordinate of the sum
-/// is beyond all doubles. Facets come from overlaying the Gauss maps: O(n m) signs, most of them in doubles, for n and
-/// m edges; the rest is O(n log n + m log m + size of the sum). Source: overlay of normal fans (Fogel and Halperin
-/// 2007); lib/extensions/convex/theory.md, "Minkowski sums".
-[[nodiscard]] Polytope sum(const Polytope& a, const Polytope& b);
+/// is beyond all doubles, Cancelled. Facets come from overlaying the Gauss maps: O(n m) signs, most of them in doubles,
+/// for n and m edges; the rest is O(n log n + m log m + size of the sum). Source: overlay of normal fans (Fogel and
+/// Halperin 2007); lib/extensions/convex/theory.md, "Minkowski sums".
+[[nodiscard]] Polytope sum(const Polytope& a, const Polytope& b, const Monitor& monitor = {});
 
 /// The Minkowski sum {x + y : x in a, y in b} of two solids: any genus, cavities, several components, non-manifold
 /// edges and vertices. Empty if one of them is. Exact. It is regular: so is the sum of a regular set and any compact

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "strata/mesh.h"
+#include "strata/monitor.h"
 #include "strata/options.h"
 #include "strata/rational.h"
 
@@ -90,8 +91,8 @@ using ExactFacet = std::vector<std::vector<RationalPoint>>;
 /// Canonical form of a closed boundary. Facets may be triangles or polygons, split anyhow, with vertices inside each
 /// other's sides (T-junctions); overlapping parts of opposite orientation cancel. Degenerate (zero-area) facets are
 /// ignored. Requires that what is given is the boundary of a regular solid; for other closed surfaces the form is
-/// unspecified. O(n log n) exact comparisons.
-[[nodiscard]] CanonicalForm canonical_form(const ExactMesh& mesh);
-[[nodiscard]] CanonicalForm canonical_form(const std::vector<ExactFacet>& facets);
+/// unspecified. Throws Cancelled. O(n log n) exact comparisons.
+[[nodiscard]] CanonicalForm canonical_form(const ExactMesh& mesh, const Monitor& monitor = {});
+[[nodiscard]] CanonicalForm canonical_form(const std::vector<ExactFacet>& facets, const Monitor& monitor = {});
 
 }  // namespace strata

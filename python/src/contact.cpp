@@ -15,57 +15,78 @@ namespace {
 using namespace nb::literals;
 using contact::Assembly;
 
-/// The pair of parts as a record; what is costly is computed here.
-nb::dict record_of(const Assembly& assembly, const contact::RelatedPair& pair) {
+/// Two parts that are not apart, and where they meet.
+struct Meeting {
+  contact::RelatedPair pair;
+  Solid overlap;                  ///< where they interfere
+  contact::ContactRegion region;  ///< where they only touch
+};
+
+std::vector<Meeting> meetings_of(const std::vector<Solid>& parts, const Computation& computation) {
+  const Assembly assembly(parts);
+  Options options = computation.options();
+  std::vector<Meeting> meetings;
+  for (const contact::RelatedPair& pair : assembly.pairs(computation.monitor())) meetings.push_back({pair, {}, {}});
+  options.progress = {};
+  for (Meeting& m : meetings)
+    if (m.pair.relation == contact::Relation::interfering)
+      m.overlap = assembly.overlap(m.pair.a, m.pair.b, options);
+    else
+      m.region = assembly.contact_region(m.pair.a, m.pair.b, Monitor(options.cancel));
+  return meetings;
+}
+
+nb::dict record_of(const Meeting& meeting) {
   nb::dict record;
-  record["a"] = pair.a;
-  record["b"] = pair.b;
-  record["relation"] = contact::name(pair.relation);
-  if (pair.relation == contact::Relation::interfering) {
-    const Solid overlap = run([&] { return assembly.overlap(pair.a, pair.b); });
-    record["overlap"] = overlap;
-  } else {
-    const contact::ContactRegion region = run([&] { return assembly.contact_region(pair.a, pair.b); });
-    nb::list points;
-    for (const RationalPoint& p : region.points) points.append(to_python(p));
-    record["area"] = region.area();
-    record["length"] = region.length();
-    record["points"] = points;
-    nb::list facets, edges, vertices;
-    for (const contact::ContactFacet& facet : region.facets) facets.append(nb::cast(facet.loops));
-    for (const contact::ContactEdge& edge : region.edges) edges.append(nb::make_tuple(edge.ends[0], edge.ends[1]));
-    for (const std::uint32_t vertex : region.vertices) vertices.append(vertex);
-    record["facets"] = facets;
-    record["edges"] = edges;
-    record["vertices"] = vertices;
+  record["a"] = meeting.pair.a;
+  record["b"] = meeting.pair.b;
+  record["relation"] = contact::name(meeting.pair.relation);
+  if (meeting.pair.relation == contact::Relation::interfering) {
+    record["overlap"] = meeting.overlap;
+    return record;
   }
+  const contact::ContactRegion& region = meeting.region;
+  nb::list points;
+  for (const RationalPoint& p : region.points) points.append(to_python(p));
+  record["area"] = region.area();
+  record["length"] = region.length();
+  record["points"] = points;
+  nb::list facets, edges, vertices;
+  for (const contact::ContactFacet& facet : region.facets) facets.append(nb::cast(facet.loops));
+  for (const contact::ContactEdge& edge : region.edges) edges.append(nb::make_tuple(edge.ends[0], edge.ends[1]));
+  for (const std::uint32_t vertex : region.vertices) vertices.append(vertex);
+  record["facets"] = facets;
+  record["edges"] = edges;
+  record["vertices"] = vertices;
   return record;
 }
 
 nb::list contacts(const SolidList& parts, ProgressOption progress, std::optional<double> timeout) {
-  const Assembly assembly(parts.value("parts"));
-  const auto pairs =
-      run({0, std::move(progress), timeout}, [&](const Computation& c) { return assembly.pairs(c.monitor()); });
+  const std::vector<Solid> solids = parts.value("parts");
+  const std::vector<Meeting> meetings =
+      run({0, std::move(progress), timeout}, [&](const Computation& c) { return meetings_of(solids, c); });
   nb::list records;
-  for (const contact::RelatedPair& pair : pairs) records.append(record_of(assembly, pair));
+  for (const Meeting& meeting : meetings) records.append(record_of(meeting));
   return records;
 }
 
+/// Empty where the solids are not apart.
+std::optional<contact::Nearest> nearest_points(const Solid& a, const Solid& b, const Computation& computation) {
+  const Assembly assembly(std::array{a, b});
+  const Monitor monitor = computation.monitor();
+  if (assembly.relation(0, 1, monitor) != contact::Relation::apart) return std::nullopt;
+  return assembly.nearest(0, 1, monitor);
+}
+
 nb::dict distance(const Solid& a, const Solid& b) {
-  const std::array parts{a, b};
-  const Assembly assembly(parts);
   if (a.is_empty() || b.is_empty()) throw std::invalid_argument("distance: an empty solid has none");
+  const auto nearest = run({}, [&](const Computation& c) { return nearest_points(a, b, c); });
   nb::dict record;
-  if (run([&] { return assembly.relation(0, 1); }) != contact::Relation::apart) {
-    record["distance"] = 0.0;
-    record["squared"] = to_python(Rational(0));
-    return record;
-  }
-  const contact::Nearest nearest = run([&] { return assembly.nearest(0, 1); });
-  record["distance"] = nearest.distance;
-  record["squared"] = to_python(nearest.squared);
-  record["on_a"] = to_python(nearest.on_a);
-  record["on_b"] = to_python(nearest.on_b);
+  record["distance"] = nearest ? nearest->distance : 0.0;
+  record["squared"] = to_python(nearest ? nearest->squared : Rational(0));
+  if (!nearest) return record;
+  record["on_a"] = to_python(nearest->on_a);
+  record["on_b"] = to_python(nearest->on_b);
   return record;
 }
 

@@ -19,7 +19,9 @@ using namespace nb::literals;
 
 Solid hull_of(const ArrayLike& points, unsigned threads) {
   const MeshHandle mesh = points_of(points.object, "points");
-  return run([&] { return convex::solid_of(convex::convex_hull(mesh->exact_view(), threads)); });
+  return run({threads, {}, {}}, [&](const Computation& c) {
+    return convex::solid_of(convex::convex_hull(mesh->exact_view(), threads, c.monitor()));
+  });
 }
 
 std::pair<Solid, double> grown(const Solid& solid, const Number& distance, std::uint32_t facets, unsigned threads,

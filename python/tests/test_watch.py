@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+import typing
 
 import numpy as np
 import pytest
@@ -88,6 +89,42 @@ def test_time_limits(slow_solids):
     for timeout in (0, -1, float("nan")):
         with pytest.raises(ValueError, match="timeout: expected a positive number"):
             st.union(slow_solids, timeout=timeout)
+
+
+def long_computations() -> dict[str, tuple[typing.Callable[..., object], tuple[object, ...]]]:
+    """By name, with their arguments."""
+    ring, ball = st.torus(3, 1, 200, 100), st.sphere(2, 300)
+    return {
+        "sum": (st.minkowski_sum, (st.torus(3, 1, 40, 30), st.torus(2, 1, 24, 16))),
+        "sum of convex": (st.minkowski_sum, (st.sphere(2, 70), st.sphere(1, 70))),
+        "erosion": (st.erosion, (ring, st.sphere(0.3, 24))),
+        "offset": (st.offset, (ring, 0.1)),
+        "hull": (st.convex_hull, (np.random.default_rng(1).normal(size=(1_000_000, 3)),)),
+        "contact": (st.contacts, ([ball, st.box((-3, -3, -3), (3, 3, 3)) - ball],)),
+        "overlap": (st.contacts, ([ring, ring.translated((1, 1, 0.5))],)),
+    }
+
+
+@pytest.mark.parametrize("name", ["sum", "sum of convex", "erosion", "offset", "hull", "contact", "overlap"])
+def test_ctrl_c_stops_every_long_computation(name):
+    """At several times, so that it meets several stages."""
+    compute, arguments = long_computations()[name]
+    begin = time.perf_counter()
+    compute(*arguments)
+    whole = time.perf_counter() - begin
+    for share in (0.1, 0.3, 0.5, 0.7, 0.9):
+        thread, sent = interrupt_after(share * whole)
+        stopped = None
+        try:
+            compute(*arguments)
+        except KeyboardInterrupt:
+            stopped = time.perf_counter()
+        try:  # where it was quicker this time
+            thread.join()
+        except KeyboardInterrupt:
+            thread.join()
+        if stopped is not None:
+            assert stopped - sent[0] < SOON, share
 
 
 def test_making_a_solid_can_be_stopped():

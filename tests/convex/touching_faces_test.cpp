@@ -66,7 +66,7 @@ TEST_CASE("the sum is just behind every touching face", "[convex][minkowski][pro
     const ExactMesh a = test::exact(test::lattice_solid(random)), b = test::exact(test::lattice_solid(random));
     const Surface of_a = surface_of(a), of_b = surface_of(b);
     const ExactMesh faces = touching_faces(of_a, of_b);
-    const SumMembership membership(a, of_a, &b, of_b, nullptr);
+    const SumMembership membership(a, of_a, &b, of_b, nullptr, Monitor());
     for (std::size_t f = 0; f < faces.mesh.triangles.size(); f += 1 + faces.mesh.triangles.size() / 20) {
       Side side = Side::unknown;
       for (int k = 1; k < 64 && side == Side::unknown; ++k)

@@ -72,7 +72,7 @@ void add_facets(PointTable& points, const PlaneFacets& facets, CanonicalForm& fo
 }
 
 /// Numbers the points of the loops in lexicographic order, and stores them as the vertices of the form.
-void number_vertices(const PointTable& points, CanonicalForm& form) {
+void number_vertices(const PointTable& points, CanonicalForm& form, const Monitor& monitor) {
   std::vector<std::uint32_t> used;
   for (const CanonicalFacets& facets : form.planes) {
     for (const auto& loop : facets.loops) used.insert(used.end(), loop.begin(), loop.end());
@@ -84,6 +84,7 @@ void number_vertices(const PointTable& points, CanonicalForm& form) {
   }
   std::vector<std::uint32_t> number(points.size(), std::numeric_limits<std::uint32_t>::max());
   for (std::size_t i = 0; i < used.size(); ++i) {
+    monitor.check();
     if (i == 0 || points.compare(used[i - 1], used[i]) != 0) form.vertices.push_back(rational(points[used[i]]));
     number[used[i]] = static_cast<std::uint32_t>(form.vertices.size() - 1);
   }
@@ -107,10 +108,13 @@ void rotate_to_smallest(std::vector<std::uint32_t>& loop) {
   loop = std::move(best);
 }
 
-CanonicalForm form_of(FacetsByPlane facets) {
+CanonicalForm form_of(FacetsByPlane facets, const Monitor& monitor) {
   CanonicalForm form;
-  for (const PlaneFacets& plane : facets.planes) add_facets(facets.points, plane, form);
-  number_vertices(facets.points, form);
+  for (const PlaneFacets& plane : facets.planes) {
+    monitor.check();
+    add_facets(facets.points, plane, form);
+  }
+  number_vertices(facets.points, form, monitor);
   for (CanonicalFacets& plane : form.planes) {
     for (auto& loop : plane.loops) rotate_to_smallest(loop);
     std::sort(plane.loops.begin(), plane.loops.end());
@@ -123,8 +127,12 @@ CanonicalForm form_of(FacetsByPlane facets) {
 
 }  // namespace
 
-CanonicalForm canonical_form(const ExactMesh& mesh) { return form_of(facets::facets_by_plane(mesh)); }
+CanonicalForm canonical_form(const ExactMesh& mesh, const Monitor& monitor) {
+  return form_of(facets::facets_by_plane(mesh, monitor), monitor);
+}
 
-CanonicalForm canonical_form(const std::vector<ExactFacet>& facets) { return form_of(facets::facets_by_plane(facets)); }
+CanonicalForm canonical_form(const std::vector<ExactFacet>& facets, const Monitor& monitor) {
+  return form_of(facets::facets_by_plane(facets, monitor), monitor);
+}
 
 }  // namespace strata

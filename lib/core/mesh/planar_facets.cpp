@@ -126,11 +126,12 @@ std::optional<Unoriented> plane_of(const ExactFacet& facet) {
 
 }  // namespace
 
-FacetsByPlane facets_by_plane(const ExactMesh& mesh) {
+FacetsByPlane facets_by_plane(const ExactMesh& mesh, const Monitor& monitor) {
   std::vector<std::uint32_t> name;
-  PointTable points(points_of(mesh), name);
+  PointTable points(points_of(mesh), name, monitor);
   PlaneIndex index;
   for (const Triangle& t : mesh.mesh.triangles) {
+    monitor.check();
     const std::uint32_t a = name[t[0]], b = name[t[1]], c = name[t[2]];
     if (a == b || b == c || c == a) continue;
     const auto key = unoriented(plane_through(points[a], points[b], points[c]));
@@ -141,18 +142,20 @@ FacetsByPlane facets_by_plane(const ExactMesh& mesh) {
   return {std::move(points), std::move(index.planes)};
 }
 
-FacetsByPlane facets_by_plane(const std::vector<ExactFacet>& facets) {
+FacetsByPlane facets_by_plane(const std::vector<ExactFacet>& facets, const Monitor& monitor) {
   std::vector<HPoint<Integer>> all;
   for (const ExactFacet& facet : facets) {
+    monitor.check();
     for (const auto& loop : facet) {
       for (const RationalPoint& p : loop) all.push_back(homogeneous(p));
     }
   }
   std::vector<std::uint32_t> name;
-  PointTable points(std::move(all), name);
+  PointTable points(std::move(all), name, monitor);
   PlaneIndex index;
   auto first = name.begin();
   for (const ExactFacet& facet : facets) {
+    monitor.check();
     const auto key = plane_of(facet);
     for (const auto& loop : facet) {
       const auto n = static_cast<std::ptrdiff_t>(loop.size());

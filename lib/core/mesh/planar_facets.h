@@ -27,9 +27,10 @@ struct FacetsByPlane {
 };
 
 /// Groups facets by their exact plane. Facets of zero area are left out. Expected O(n log n) for sorting the points.
-[[nodiscard]] FacetsByPlane facets_by_plane(const ExactMesh& mesh);
+/// Throws Cancelled.
+[[nodiscard]] FacetsByPlane facets_by_plane(const ExactMesh& mesh, const Monitor& monitor);
 
 /// Throws std::invalid_argument when a facet is not planar.
-[[nodiscard]] FacetsByPlane facets_by_plane(const std::vector<ExactFacet>& facets);
+[[nodiscard]] FacetsByPlane facets_by_plane(const std::vector<ExactFacet>& facets, const Monitor& monitor);
 
 }  // namespace strata::facets

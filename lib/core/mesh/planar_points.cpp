@@ -36,11 +36,14 @@ Integer scaled_integer(double x, int unit) {  // x / 2^unit, where that is an in
   return Integer(static_cast<std::int64_t>(std::ldexp(x, -last))) << (last - unit);
 }
 
-std::vector<std::uint32_t> coordinate_ranks(const std::vector<HPoint<Integer>>& points, int axis) {
+std::vector<std::uint32_t> coordinate_ranks(const std::vector<HPoint<Integer>>& points, int axis,
+                                            const Monitor& monitor) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return compare_coordinate(points[a], points[b], axis) < 0; });
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    monitor.check();
+    return compare_coordinate(points[a], points[b], axis) < 0;
+  });
   std::vector<std::uint32_t> ranks(points.size(), 0);
   for (std::size_t i = 1; i < order.size(); ++i) {
     const bool larger = compare_coordinate(points[order[i - 1]], points[order[i]], axis) < 0;
@@ -65,18 +68,21 @@ std::vector<HPoint<Integer>> homogeneous(std::span<const Vertex> vertices) {
   return points;
 }
 
-PointTable::PointTable(std::vector<HPoint<Integer>> points, std::vector<std::uint32_t>& name_of) {
+PointTable::PointTable(std::vector<HPoint<Integer>> points, std::vector<std::uint32_t>& name_of,
+                       const Monitor& monitor) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return compare_points(points[a], points[b]) < 0; });
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    monitor.check();
+    return compare_points(points[a], points[b]) < 0;
+  });
   name_of.assign(points.size(), 0);
   for (const std::uint32_t i : order) {
     if (points_.empty() || compare_points(points_.back(), points[i]) != 0) points_.push_back(std::move(points[i]));
     name_of[i] = static_cast<std::uint32_t>(points_.size() - 1);
   }
   sorted_ = points_.size();
-  for (int axis = 1; axis < 3; ++axis) ranks_[axis - 1] = coordinate_ranks(points_, axis);
+  for (int axis = 1; axis < 3; ++axis) ranks_[axis - 1] = coordinate_ranks(points_, axis, monitor);
 }
 
 std::uint32_t PointTable::add(HPoint<Integer> p) {

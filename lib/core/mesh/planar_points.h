@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/kernel/rational_point.h"
+#include "strata/monitor.h"
 
 namespace strata::facets {
 
@@ -15,8 +16,8 @@ namespace strata::facets {
 /// as the points do, also along any line. Points added later have larger numbers and are compared exactly.
 class PointTable {
  public:
-  /// Sorts the points; `name_of[i]` becomes the number of points[i]. O(n log n).
-  PointTable(std::vector<HPoint<Integer>> points, std::vector<std::uint32_t>& name_of);
+  /// Sorts the points; `name_of[i]` becomes the number of points[i]. Throws Cancelled. O(n log n).
+  PointTable(std::vector<HPoint<Integer>> points, std::vector<std::uint32_t>& name_of, const Monitor& monitor = {});
 
   std::uint32_t add(HPoint<Integer> p);  ///< a point that may equal one in the table
 

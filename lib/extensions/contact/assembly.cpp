@@ -61,7 +61,7 @@ std::vector<RelatedPair> Assembly::pairs(const Monitor& monitor) const {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size(), 1), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       monitor.check();
-      all[i].relation = relation_of(*parts_, all[i].a, all[i].b);
+      all[i].relation = relation_of(*parts_, all[i].a, all[i].b, monitor);
       progress.done();
     }
   });
@@ -75,21 +75,29 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> Assembly::near_pairs(double
   return overlapping_pairs(boxes);
 }
 
-Relation Assembly::relation(std::uint32_t a, std::uint32_t b) const { return relation_of(*parts_, a, b); }
+Relation Assembly::relation(std::uint32_t a, std::uint32_t b, const Monitor& monitor) const {
+  return relation_of(*parts_, a, b, monitor);
+}
 
-ContactRegion Assembly::contact_region(std::uint32_t a, std::uint32_t b) const { return region_of(*parts_, a, b); }
+ContactRegion Assembly::contact_region(std::uint32_t a, std::uint32_t b, const Monitor& monitor) const {
+  return region_of(*parts_, a, b, monitor);
+}
 
-Solid Assembly::overlap(std::uint32_t a, std::uint32_t b) const {
+Solid Assembly::overlap(std::uint32_t a, std::uint32_t b, const Options& options) const {
   if (parts_->common_box(a, b).empty()) return {};
   try {
-    return part(a) & part(b);
+    return combine_solids(Operation::intersection, {part(a), part(b)}, options);
   } catch (
       const InputError&) {  // a part touches itself inside of a face, which is visible where the other one comes near
-    const auto resolved = [&](std::uint32_t p) { return Solid(part(p).exact_mesh(), InputClass::overlapping); };
-    return resolved(a) & resolved(b);
+    Options overlapping = options;
+    overlapping.input = InputClass::overlapping;
+    const auto resolved = [&](std::uint32_t p) { return Solid(part(p).exact_mesh(), overlapping); };
+    return combine_solids(Operation::intersection, {resolved(a), resolved(b)}, options);
   }
 }
 
-Nearest Assembly::nearest(std::uint32_t a, std::uint32_t b) const { return nearest_of(*parts_, a, b); }
+Nearest Assembly::nearest(std::uint32_t a, std::uint32_t b, const Monitor& monitor) const {
+  return nearest_of(*parts_, a, b, monitor);
+}
 
 }  // namespace strata::contact

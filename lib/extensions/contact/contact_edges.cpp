@@ -94,20 +94,24 @@ Intervals inside_polygons(const BoxedPolygons& polygons, const Line& line, const
 
 }  // namespace
 
-std::vector<RationalSegment> contact_edges(const SharedPieces& pieces) {
+std::vector<RationalSegment> contact_edges(const SharedPieces& pieces, const Monitor& monitor) {
   std::map<Line, OnLine> lines;
   const Places& places = pieces.places;
   for (const auto& [p, q] : pieces.segments) {
+    monitor.check();
     const Line line(places[p], places[q]);
     lines[line].all.push_back(line.between(places[p], places[q]));
   }
   if (lines.empty()) return {};
-  for (const auto& [p, q] : pieces.sides)
+  for (const auto& [p, q] : pieces.sides) {
+    monitor.check();
     if (const auto at = lines.find(Line(places[p], places[q])); at != lines.end())
       at->second.taken.push_back(at->first.between(places[p], places[q]));
+  }
   const BoxedPolygons polygons(pieces);
   std::vector<RationalSegment> edges;
   for (const auto& [line, intervals] : lines) {
+    monitor.check();
     const Intervals beside_sides = without(intervals.all, intervals.taken);
     for (const auto& [from, to] : without(beside_sides, inside_polygons(polygons, line, beside_sides)))
       edges.push_back({line.at(from), line.at(to)});
@@ -116,11 +120,13 @@ std::vector<RationalSegment> contact_edges(const SharedPieces& pieces) {
   return edges;
 }
 
-std::vector<RationalPoint> isolated_points(const SharedPieces& pieces, const std::vector<RationalSegment>& edges) {
+std::vector<RationalPoint> isolated_points(const SharedPieces& pieces, const std::vector<RationalSegment>& edges,
+                                           const Monitor& monitor) {
   std::vector<RationalPoint> isolated;
   if (pieces.points.empty()) return isolated;
   const BoxedPolygons polygons(pieces);
   for (const std::uint32_t n : pieces.points) {
+    monitor.check();
     const RationalPoint& p = pieces.places[n];
     if (std::any_of(edges.begin(), edges.end(), [&](const RationalSegment& e) { return is_on(e, p); })) continue;
     const bool is_free = polygons.for_each_near(box_of(p, p), [&](const ConvexPolygon& q) { return !q.has(p); });

@@ -9,11 +9,12 @@ namespace strata::contact {
 using RationalSegment = std::array<RationalPoint, 2>;
 
 /// Maximal segments of the segments that faces share, without the closures of the polygons; ends in lexicographic
-/// order.
-[[nodiscard]] std::vector<RationalSegment> contact_edges(const SharedPieces& pieces);
+/// order. Throws Cancelled.
+[[nodiscard]] std::vector<RationalSegment> contact_edges(const SharedPieces& pieces, const Monitor& monitor);
 
-/// Positions of the points that are on no polygon and no segment of a list.
+/// Positions of the points that are on no polygon and no segment of a list. Throws Cancelled.
 [[nodiscard]] std::vector<RationalPoint> isolated_points(const SharedPieces& pieces,
-                                                         const std::vector<RationalSegment>& edges);
+                                                         const std::vector<RationalSegment>& edges,
+                                                         const Monitor& monitor);
 
 }  // namespace strata::contact

@@ -19,10 +19,14 @@ class Nesting {
     for (const Loop& loop : plane.loops) (height(area_vector(loop)) > 0 ? outer_ : holes_).push_back(&loop);
   }
 
-  void add_facets(std::vector<ContactFacet>& facets) const {
+  void add_facets(std::vector<ContactFacet>& facets, const Monitor& monitor) const {
     std::vector<std::vector<const Loop*>> holes_of(outer_.size());
-    for (const Loop* hole : holes_) holes_of[around(*hole)].push_back(hole);
+    for (const Loop* hole : holes_) {
+      monitor.check();
+      holes_of[around(*hole)].push_back(hole);
+    }
     for (std::size_t n = 0; n < outer_.size(); ++n) {
+      monitor.check();
       ContactFacet& facet = facets.emplace_back();
       facet.plane = plane_.plane;
       facet.loops.push_back(*outer_[n]);
@@ -89,16 +93,17 @@ class Nesting {
 
 }  // namespace
 
-ContactFacets contact_facets(const SharedPieces& pieces) {
+ContactFacets contact_facets(const SharedPieces& pieces, const Monitor& monitor) {
   std::vector<ExactFacet> polygons;
   polygons.reserve(pieces.polygons.size());
   for (const auto& polygon : pieces.polygons) {
+    monitor.check();
     auto& corners = polygons.emplace_back().emplace_back();
     for (const std::uint32_t n : polygon) corners.push_back(pieces.places[n]);
   }
-  CanonicalForm form = canonical_form(polygons);
+  CanonicalForm form = canonical_form(polygons, monitor);
   ContactFacets result;
-  for (const CanonicalFacets& plane : form.planes) Nesting(form.vertices, plane).add_facets(result.facets);
+  for (const CanonicalFacets& plane : form.planes) Nesting(form.vertices, plane).add_facets(result.facets, monitor);
   result.points = std::move(form.vertices);
   return result;
 }

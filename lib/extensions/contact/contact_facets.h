@@ -3,6 +3,7 @@
 
 #include "extensions/contact/region.h"
 #include "extensions/contact/shared_pieces.h"
+#include "strata/monitor.h"
 
 namespace strata::contact {
 
@@ -12,6 +13,7 @@ struct ContactFacets {
   std::vector<ContactFacet> facets;
 };
 
-[[nodiscard]] ContactFacets contact_facets(const SharedPieces& pieces);
+/// Throws Cancelled.
+[[nodiscard]] ContactFacets contact_facets(const SharedPieces& pieces, const Monitor& monitor);
 
 }  // namespace strata::contact

@@ -45,13 +45,15 @@ void InteriorSides::note_faces(std::uint32_t f, std::uint32_t g) {
   surfaces_[1].has_face_on[g - parts_.input().first_face(surfaces_[1].part)] = true;
 }
 
-bool InteriorSides::show_interference() const {
-  return has_interior_side_inside(surfaces_[0], surfaces_[1]) || has_interior_side_inside(surfaces_[1], surfaces_[0]);
+bool InteriorSides::show_interference(const Monitor& monitor) const {
+  return has_interior_side_inside(surfaces_[0], surfaces_[1], monitor) ||
+         has_interior_side_inside(surfaces_[1], surfaces_[0], monitor);
 }
 
 /// Vertices that are not on the other surface connect the faces around them: there the interior sides are where the
 /// vertex is.
-bool InteriorSides::has_interior_side_inside(const Surface& surface, const Surface& other) const {
+bool InteriorSides::has_interior_side_inside(const Surface& surface, const Surface& other,
+                                             const Monitor& monitor) const {
   const InputComplex& input = parts_.input();
   const auto points = input.points(surface.part);
   const auto faces = input.faces(surface.part);
@@ -69,6 +71,7 @@ bool InteriorSides::has_interior_side_inside(const Surface& surface, const Surfa
   for (std::uint32_t v = 0; v < points.size(); ++v)
     if (!surface.has_vertex_on[v] && is_far(v)) is_known[sets.find(v)] = true;
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    monitor.check();
     const auto& face = faces[f];
     const auto is_free = [&](std::uint32_t v) { return !surface.has_vertex_on[v]; };
     const auto free = std::find_if(face.begin(), face.end(), is_free);

@@ -5,6 +5,7 @@
 
 #include "core/overlap/constraint.h"
 #include "extensions/contact/parts.h"
+#include "strata/monitor.h"
 
 namespace strata::contact {
 
@@ -24,8 +25,9 @@ class InteriorSides {
   void note_coincident_faces(std::uint32_t f, std::uint32_t g);
 
   /// True when the interiors of the parts meet. Requires that all intersections of their faces have been recorded. O(n
-  /// log n), and one membership test for each component into which the recorded facts divide the surfaces.
-  [[nodiscard]] bool show_interference() const;
+  /// log n), and one membership test for each component into which the recorded facts divide the surfaces. Throws
+  /// Cancelled.
+  [[nodiscard]] bool show_interference(const Monitor& monitor) const;
 
  private:
   /// A part's surface, by local numbers.
@@ -38,7 +40,8 @@ class InteriorSides {
 
   void note_vertex(std::uint32_t vertex);
   void note_faces(std::uint32_t f, std::uint32_t g);
-  [[nodiscard]] bool has_interior_side_inside(const Surface& surface, const Surface& other) const;
+  [[nodiscard]] bool has_interior_side_inside(const Surface& surface, const Surface& other,
+                                              const Monitor& monitor) const;
   [[nodiscard]] bool is_interior_side_inside(std::uint32_t face, std::uint32_t other) const;
 
   const Parts& parts_;

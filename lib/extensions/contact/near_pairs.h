@@ -8,6 +8,7 @@
 #include "core/overlap/filtered_face.h"
 #include "core/overlap/meeting.h"
 #include "extensions/contact/parts.h"
+#include "strata/monitor.h"
 
 namespace strata::contact {
 
@@ -43,13 +44,15 @@ class LeafFaces {
 
 /// Calls `visit(f, g, intersections)` for all faces f of part a and g of part b that share a point, but for those of
 /// which `skip(f, g)` holds, with what `meet_faces` says about them alone; ends, and returns false, when `visit` does.
-/// Always in the same order.
+/// Always in the same order. Throws Cancelled.
 template <class Skip, class Visit>
-bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Skip& skip, const Visit& visit) {
+bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Monitor& monitor, const Skip& skip,
+                      const Visit& visit) {
   const InputComplex& input = parts.input();
   const BoxTree &tree_a = parts.tree(a), &tree_b = parts.tree(b);
   PairIntersections intersections;
   return for_each_near_leaves(tree_a, tree_b, [&](BoxTree::Branch m, BoxTree::Branch n) {
+    monitor.check();
     LeafFaces of_a(input, a, tree_a, m, tree_b.box(n));
     if (of_a.size() == 0) return true;
     LeafFaces of_b(input, b, tree_b, n, tree_a.box(m));
@@ -69,9 +72,10 @@ bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, cons
 
 /// The same for all faces that share a point.
 template <class Visit>
-bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Visit& visit) {
+bool for_each_meeting(const Parts& parts, std::uint32_t a, std::uint32_t b, const Monitor& monitor,
+                      const Visit& visit) {
   return for_each_meeting(
-      parts, a, b, [](std::uint32_t, std::uint32_t) { return false; }, visit);
+      parts, a, b, monitor, [](std::uint32_t, std::uint32_t) { return false; }, visit);
 }
 
 }  // namespace strata::contact

@@ -37,7 +37,7 @@ void make_local(MeshFeature& feature, std::uint32_t first) {
 
 }  // namespace
 
-Nearest nearest_of(const Parts& parts, std::uint32_t a, std::uint32_t b) {
+Nearest nearest_of(const Parts& parts, std::uint32_t a, std::uint32_t b, const Monitor& monitor) {
   const BoxTree &tree_a = parts.tree(a), &tree_b = parts.tree(b);
   if (tree_a.empty() || tree_b.empty()) throw std::invalid_argument("an empty part has no distance from another");
   NearestCandidates candidates(parts.input());
@@ -48,6 +48,7 @@ Nearest nearest_of(const Parts& parts, std::uint32_t a, std::uint32_t b) {
   };
   add(tree_a.root(), tree_b.root());
   while (!waiting.empty() && waiting.top().half_distance <= candidates.half_bound()) {
+    monitor.check();
     const NearBranches next = waiting.top();
     waiting.pop();
     if (tree_a.is_leaf(next.a) && tree_b.is_leaf(next.b)) {

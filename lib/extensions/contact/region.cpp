@@ -34,12 +34,12 @@ double ContactRegion::length() const {
   return sum;
 }
 
-ContactRegion region_of(const Parts& parts, std::uint32_t a, std::uint32_t b) {
+ContactRegion region_of(const Parts& parts, std::uint32_t a, std::uint32_t b, const Monitor& monitor) {
   if (parts.common_box(a, b).empty()) return {};
-  const SharedPieces pieces = shared_pieces(parts, a, b);
-  ContactFacets faces = contact_facets(pieces);
-  const std::vector<RationalSegment> edges = contact_edges(pieces);
-  const std::vector<RationalPoint> isolated = isolated_points(pieces, edges);
+  const SharedPieces pieces = shared_pieces(parts, a, b, monitor);
+  ContactFacets faces = contact_facets(pieces, monitor);
+  const std::vector<RationalSegment> edges = contact_edges(pieces, monitor);
+  const std::vector<RationalPoint> isolated = isolated_points(pieces, edges, monitor);
 
   ContactRegion region;
   region.points = faces.points;

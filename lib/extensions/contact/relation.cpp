@@ -20,8 +20,8 @@ namespace {
 /// The decision about two parts, from pairs of faces that meet, one after the other.
 class Inquiry {
  public:
-  Inquiry(const Parts& parts, std::uint32_t a, std::uint32_t b)
-      : parts_(parts), a_(a), b_(b), are_beside_(parts.are_beside(a, b)) {}
+  Inquiry(const Parts& parts, std::uint32_t a, std::uint32_t b, const Monitor& monitor)
+      : parts_(parts), a_(a), b_(b), monitor_(monitor), are_beside_(parts.are_beside(a, b)) {}
 
   /// Nullopt where faces would prove interference if their parts had no other faces there, and no others do prove it.
   std::optional<Relation> find() {
@@ -30,10 +30,10 @@ class Inquiry {
       look_at(f, g, m);
       return !is_decided_;
     };
-    const bool is_open = for_each_meeting(parts_, a_, b_, skip, visit);
+    const bool is_open = for_each_meeting(parts_, a_, b_, monitor_, skip, visit);
     if (!is_open) return relation_;
     if (is_doubtful_) return std::nullopt;
-    const bool do_interfere = interior_sides_ ? interior_sides_->show_interference()
+    const bool do_interfere = interior_sides_ ? interior_sides_->show_interference(monitor_)
                                               : parts_.has_piece_inside(a_, b_) || parts_.has_piece_inside(b_, a_);
     return do_interfere ? Relation::interfering : relation_;
   }
@@ -69,6 +69,7 @@ class Inquiry {
     coincident_.emplace(parts_, a_, b_);
     const InputComplex& input = parts_.input();
     for (const Twins::Pair& pair : coincident_->pairs()) {
+      monitor_.check();
       if (pair.look_the_same_way) {
         CommonPoints corners;
         for (const std::uint32_t v : input.face(pair.f)) corners.push_back(SymbolicPoint::input(v));
@@ -99,6 +100,7 @@ class Inquiry {
   static constexpr int many = 32;
   const Parts& parts_;
   std::uint32_t a_, b_;
+  const Monitor& monitor_;
   bool are_beside_;
   Relation relation_ = Relation::apart;
   bool is_decided_ = false;
@@ -111,12 +113,12 @@ class Inquiry {
 
 }  // namespace
 
-Relation relation_of(const Parts& parts, std::uint32_t a, std::uint32_t b) {
+Relation relation_of(const Parts& parts, std::uint32_t a, std::uint32_t b, const Monitor& monitor) {
   if (parts.common_box(a, b).empty()) return Relation::apart;
-  if (const auto relation = Inquiry(parts, a, b).find()) return *relation;
+  if (const auto relation = Inquiry(parts, a, b, monitor).find()) return *relation;
   const Solid resolved[] = {Solid(parts.solid(a).exact_mesh(), InputClass::overlapping),
                             Solid(parts.solid(b).exact_mesh(), InputClass::overlapping)};
-  if (const auto relation = Inquiry(Parts(resolved), 0, 1).find()) return *relation;
+  if (const auto relation = Inquiry(Parts(resolved), 0, 1, monitor).find()) return *relation;
   throw LogicError("faces of a resolved solid lie on one another");
 }
 

@@ -23,11 +23,11 @@ void sort_around(const InputComplex& input, const Places& places, std::uint32_t 
 
 }  // namespace
 
-SharedPieces shared_pieces(const Parts& parts, std::uint32_t a, std::uint32_t b) {
+SharedPieces shared_pieces(const Parts& parts, std::uint32_t a, std::uint32_t b, const Monitor& monitor) {
   const InputComplex& input = parts.input();
   SharedPieces pieces{Places(input), {}, {}, {}, {}};
   std::set<std::uint32_t> corners;
-  for_each_meeting(parts, a, b,
+  for_each_meeting(parts, a, b, monitor,
                    [&](const FilteredFace& f, const FilteredFace&, const PairIntersections& intersections) {
                      SharedPieces::Polygon shared;
                      for (const SymbolicPoint& name : common_points(input, intersections))

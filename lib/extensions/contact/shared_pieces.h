@@ -22,6 +22,7 @@ struct SharedPieces {
   std::set<Segment> sides;         ///< of polygons
 };
 
-[[nodiscard]] SharedPieces shared_pieces(const Parts& parts, std::uint32_t a, std::uint32_t b);
+/// Throws Cancelled.
+[[nodiscard]] SharedPieces shared_pieces(const Parts& parts, std::uint32_t a, std::uint32_t b, const Monitor& monitor);
 
 }  // namespace strata::contact

@@ -91,12 +91,14 @@ void sort_by_place(const PointCloud& cloud, std::vector<std::uint32_t>& points) 
 
 }  // namespace
 
-std::vector<std::uint32_t> candidates(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simplex) {
+std::vector<std::uint32_t> candidates(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simplex,
+                                      const Monitor& monitor) {
   Quickhull inner(cloud, simplex);
-  inner.add(far_points(cloud));
+  inner.add(far_points(cloud), monitor);
   const Sieve sieve(cloud, inner.planes());
   std::vector<std::vector<std::uint32_t>> outside((cloud.size() + block - 1) / block);
   tbb::parallel_for(std::size_t{0}, outside.size(), [&](std::size_t i) {
+    monitor.check();
     const auto begin = static_cast<std::uint32_t>(i) * block;
     sieve.append_outside(begin, std::min(begin + block, cloud.size()), outside[i]);
   });

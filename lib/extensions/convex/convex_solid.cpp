@@ -24,12 +24,13 @@ bool is_connected(const Surface& surface) {
 }
 
 /// The boundary loops of the facets that faces in one plane form: from every corner to the next.
-std::vector<Loop> facets_of(const Surface& surface, const std::vector<signed char>& bend) {
+std::vector<Loop> facets_of(const Surface& surface, const std::vector<signed char>& bend, const Monitor& monitor) {
   DisjointSets<std::uint32_t> planes(surface.faces.size());
   for (std::size_t e = 0; e < bend.size(); ++e)
     if (bend[e] == 0) planes.unite(surface.edges[e].left, surface.edges[e].right);
   std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> next;  // per plane
   for (std::size_t e = 0; e < bend.size(); ++e) {
+    monitor.check();
     if (bend[e] == 0) continue;
     const SurfaceEdge& edge = surface.edges[e];
     next[planes.find(edge.left)][edge.from] = edge.to;
@@ -56,13 +57,16 @@ void drop_straight_corners(Loop& loop, const LatticePoints& lattice) {
 }
 
 /// The polytope of the vertices that facets have, in lexicographic order.
-Polytope in_order(const Surface& surface, std::vector<Loop> loops, const LatticePoints& lattice) {
+Polytope in_order(const Surface& surface, std::vector<Loop> loops, const LatticePoints& lattice,
+                  const Monitor& monitor) {
   std::vector<std::uint32_t> used;
   for (const Loop& loop : loops) used.insert(used.end(), loop.begin(), loop.end());
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  std::sort(used.begin(), used.end(),
-            [&](std::uint32_t v, std::uint32_t w) { return lattice.points[v] < lattice.points[w]; });
+  std::sort(used.begin(), used.end(), [&](std::uint32_t v, std::uint32_t w) {
+    monitor.check();
+    return lattice.points[v] < lattice.points[w];
+  });
   std::vector<std::uint32_t> number(lattice.points.size());
   Polytope result;
   result.dimension = 3;
@@ -91,24 +95,30 @@ bool is_surely_reflex(const Surface& surface, const SurfaceEdge& edge) {
 }
 
 template <class N>
-std::optional<Polytope> convex_solid_on(const Surface& surface, const LatticePoints& lattice) {
-  const auto bend = directions_of<N>(surface, lattice).bend;
+std::optional<Polytope> convex_solid_on(const Surface& surface, const LatticePoints& lattice, const Monitor& monitor) {
+  const auto bend = directions_of<N>(surface, lattice, monitor).bend;
   if (std::any_of(bend.begin(), bend.end(), [](signed char b) { return b < 0; })) return std::nullopt;
-  std::vector<Loop> loops = facets_of(surface, bend);
-  for (Loop& loop : loops) drop_straight_corners(loop, lattice);
-  return in_order(surface, std::move(loops), lattice);
+  std::vector<Loop> loops = facets_of(surface, bend, monitor);
+  for (Loop& loop : loops) {
+    monitor.check();
+    drop_straight_corners(loop, lattice);
+  }
+  return in_order(surface, std::move(loops), lattice, monitor);
 }
 
 }  // namespace
 
-std::optional<Polytope> convex_solid(const Surface& surface) {
-  const auto is_reflex = [&](const SurfaceEdge& edge) { return is_surely_reflex(surface, edge); };
+std::optional<Polytope> convex_solid(const Surface& surface, const Monitor& monitor) {
+  const auto is_reflex = [&](const SurfaceEdge& edge) {
+    monitor.check();
+    return is_surely_reflex(surface, edge);
+  };
   if (std::any_of(surface.edges.begin(), surface.edges.end(), is_reflex) || !is_connected(surface)) return std::nullopt;
-  const LatticePoints lattice = lattice_points(surface.points);
+  const LatticePoints lattice = lattice_points(surface.points, monitor);
   const int bits = 3 * lattice.bits + 7;
-  if (bits <= 128) return convex_solid_on<__int128>(surface, lattice);
-  if (bits <= 256) return convex_solid_on<WideInt<4>>(surface, lattice);
-  return convex_solid_on<Integer>(surface, lattice);
+  if (bits <= 128) return convex_solid_on<__int128>(surface, lattice, monitor);
+  if (bits <= 256) return convex_solid_on<WideInt<4>>(surface, lattice, monitor);
+  return convex_solid_on<Integer>(surface, lattice, monitor);
 }
 
 }  // namespace strata::convex

@@ -13,15 +13,17 @@ int bits_of(const std::vector<Triple<Integer>>& points) {
 }
 
 /// Rationals over their common denominator.
-LatticePoints by_denominator(ExactMeshView view) {
+LatticePoints by_denominator(ExactMeshView view, const Monitor& monitor) {
   std::vector<RationalPoint> places;
   Integer unit = 1;
   for (std::uint32_t v = 0; v < view.mesh.vertices.size(); ++v) {
+    monitor.check();
     places.push_back(view.position(v));
     for (const Rational& x : places.back()) unit = lcm(unit, denominator(x));
   }
   LatticePoints result;
   for (const RationalPoint& p : places) {
+    monitor.check();
     Triple<Integer> q;
     for (std::size_t i = 0; i < 3; ++i) q[i] = numerator(p[i]) * (unit / denominator(p[i]));
     result.points.push_back(std::move(q));
@@ -56,26 +58,31 @@ std::vector<Triple<N>> narrowed_points(const LatticePoints& lattice) {
 
 }  // namespace
 
-LatticePoints lattice_points(ExactMeshView view) {
-  if (!view.exact.empty()) return by_denominator(view);
+LatticePoints lattice_points(ExactMeshView view, const Monitor& monitor) {
+  if (!view.exact.empty()) return by_denominator(view, monitor);
   Lattice lattice;
   for (const Vertex& v : view.mesh.vertices)
     for (const double x : v) lattice.add(x);
   LatticePoints result;
-  for (const Vertex& v : view.mesh.vertices)
+  for (const Vertex& v : view.mesh.vertices) {
+    monitor.check();
     result.points.push_back(
         {lattice.integer<Integer>(v[0]), lattice.integer<Integer>(v[1]), lattice.integer<Integer>(v[2])});
+  }
   result.bits = lattice.bits();
   return result;
 }
 
 template <class N>
-Directions<N> directions_of(const Surface& surface, const LatticePoints& lattice) {
+Directions<N> directions_of(const Surface& surface, const LatticePoints& lattice, const Monitor& monitor) {
   const std::vector<Triple<N>> points = narrowed_points<N>(lattice);
   Directions<N> result;
-  for (const auto& loop : surface.faces)
+  for (const auto& loop : surface.faces) {
+    monitor.check();
     result.normals.add(cross(minus(points[loop[1]], points[loop[0]]), minus(points[loop[2]], points[loop[0]])));
+  }
   for (const SurfaceEdge& e : surface.edges) {
+    monitor.check();
     result.edges.add(minus(points[e.to], points[e.from]));
     if (e.left == Surface::no_face) {
       result.bend.push_back(1);
@@ -89,8 +96,8 @@ Directions<N> directions_of(const Surface& surface, const LatticePoints& lattice
   return result;
 }
 
-template Directions<__int128> directions_of(const Surface&, const LatticePoints&);
-template Directions<WideInt<4>> directions_of(const Surface&, const LatticePoints&);
-template Directions<Integer> directions_of(const Surface&, const LatticePoints&);
+template Directions<__int128> directions_of(const Surface&, const LatticePoints&, const Monitor&);
+template Directions<WideInt<4>> directions_of(const Surface&, const LatticePoints&, const Monitor&);
+template Directions<Integer> directions_of(const Surface&, const LatticePoints&, const Monitor&);
 
 }  // namespace strata::convex

@@ -110,14 +110,15 @@ struct LatticePoints {
   int bits = 1;
 };
 
-/// O(n), with rational arithmetic where there are rationals.
-[[nodiscard]] LatticePoints lattice_points(ExactMeshView points);
+/// O(n), with rational arithmetic where there are rationals. Throws Cancelled.
+[[nodiscard]] LatticePoints lattice_points(ExactMeshView points, const Monitor& monitor = {});
 
+/// O(n). Throws Cancelled.
 template <class N>
-[[nodiscard]] Directions<N> directions_of(const Surface& surface, const LatticePoints& lattice);
+[[nodiscard]] Directions<N> directions_of(const Surface& surface, const LatticePoints& lattice, const Monitor& monitor);
 
-extern template Directions<__int128> directions_of(const Surface&, const LatticePoints&);
-extern template Directions<WideInt<4>> directions_of(const Surface&, const LatticePoints&);
-extern template Directions<Integer> directions_of(const Surface&, const LatticePoints&);
+extern template Directions<__int128> directions_of(const Surface&, const LatticePoints&, const Monitor&);
+extern template Directions<WideInt<4>> directions_of(const Surface&, const LatticePoints&, const Monitor&);
+extern template Directions<Integer> directions_of(const Surface&, const LatticePoints&, const Monitor&);
 
 }  // namespace strata::convex

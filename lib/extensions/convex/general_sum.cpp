@@ -56,7 +56,7 @@ ExactMesh outer_boundary(const ExactMesh& touching, const Operands& operands, co
   Subdivision subdivision = subdivide(input, intersect(candidates, monitor), classifier, monitor);
   std::vector<Verdict> verdicts = label(input, subdivision, classifier, monitor);
   const SumMembership membership(operands.a.mesh, operands.a.surface, operands.solid_b, operands.of_b,
-                                 operands.polytope_b);
+                                 operands.polytope_b, monitor);
   const PointTable& points = subdivision.points;
   keep_outer_pieces(
       input, verdicts, subdivision,
@@ -94,7 +94,7 @@ Solid general_sum(const SolidSurface& a, const SolidSurface& b, const Options& o
 }
 
 Solid general_sum(const SolidSurface& a, const Polytope& b, const Options& options) {
-  return sum_of({a, nullptr, &b, surface_of(b)}, options);
+  return sum_of({a, nullptr, &b, surface_of(b, Monitor(options.cancel))}, options);
 }
 
 }  // namespace strata::convex

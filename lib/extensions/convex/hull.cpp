@@ -82,11 +82,12 @@ Polytope polygon(const PointCloud& cloud, const std::vector<std::uint32_t>& span
   return result;
 }
 
-Polytope solid(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simplex) {
+Polytope solid(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simplex, const Monitor& monitor) {
   Quickhull hull(cloud, simplex);
   std::vector<std::uint32_t> points(cloud.size());
   std::iota(points.begin(), points.end(), 0);
-  hull.add(points);
+  hull.add(points, monitor);
+  monitor.check();
   Loops loops = maximal_facets(hull, cloud.size());
   std::vector<std::uint32_t> number(cloud.size());
   Polytope result = with_vertices(cloud, corners_of(loops, cloud.size()), number);
@@ -96,24 +97,25 @@ Polytope solid(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simp
 }
 
 /// The same, using only the points that may be extreme.
-Polytope solid_of_many(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simplex) {
+Polytope solid_of_many(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simplex, const Monitor& monitor) {
   ExactMesh chosen;
-  for (const std::uint32_t p : candidates(cloud, simplex)) {
+  for (const std::uint32_t p : candidates(cloud, simplex, monitor)) {
     if (const RationalPoint* place = cloud.exact(p))
       chosen.exact.push_back({static_cast<std::uint32_t>(chosen.mesh.vertices.size()), *place});
     chosen.mesh.vertices.push_back(cloud.at(p));
   }
-  return solid(PointCloud(chosen), {0, 1, 2, 3});
+  return solid(PointCloud(chosen), {0, 1, 2, 3}, monitor);
 }
 
-Polytope hull_of(const PointCloud& cloud) {
+Polytope hull_of(const PointCloud& cloud, const Monitor& monitor) {
+  monitor.check();
   const std::vector<std::uint32_t> span = affine_span(cloud);
   std::vector<std::uint32_t> number(cloud.size());
   constexpr std::uint32_t many = 2000;
   Polytope result;
   if (span.size() == 4) {
     const std::array<std::uint32_t, 4> simplex{span[0], span[1], span[2], span[3]};
-    result = cloud.size() < many ? solid(cloud, simplex) : solid_of_many(cloud, simplex);
+    result = cloud.size() < many ? solid(cloud, simplex, monitor) : solid_of_many(cloud, simplex, monitor);
   } else {
     result = span.size() == 3 ? polygon(cloud, span) : with_vertices(cloud, span, number);
   }
@@ -123,19 +125,23 @@ Polytope hull_of(const PointCloud& cloud) {
 
 }  // namespace
 
-Polytope convex_hull(ExactMeshView points, unsigned threads) {
+Polytope convex_hull(ExactMeshView points, unsigned threads, const Monitor& monitor) {
+  monitor.check();
   Polytope result;
-  arena_for({.threads = threads}, points.mesh.vertices.size()).execute([&] { result = hull_of(PointCloud(points)); });
+  arena_for({.threads = threads}, points.mesh.vertices.size()).execute([&] {
+    result = hull_of(PointCloud(points), monitor);
+  });
   return result;
 }
 
-Polytope convex_hull(std::span<const Vertex> points, unsigned threads) {
-  return convex_hull(ExactMeshView(MeshView(points, {}), {}), threads);
+Polytope convex_hull(std::span<const Vertex> points, unsigned threads, const Monitor& monitor) {
+  return convex_hull(ExactMeshView(MeshView(points, {}), {}), threads, monitor);
 }
 
-Polytope convex_hull(std::span<const Solid> solids, unsigned threads) {
+Polytope convex_hull(std::span<const Solid> solids, unsigned threads, const Monitor& monitor) {
   ExactMesh all;
   for (const Solid& s : solids) {
+    monitor.check();
     const ExactMesh& mesh = s.exact_mesh();
     std::vector<bool> used(mesh.mesh.vertices.size(), false);
     for (const Triangle& t : mesh.mesh.triangles)
@@ -149,7 +155,7 @@ Polytope convex_hull(std::span<const Solid> solids, unsigned threads) {
       all.mesh.vertices.push_back(mesh.mesh.vertices[v]);
     }
   }
-  return convex_hull(all, threads);
+  return convex_hull(all, threads, monitor);
 }
 
 Solid solid_of(const Polytope& polytope) { return Solid::trusted(mesh_of(polytope)); }

@@ -47,12 +47,14 @@ Vertex nearest(const RationalPoint& p) {
 }
 
 /// The vertices of every connected component of a surface.
-std::vector<std::vector<RationalPoint>> parts_of(const Surface& surface) {
+std::vector<std::vector<RationalPoint>> parts_of(const Surface& surface, const Monitor& monitor) {
   DisjointSets<std::uint32_t> parts(surface.fans.size());
   for (const SurfaceEdge& e : surface.edges) parts.unite(e.fans[0], e.fans[1]);
   std::vector<std::vector<RationalPoint>> all(surface.fans.size());
-  for (std::uint32_t i = 0; i < surface.fans.size(); ++i)
+  for (std::uint32_t i = 0; i < surface.fans.size(); ++i) {
+    monitor.check();
     all[parts.find(i)].push_back(surface.points.position(surface.fans[i].vertex));
+  }
   std::erase_if(all, [](const auto& part) { return part.empty(); });
   return all;
 }
@@ -165,13 +167,14 @@ Polytope triangle_polytope(ExactMeshView mesh, const Triangle& triangle) {
   return result;
 }
 
-TriangleBoxes::TriangleBoxes(const Mesh& mesh) {
+TriangleBoxes::TriangleBoxes(const Mesh& mesh, const Monitor& monitor) {
   boxes_.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
     Box& box = boxes_.emplace_back();
     for (const std::uint32_t v : t) box.include(bounds_of(mesh.vertices[v]));
   }
   tree_ = BoxTree::by_surface_area(static_cast<std::uint32_t>(boxes_.size()), [&](std::span<const std::uint32_t> some) {
+    monitor.check();
     Box box;
     for (const std::uint32_t t : some) box.include(boxes_[t]);
     return box;
@@ -179,15 +182,16 @@ TriangleBoxes::TriangleBoxes(const Mesh& mesh) {
 }
 
 SumMembership::SumMembership(const ExactMesh& a, const Surface& of_a, const ExactMesh* b, const Surface& of_b,
-                             const Polytope* whole_b)
+                             const Polytope* whole_b, const Monitor& monitor)
     : a_(a),
       b_(b),
       whole_b_(whole_b),
-      triangles_of_a_(a.mesh),
-      parts_of_a_(parts_of(of_a)),
-      parts_of_b_(parts_of(of_b)) {
+      monitor_(monitor),
+      triangles_of_a_(a.mesh, monitor),
+      parts_of_a_(parts_of(of_a, monitor)),
+      parts_of_b_(parts_of(of_b, monitor)) {
   if (b != nullptr) {
-    triangles_of_b_ = TriangleBoxes(b->mesh);
+    triangles_of_b_ = TriangleBoxes(b->mesh, monitor);
   } else {
     set_b_ = approximate(*whole_b);
     for (const Vertex& v : whole_b->vertices) bounds_of_b_.include(bounds_of(v));
@@ -201,6 +205,7 @@ Side SumMembership::side(const NearPoint& point) const {
   const auto holds = [&](const ExactMesh& solid, const TriangleBoxes& triangles,
                          const std::vector<std::vector<RationalPoint>>& parts) {
     for (const auto& part : parts) {
+      monitor_.check();
       Side side = Side::unknown;
       for (std::size_t i = 0; i < part.size() && side == Side::unknown; ++i)
         side = side_of_solid(solid, triangles, {minus(point.p, part[i]), point.n});
@@ -220,6 +225,7 @@ Side SumMembership::side_of_boundaries(const NearPoint& point) const {
   if (b_ == nullptr) return side_of_sums(point, near, bounds_of_b_, *set_b_, [&] { return *whole_b_; });
   bool unknown = false;
   for (std::size_t j = 0; j < b_->mesh.triangles.size(); ++j) {
+    monitor_.check();
     const Triangle& t = b_->mesh.triangles[j];
     const Side side = side_of_sums(point, near, triangles_of_b_[j], approximate(b_->mesh, t),
                                    [&] { return triangle_polytope(*b_, t); });
@@ -236,10 +242,11 @@ Side SumMembership::side_of_sums(const NearPoint& point, const Vertex& near, con
   bool unknown = false;
   const bool is_out =
       triangles_of_a_.for_each_overlapping(minus(bounds_of(near), bounds_of_b), [&](std::uint32_t number) {
+        monitor_.check();
         const Triangle& t = a_.mesh.triangles[number];
         if (sum_misses(approximate(a_.mesh, t), set_b, near)) return true;
         if (!of_b) of_b = piece_of_b();
-        const Side side = side_of(sum(triangle_polytope(a_, t), *of_b), point);
+        const Side side = side_of(sum(triangle_polytope(a_, t), *of_b, monitor_), point);
         unknown |= side == Side::unknown;
         return side != Side::in;
       });

@@ -10,6 +10,7 @@
 #include "extensions/convex/surface.h"
 #include "strata/convex.h"
 #include "strata/mesh.h"
+#include "strata/monitor.h"
 #include "strata/rational.h"
 
 namespace strata::convex {
@@ -33,8 +34,8 @@ enum class Side { out, in, unknown };
 class TriangleBoxes {
  public:
   TriangleBoxes() = default;
-  /// O(n log n).
-  explicit TriangleBoxes(const Mesh& mesh);
+  /// O(n log n). Throws Cancelled.
+  TriangleBoxes(const Mesh& mesh, const Monitor& monitor);
 
   [[nodiscard]] const Box& operator[](std::size_t triangle) const { return boxes_[triangle]; }
   /// Calls `visit(triangle)` for every box that overlaps `range` until it returns false; false if it did. The order is
@@ -53,9 +54,10 @@ class TriangleBoxes {
 /// if A meets x - B. Then their boundaries meet, or one contains a component of the other.
 class SumMembership {
  public:
-  /// `b` is a solid, or null where the second operand is a polytope. The arguments must outlive it.
+  /// `b` is a solid, or null where the second operand is a polytope. The arguments must outlive it. It and `side` throw
+  /// Cancelled.
   SumMembership(const ExactMesh& a, const Surface& of_a, const ExactMesh* b, const Surface& of_b,
-                const Polytope* whole_b);
+                const Polytope* whole_b, const Monitor& monitor);
 
   /// Exact. Where boxes overlap little, O(m log n + sums of pieces near the point) for m triangles of b, or for m = 1
   /// where b is a polytope, and as much for every component of an operand.
@@ -70,6 +72,7 @@ class SumMembership {
   const ExactMesh& a_;
   const ExactMesh* b_;
   const Polytope* whole_b_;
+  Monitor monitor_;
   TriangleBoxes triangles_of_a_, triangles_of_b_;
   Box bounds_of_b_;                                                  ///< of a polytope
   std::optional<ApproximateConvexSet> set_b_;                        ///< of a polytope

@@ -93,17 +93,19 @@ Polytope reflected(const Polytope& polytope) {
 
 Solid minkowski_sum(const Solid& a, const Polytope& b, const Options& options) {
   if (a.is_empty() || b.dimension < 0) return {};
-  const Surface of_a = surface_of(a.exact_mesh());
-  if (const auto convex = convex_solid(of_a)) return solid_of(sum(*convex, b));
+  const Monitor monitor(options.cancel);
+  const Surface of_a = surface_of(a.exact_mesh(), monitor);
+  if (const auto convex = convex_solid(of_a, monitor)) return solid_of(sum(*convex, b, monitor));
   return general_sum({a.exact_mesh(), of_a}, b, options);
 }
 
 Solid minkowski_sum(const Solid& a, const Solid& b, const Options& options) {
   if (a.is_empty() || b.is_empty()) return {};
-  const Surface of_b = surface_of(b.exact_mesh());
-  if (const auto convex = convex_solid(of_b)) return minkowski_sum(a, *convex, options);
-  const Surface of_a = surface_of(a.exact_mesh());
-  if (const auto convex = convex_solid(of_a)) return minkowski_sum(b, *convex, options);
+  const Monitor monitor(options.cancel);
+  const Surface of_b = surface_of(b.exact_mesh(), monitor);
+  if (const auto convex = convex_solid(of_b, monitor)) return minkowski_sum(a, *convex, options);
+  const Surface of_a = surface_of(a.exact_mesh(), monitor);
+  if (const auto convex = convex_solid(of_a, monitor)) return minkowski_sum(b, *convex, options);
   return general_sum({a.exact_mesh(), of_a}, {b.exact_mesh(), of_b}, options);
 }
 

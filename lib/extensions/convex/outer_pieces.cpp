@@ -25,15 +25,16 @@ bool on_one_edge(const SideOfPiece& a, const SideOfPiece& b) { return a.low == b
 /// Pieces that are kept or dropped together, and whether this is known.
 class Patches {
  public:
-  explicit Patches(const std::vector<PieceOfFace>& pieces)
-      : sets_(pieces.size()), gone_(pieces.size(), false), stays_(pieces.size(), false) {
+  Patches(const std::vector<PieceOfFace>& pieces, const Monitor& monitor)
+      : monitor_(monitor), sets_(pieces.size()), gone_(pieces.size(), false), stays_(pieces.size(), false) {
     sides_.reserve(3 * pieces.size());
     for (std::uint32_t p = 0; p < pieces.size(); ++p)
       for (std::size_t i = 0; i < 3; ++i) {
         const PointId v = pieces[p].corners[i], w = pieces[p].corners[(i + 1) % 3];
         sides_.push_back({std::min(v, w), std::max(v, w), p, v < w});
       }
-    std::sort(sides_.begin(), sides_.end(), [](const SideOfPiece& a, const SideOfPiece& b) {
+    std::sort(sides_.begin(), sides_.end(), [&](const SideOfPiece& a, const SideOfPiece& b) {
+      monitor_.check();
       return std::pair(std::pair(a.low, a.high), a.piece) < std::pair(std::pair(b.low, b.high), b.piece);
     });
     spread();
@@ -78,6 +79,7 @@ class Patches {
     bool changed = false;
     auto kept = sides_.begin();
     for (auto first = sides_.begin(), last = first; first != sides_.end(); first = last) {
+      monitor_.check();
       last = std::find_if(first, sides_.end(), [&](const SideOfPiece& s) { return !on_one_edge(s, *first); });
       const auto end = std::copy_if(first, last, kept, [&](const SideOfPiece& s) { return !is_gone(s.piece); });
       const auto count = end - kept;
@@ -102,6 +104,7 @@ class Patches {
     }
   }
 
+  const Monitor& monitor_;
   DisjointSets<std::uint32_t> sets_;
   std::vector<bool> gone_, stays_;  ///< per patch, at its representative piece
   std::vector<SideOfPiece> sides_;  ///< by edges
@@ -232,7 +235,7 @@ void drop_gone(std::vector<Verdict>& verdicts, Subdivision& subdivision, Patches
 void keep_outer_pieces(const InputComplex& input, std::vector<Verdict>& verdicts, Subdivision& subdivision,
                        const SideInFront& in_front, const Monitor& monitor) {
   const std::vector<PieceOfFace> all = list_pieces(input, verdicts, subdivision);
-  Patches patches(all);
+  Patches patches(all, monitor);
   auto unknown = patches.unknown();
   if (const std::size_t outside = farthest(unknown, all, subdivision.points); outside < unknown.size()) {
     patches.keep(unknown[outside].front());

@@ -74,8 +74,9 @@ void Quickhull::wait(std::uint32_t point, std::uint32_t face, double height) {
   waiting.height = height;
 }
 
-void Quickhull::add(std::span<const std::uint32_t> points) {
+void Quickhull::add(std::span<const std::uint32_t> points, const Monitor& monitor) {
   for (const std::uint32_t p : points) {
+    monitor.check();
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
       if (mark_[f] == none) continue;
       const double height = planes_[f].height(cloud_.at(p));
@@ -84,11 +85,12 @@ void Quickhull::add(std::span<const std::uint32_t> points) {
       break;
     }
   }
-  run();
+  run(monitor);
 }
 
-void Quickhull::run() {
+void Quickhull::run(const Monitor& monitor) {
   while (!pending_.empty()) {
+    monitor.check();
     const std::uint32_t face = pending_.back();
     pending_.pop_back();
     if (mark_[face] != none && waiting_[face].first != none) insert(waiting_[face].farthest, face);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "extensions/convex/point_cloud.h"
+#include "strata/monitor.h"
 
 namespace strata::convex {
 
@@ -36,8 +37,8 @@ class Quickhull {
   /// The hull of four points that are not coplanar; others are added later.
   Quickhull(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simplex);
 
-  /// Adds points, which are different numbers, to the hull.
-  void add(std::span<const std::uint32_t> points);
+  /// Adds points, which are different numbers, to the hull. Throws Cancelled.
+  void add(std::span<const std::uint32_t> points, const Monitor& monitor);
 
   /// The triangles by number; numbers for which `is_used` is false are free.
   [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
@@ -75,7 +76,7 @@ class Quickhull {
   void make_cone(std::uint32_t point);
   void share_out(std::uint32_t point);
   [[nodiscard]] std::uint32_t new_face(const Face& face);
-  void run();
+  void run(const Monitor& monitor);
 
   const PointCloud& cloud_;
   std::vector<Face> faces_;

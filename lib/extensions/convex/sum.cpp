@@ -19,8 +19,8 @@ constexpr std::uint32_t none = Surface::no_face;
 template <class N>
 class Extremes {
  public:
-  Extremes(const Surface& surface, const LatticePoints& lattice)
-      : surface_(surface), lattice_(lattice), directions_(directions_of<N>(surface, lattice)) {}
+  Extremes(const Surface& surface, const LatticePoints& lattice, const Monitor& monitor)
+      : surface_(surface), lattice_(lattice), directions_(directions_of<N>(surface, lattice, monitor)) {}
 
   [[nodiscard]] const Surface& surface() const { return surface_; }
   [[nodiscard]] const Directions<N>& directions() const { return directions_; }
@@ -90,8 +90,9 @@ class Extremes {
 template <class N>
 class Summation {
  public:
-  Summation(const Surface& a, const LatticePoints& on_a, const Surface& b, const LatticePoints& on_b)
-      : a_(a, on_a), b_(b, on_b), sums_(a.points, b.points) {}
+  Summation(const Surface& a, const LatticePoints& on_a, const Surface& b, const LatticePoints& on_b,
+            const Monitor& monitor)
+      : a_(a, on_a, monitor), b_(b, on_b, monitor), sums_(a.points, b.points), monitor_(monitor) {}
 
   /// Requires a.dimension >= b.dimension.
   Polytope run() {
@@ -147,10 +148,13 @@ class Summation {
   std::vector<std::vector<std::uint32_t>> facets_of_solid() {
     std::vector<std::vector<std::uint32_t>> facets;
     const auto& of_a = a_.directions().normals;
-    for (std::uint32_t f = 0; f < of_a.size(); ++f)
+    for (std::uint32_t f = 0; f < of_a.size(); ++f) {
+      monitor_.check();
       facets.push_back(merged(a_.surface().faces[f], b_.face(of_a, f), of_a.exact[f]));
+    }
     const auto& of_b = b_.directions().normals;
     for (std::uint32_t f = 0; f < of_b.size(); ++f) {
+      monitor_.check();
       const auto found = a_.face(of_b, f);
       if (found.size() < 3) facets.push_back(merged(found, b_.surface().faces[f], of_b.exact[f]));
     }
@@ -164,11 +168,14 @@ class Summation {
     const auto &a = a_.surface(), &b = b_.surface();
     const std::size_t columns = b.edges.size();
     std::vector<signed char> signs(a.faces.size() * columns);
-    for (std::size_t f = 0; f < a.faces.size(); ++f)
+    for (std::size_t f = 0; f < a.faces.size(); ++f) {
+      monitor_.check();
       for (std::size_t g = 0; g < columns; ++g)
         signs[f * columns + g] =
             static_cast<signed char>(product_sign(a_.directions().normals, f, b_.directions().edges, g));
+    }
     for (std::uint32_t e = 0; e < a.edges.size(); ++e) {
+      monitor_.check();
       const signed char* left = signs.data() + a.edges[e].left * columns;
       const signed char* right = signs.data() + a.edges[e].right * columns;
       for (std::uint32_t g = 0; g < columns; ++g)
@@ -228,6 +235,7 @@ class Summation {
     std::vector<std::uint32_t> order(points.mesh.vertices.size()), number(order.size());
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), [&](std::uint32_t v, std::uint32_t w) {
+      monitor_.check();
       const Vertex &p = points.mesh.vertices[v], &q = points.mesh.vertices[w];
       if (points.exact.empty()) return p < q;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -260,19 +268,20 @@ class Summation {
 
   Extremes<N> a_, b_;
   SumPoints sums_;
+  const Monitor& monitor_;
 };
 
 }  // namespace
 
-Polytope sum(const Polytope& a, const Polytope& b) {
-  if (a.dimension < b.dimension) return sum(b, a);
+Polytope sum(const Polytope& a, const Polytope& b, const Monitor& monitor) {
+  if (a.dimension < b.dimension) return sum(b, a, monitor);
   if (b.dimension < 0) return {};
-  const Surface of_a = surface_of(a), of_b = surface_of(b);
-  const LatticePoints on_a = lattice_points(of_a.points), on_b = lattice_points(of_b.points);
+  const Surface of_a = surface_of(a, monitor), of_b = surface_of(b, monitor);
+  const LatticePoints on_a = lattice_points(of_a.points, monitor), on_b = lattice_points(of_b.points, monitor);
   const int bits = 3 * std::max(on_a.bits, on_b.bits) + 7;
-  if (bits <= 128) return Summation<__int128>(of_a, on_a, of_b, on_b).run();
-  if (bits <= 256) return Summation<WideInt<4>>(of_a, on_a, of_b, on_b).run();
-  return Summation<Integer>(of_a, on_a, of_b, on_b).run();
+  if (bits <= 128) return Summation<__int128>(of_a, on_a, of_b, on_b, monitor).run();
+  if (bits <= 256) return Summation<WideInt<4>>(of_a, on_a, of_b, on_b, monitor).run();
+  return Summation<Integer>(of_a, on_a, of_b, on_b, monitor).run();
 }
 
 }  // namespace strata::convex

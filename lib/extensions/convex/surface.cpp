@@ -13,8 +13,9 @@ constexpr std::uint32_t none = Surface::no_face;
 /// The sides of faces as half-edges, numbered face after face.
 class HalfEdges {
  public:
-  explicit HalfEdges(const Surface& surface) : surface_(surface) {
+  HalfEdges(const Surface& surface, const Monitor& monitor) : surface_(surface), monitor_(monitor) {
     for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
+      monitor_.check();
       const auto first = static_cast<std::uint32_t>(face_.size());
       const auto count = static_cast<std::uint32_t>(surface.faces[f].size());
       for (std::uint32_t i = 0; i < count; ++i) {
@@ -43,9 +44,12 @@ class HalfEdges {
     std::vector<std::uint32_t> order(size());
     std::iota(order.begin(), order.end(), 0U);
     const auto ends = [&](std::uint32_t h) { return std::pair(std::min(from(h), to(h)), std::max(from(h), to(h))); };
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t g, std::uint32_t h) { return std::pair(ends(g), g) < std::pair(ends(h), h); });
+    std::sort(order.begin(), order.end(), [&](std::uint32_t g, std::uint32_t h) {
+      monitor_.check();
+      return std::pair(ends(g), g) < std::pair(ends(h), h);
+    });
     for (std::size_t i = 0, j = 0; i < order.size(); i = j) {
+      monitor_.check();
       while (j < order.size() && ends(order[j]) == ends(order[i])) ++j;
       pair_about_edge(std::span(order).subspan(i, j - i));
     }
@@ -108,14 +112,16 @@ class HalfEdges {
   }
 
   const Surface& surface_;
+  const Monitor& monitor_;
   std::vector<std::uint32_t> face_, next_, before_, from_, partner_;
 };
 
 /// Adds edges, and fans about vertices, to a surface that has its faces.
-void add_neighbourhoods(Surface& surface) {
-  const HalfEdges sides(surface);
+void add_neighbourhoods(Surface& surface, const Monitor& monitor) {
+  const HalfEdges sides(surface, monitor);
   std::vector<std::uint32_t> edge_of(sides.size(), none);
   for (std::uint32_t h = 0; h < sides.size(); ++h) {
+    monitor.check();
     if (edge_of[h] != none) continue;
     const std::uint32_t g = sides.partner(h);
     edge_of[h] = edge_of[g] = static_cast<std::uint32_t>(surface.edges.size());
@@ -124,6 +130,7 @@ void add_neighbourhoods(Surface& surface) {
   }
   std::vector<bool> done(sides.size(), false);
   for (std::uint32_t start = 0; start < sides.size(); ++start) {
+    monitor.check();
     if (done[start]) continue;
     Fan fan{sides.from(start), {}};
     for (std::uint32_t h = start; !done[h]; h = sides.around(h)) {
@@ -139,15 +146,15 @@ void add_neighbourhoods(Surface& surface) {
 
 }  // namespace
 
-Surface surface_of(const ExactMesh& solid) {
+Surface surface_of(const ExactMesh& solid, const Monitor& monitor) {
   Surface surface;
   surface.points = {{solid.mesh.vertices, {}}, solid.exact};
   for (const Triangle& t : solid.mesh.triangles) surface.faces.emplace_back(t.begin(), t.end());
-  add_neighbourhoods(surface);
+  add_neighbourhoods(surface, monitor);
   return surface;
 }
 
-Surface surface_of(const Polytope& polytope) {
+Surface surface_of(const Polytope& polytope, const Monitor& monitor) {
   Surface surface;
   surface.points = {{polytope.vertices, {}}, polytope.exact};
   surface.is_convex = true;
@@ -167,7 +174,7 @@ Surface surface_of(const Polytope& polytope) {
       surface.fans = {{0, {}}};
       return surface;
   }
-  add_neighbourhoods(surface);
+  add_neighbourhoods(surface, monitor);
   return surface;
 }
 

@@ -6,6 +6,7 @@
 
 #include "strata/convex.h"
 #include "strata/mesh.h"
+#include "strata/monitor.h"
 
 namespace strata::convex {
 
@@ -43,10 +44,10 @@ struct Surface {
 };
 
 /// The surface of a closed mesh with winding numbers 0 and 1 and no triangles of zero area, as solids have. Throws
-/// std::invalid_argument where the faces about an edge are not those of a solid. O(n) expected.
-[[nodiscard]] Surface surface_of(const ExactMesh& solid);
+/// std::invalid_argument where the faces about an edge are not those of a solid, and Cancelled. O(n log n).
+[[nodiscard]] Surface surface_of(const ExactMesh& solid, const Monitor& monitor = {});
 
-/// The surface of a polytope that is not empty. O(n) expected.
-[[nodiscard]] Surface surface_of(const Polytope& polytope);
+/// The surface of a polytope that is not empty. Throws Cancelled. O(n log n).
+[[nodiscard]] Surface surface_of(const Polytope& polytope, const Monitor& monitor = {});
 
 }  // namespace strata::convex

@@ -88,8 +88,8 @@ class TouchingFaces {
                 const Monitor& monitor)
       : a_(a),
         b_(b),
-        a_directions_(directions_of<N>(a, on_a)),
-        b_directions_(directions_of<N>(b, on_b)),
+        a_directions_(directions_of<N>(a, on_a, monitor)),
+        b_directions_(directions_of<N>(b, on_b, monitor)),
         sums_(a.points, b.points),
         monitor_(monitor),
         beyond_(a.faces.size(), b.edges.size()) {}
@@ -136,7 +136,6 @@ class TouchingFaces {
   /// beside an edge are the ends of an arc on the sphere of directions, and two arcs cross in one point. Their great
   /// circles cross in two opposite points; both arcs must contain the same one. The outward normal is e x g times the
   /// side of a's left face.
-  /// a's left face.
   void add_parallelogram(std::uint32_t e, std::uint32_t g) {
     if (b_directions_.bend[g] <= 0) return;
     const SurfaceEdge &of_a = a_.edges[e], &of_b = b_.edges[g];
@@ -196,7 +195,7 @@ class TouchingFaces {
 }  // namespace
 
 ExactMesh touching_faces(const Surface& a, const Surface& b, const Monitor& monitor) {
-  const LatticePoints on_a = lattice_points(a.points), on_b = lattice_points(b.points);
+  const LatticePoints on_a = lattice_points(a.points, monitor), on_b = lattice_points(b.points, monitor);
   const int bits = 3 * std::max(on_a.bits, on_b.bits) + 7;
   if (bits <= 128) return TouchingFaces<__int128>(a, on_a, b, on_b, monitor).run();
   if (bits <= 256) return TouchingFaces<WideInt<4>>(a, on_a, b, on_b, monitor).run();
