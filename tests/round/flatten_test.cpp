@@ -42,7 +42,7 @@ TEST_CASE("of a plate thinner than the reach nothing is left, of a cube all", "[
     for (Vertex& v : plate.vertices) v = {v[0] + v[2] / 8, v[1] + v[2] / 4, v[2]};  // no corners above one another
     MovingMesh mesh = changed(plate);
     const ChangedRegion region(mesh, {});
-    CHECK(flatten(mesh, region, all_of(plate), grid, 1) == (height < 4));
+    CHECK(flatten(mesh, region, all_of(plate), grid, 4) == (height < 4));
     const MovingMesh::Parts parts = std::move(mesh).take();
     CHECK(parts.mesh.triangles.size() == (height < 4 ? 0 : 12));
   }
@@ -61,7 +61,7 @@ TEST_CASE("where a thin plate stands on a block, its base is closed", "[round]")
       upper.push_back(f);
   }
   const ChangedRegion region(mesh, {});
-  REQUIRE(flatten(mesh, region, upper, GridRounding({}), 1));
+  REQUIRE(flatten(mesh, region, upper, GridRounding({}), 4));
   const MovingMesh::Parts parts = std::move(mesh).take();
   CHECK(parts.mesh.triangles.size() < block.triangles.size());
   CHECK(chain_is_closed(parts.mesh));
@@ -87,7 +87,7 @@ TEST_CASE("a boundary that crosses itself as it is seen is divided at vertices o
   ChangedRegion region(mesh, {});
   const auto wrong = region.wrong_faces({});  // the plates touch
   CHECK_FALSE(wrong.empty());
-  (void)flatten(mesh, region, horizontal, GridRounding({CoordinateGrid::Format::float64, 1}), 1);
+  (void)flatten(mesh, region, horizontal, GridRounding({CoordinateGrid::Format::float64, 1}), 4);
   const MovingMesh::Parts parts = std::move(mesh).take();
   CHECK(chain_is_closed(parts.mesh));
 }

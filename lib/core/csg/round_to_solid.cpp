@@ -36,33 +36,47 @@ int bits_less_in(int resolves) {
   return resolves < full_resolves ? 0 : bits_per_resolve * (resolves - full_resolves + 1);
 }
 
-/// How far repairs may move something, in units of the grid. Faces are resolved while that leaves fewer than half of
-/// the wrong ones. Else the reach grows first: once, or a few times where there are more wrong faces than ever before,
-/// since resolving may make more and more of them. Where there are far more, it grows until there are not.
+/// How far repairs may move something, in units of the grid: one, as long as resolving brings the wrong faces to half
+/// of the fewest before within some times; then twice as far. It grows at once where there are far more of them. A far
+/// reach takes thick features away, so it waits where the number goes up and down: sheets that lie on each other need
+/// several times. Piles are flattened within two units of a plane, or four where there are not half as many.
 class Reach {
  public:
   [[nodiscard]] double now() const { return reach_; }
+  [[nodiscard]] double of_piles() const { return (are_piles_thick_ ? 4 : 2) * reach_; }
 
-  /// After repairs: resolve, or repair again with the new reach?
+  /// After repairs that left this many wrong faces: resolve, or repair again with the new reach?
   bool is_time_to_resolve(std::size_t wrong_faces) {
-    constexpr double growth = 4, largest = 0x1p1000;
-    constexpr int few_growths = 3;
-    constexpr std::size_t far_more = 8;
-    const bool is_better = wrong_faces <= fewest_ / 2, is_worse = wrong_faces > fewest_;
-    const bool is_far_worse = wrong_faces / far_more > fewest_;
-    if (!is_better && (is_far_worse || growths_ < (is_worse ? few_growths : 1))) {
-      reach_ = std::min(growth * reach_, largest);
+    constexpr int patience = 12, most_growths = 2;
+    constexpr std::size_t far_more = 3, few = 32;
+    const bool is_better = wrong_faces <= fewest_ / 2;
+    if (!is_better && !std::exchange(are_piles_thick_, true)) return false;
+    if (wrong_faces / far_more > std::max(fewest_, few) && growths_ < most_growths) {
+      grow();
       ++growths_;
       return false;
     }
-    fewest_ = std::min(fewest_, wrong_faces);
     growths_ = 0;
+    if (is_better) {
+      fewest_ = wrong_faces;
+      resolves_ = 0;
+      are_piles_thick_ = false;
+    } else if (++resolves_ == patience) {
+      grow();
+      resolves_ = 0;
+    }
     return true;
   }
 
  private:
+  void grow() {
+    constexpr double growth = 2, largest = 0x1p1000;
+    reach_ = std::min(growth * reach_, largest);
+  }
+
   double reach_ = 1;
-  int growths_ = 0;
+  bool are_piles_thick_ = false;
+  int resolves_ = 0, growths_ = 0;
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
 };
 
@@ -161,7 +175,7 @@ class SolidRounding {
                               bool is_second_time) const {
     const bool is_changed = repair(moving, region, wrong, grid_, reach_.now());
     if (is_changed && !is_second_time) return true;
-    return flatten(moving, region, wrong, grid_, reach_.now()) || is_changed;
+    return flatten(moving, region, wrong, grid_, reach_.of_piles()) || is_changed;
   }
 
   /// Vertices that became equal are one; copies of one vertex in the exact mesh stay copies.

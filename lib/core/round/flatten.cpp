@@ -78,7 +78,7 @@ class Piles {
   }
 
   /// The pile about the plane of a face, without faces of the list `taken`, to which its faces are added.
-  [[nodiscard]] Pile pile_of(Index face, const ViewedPlane& plane, double unit, std::vector<bool>& taken) const {
+  [[nodiscard]] Pile pile_of(Index face, const ViewedPlane& plane, double reach, std::vector<bool>& taken) const {
     Pile pile{plane, {}, {}};
     const auto seed = number(face);
     if (!seed) return pile;
@@ -92,7 +92,7 @@ class Piles {
         const Bounded height = plane.height(point(v));
         heights.include({height.lower(), height.upper()});
       }
-      if (!(std::max(-heights.lower, heights.upper) <= 4 * unit)) {
+      if (!(std::max(-heights.lower, heights.upper) <= reach)) {
         far_.push_back(faces_[n]);
         continue;
       }
@@ -334,7 +334,6 @@ bool flatten(MovingMesh& mesh, const ChangedRegion& region, const std::vector<In
       mesh.replace(pile.faces, filling->triangles, pile.thickness() + (filling->added.empty() ? 0 : unit));
       is_changed = true;
     }
-    if (is_changed) break;
   }
   return is_changed;
 }

@@ -9,15 +9,17 @@
 namespace strata {
 
 /// Makes one sheet of faces that lie on each other. Faces that are connected by common vertices or by wrong pairs and
-/// lie within some units of the plane of the largest wrong one of them are a pile. All that is left of a pile is what
-/// fills its boundary, the sides that do not cancel, seen along an axis: triangles between vertices of that boundary,
-/// each as often as the pile covers it, the two orientations against each other. Of a closed pile nothing is left.
+/// lie within `reach` units of the plane of the largest wrong one of them are a pile. All that is left of a pile is
+/// what fills its boundary, the sides that do not cancel, seen along an axis: triangles between vertices of that
+/// boundary, each as often as the pile covers it, the two orientations against each other. Of a closed pile nothing is
+/// left.
 ///
 /// Piles are made of wrong faces first. Where the boundary of such a pile crosses or touches itself, as it is seen, all
-/// faces of the region may be in it. Where that does not help, the boundary of the first pile is divided where it
-/// crosses itself, at new vertices of the grid, and flat triangles are added between its sides and their parts.
+/// faces of the region may be in it. Where that does not help either, the boundary of the first pile is divided where
+/// it crosses itself, at new vertices of the grid, and flat triangles are added between its sides and their parts. What
+/// helps one pile does not keep the others from the next.
 ///
-/// The chain stays closed. Nothing moves by more than the thickness of a pile, at most eight times `reach` units, and a
+/// The chain stays closed. Nothing moves by more than the thickness of a pile, at most twice `reach` units, and a
 /// unit for what has a new vertex. Returns whether anything changed. O(n + k log k) for k faces of the region; for
 /// piles that are divided, the square of their sides.
 [[nodiscard]] bool flatten(MovingMesh& mesh, const ChangedRegion& region, const std::vector<std::uint32_t>& wrong,
