@@ -34,7 +34,6 @@ RUNS = [
     ("round", "round crossing.off -o out.off --to float32", 0),
     ("eval", "eval a-(b&c) a=a.off b=b.off c=big.off -o out.off", 0),
     ("eval", "eval model.csg -o out.off --round-transforms", 0),
-    ("eval", "eval x-y x=a.off y=open.off -o out.off", 4),
     ("check", "check a.off", 0),
     ("check", "check open.off", 1),
     ("check", "check crossing.off", 1),

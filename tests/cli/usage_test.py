@@ -34,7 +34,7 @@ MISTAKES = [
     ("slice a.off --along w --step 1 -o out.svg", "'w' is none of x, y, z"),
     ("offset a.off -o out.off", "--by"),
     ("eval a-b a=a.off -o out.off", "b"),
-    ("union a.off b.off -o out.xyz", "known are stl, obj"),
+    ("union a.off b.off -o out.xyz", "cannot tell a format from out.xyz; use --format with one of: stl"),
 ]
 
 

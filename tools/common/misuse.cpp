@@ -168,6 +168,8 @@ std::string explain_number(const CLI::App& verb, const std::string& name, const 
   const CLI::Option* option = find_option(verb, name);
   if (option == nullptr) return fmt::format("{}: {}\n{}", full_name(verb), otherwise, what_to_type(verb));
   const std::size_t given = option->results().size();
+  if (option->get_positional() && given > static_cast<std::size_t>(option->get_items_expected_max()))
+    return explain_extra(verb, option->results().back());
   if (option->get_positional())
     return fmt::format("{}: {} {} needed, {} given\n{}", full_name(verb), std::max(1, option->get_items_expected_min()),
                        name, given, what_to_type(verb));
@@ -181,6 +183,8 @@ std::string explain_misuse(const CLI::App& app, const CLI::ParseError& error) {
   const std::string text = error.what();
   // An option that there is not may be the cause of everything else.
   const Words extras = app.remaining(true);
+  const bool lacks_verb = !verb.get_subcommands({}).empty() && verb.get_subcommands().empty();
+  if (lacks_verb && !extras.empty()) return explain_extra(verb, extras.front());
   const auto strange = std::ranges::find_if(extras, [](const std::string& w) { return w.size() > 1 && w[0] == '-'; });
   if (strange != extras.end()) return explain_extra(verb, *strange);
   if (!extras.empty()) return explain_extra(verb, extras.front());

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "command_line.h"
-#include "suite.h"
 
 namespace {
 
@@ -52,7 +51,6 @@ bool is_about_all(std::string_view verb) { return verb == "completion" || verb =
 int run_command(int count, char** arguments, unsigned threads) {
   std::vector<char*> words = without_help_verb(count, arguments);
   count = static_cast<int>(words.size()) - 1;
-  if (count > 1 && is_suite_verb(words[1])) return become_suite(words.data());  // after `help`
   Settings settings;
   settings.threads = threads;
   Action action;
