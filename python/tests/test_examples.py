@@ -29,6 +29,13 @@ def environment() -> dict[str, str]:
     return {**os.environ, "PYTHONPATH": os.pathsep.join(paths)}
 
 
+@pytest.mark.parametrize("name", ["first_solid", "contacts", "probe"])
+def test_small_example(name, environment, tmp_path):
+    """Those of examples/python, which the site shows."""
+    script = FOLDER.parents[1] / "examples/python" / f"{name}.py"
+    subprocess.run([sys.executable, "-W", "error", str(script)], cwd=tmp_path, env=environment, check=True, timeout=120)
+
+
 def test_there_are_examples():
     assert len(SCRIPTS) >= 5
 

@@ -9,10 +9,12 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "common/misuse.h"
+#include "common/terminal.h"
 #include "strata/errors.h"
 
 ExitCode complain(ExitCode code, const std::string& message) {
-  std::fputs(("strata: " + message + "\n").c_str(), stderr);
+  std::fputs((painted_error("strata:") + " " + message + "\n").c_str(), stderr);
   return code;
 }
 
@@ -57,7 +59,9 @@ int run_program(CLI::App& app, int argc, char** argv, const Action& action, cons
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+    if (error.get_exit_code() == 0) return app.exit(error);  // help, or the version
+    std::fputs(explain_misuse(app, error).c_str(), stderr);
+    return static_cast<int>(ExitCode::usage);
   }
   return static_cast<int>(run(action, operands));
 }

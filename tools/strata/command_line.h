@@ -39,5 +39,8 @@ void add_surface_verbs(CommandLine& line);  ///< clip, split, imprint, cells
 /// batch: many command lines.
 void add_batch_verb(CommandLine& line);
 
+/// formats, schema, completion, manual: what the program says about itself. These need all verbs to be added.
+void add_about_verbs(CommandLine& line);
+
 /// verify, fuzz: names of verbs that `strata-verify` has.
 void add_suite_verbs(CommandLine& line);

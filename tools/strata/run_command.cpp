@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "command_line.h"
 
@@ -26,11 +28,29 @@ void add_verbs(CommandLine& line) {
   add_boolean_verbs(line);
   add_extension_verbs(line);
   if (line.wants({"batch"})) add_batch_verb(line);
+  add_about_verbs(line);
 }
+
+/// `strata help VERB...` is `strata VERB... --help`.
+std::vector<char*> without_help_verb(int count, char** arguments) {
+  static char option[] = "--help";
+  std::vector<char*> words(arguments, arguments + count);
+  if (count > 1 && std::string_view(arguments[1]) == "help") {
+    words.erase(words.begin() + 1);
+    words.push_back(option);
+  }
+  words.push_back(nullptr);
+  return words;
+}
+
+/// Verbs that describe all others.
+bool is_about_all(std::string_view verb) { return verb == "completion" || verb == "manual" || verb == "describe"; }
 
 }  // namespace
 
 int run_command(int count, char** arguments, unsigned threads) {
+  std::vector<char*> words = without_help_verb(count, arguments);
+  count = static_cast<int>(words.size()) - 1;
   Settings settings;
   settings.threads = threads;
   Action action;
@@ -38,9 +58,11 @@ int run_command(int count, char** arguments, unsigned threads) {
   app.set_version_flag("--version", "strata " STRATA_VERSION);
   app.require_subcommand(1);
   app.footer(std::string(examples) + exit_codes);
-  CommandLine line{app, settings, action, count > 1 ? arguments[1] : ""};
+  CommandLine line{app, settings, action, count > 1 && !is_about_all(words[1]) ? words[1] : ""};
   add_verbs(line);
-  if (app.get_subcommands({}).empty()) {  // it asks for help, or for what there is not
+  if (line.asked.empty()) {
+    add_suite_verbs(line);
+  } else if (app.get_subcommands({}).empty()) {  // it asks for help, or for what there is not
     line.asked = {};
     add_verbs(line);
     add_suite_verbs(line);
@@ -49,5 +71,5 @@ int run_command(int count, char** arguments, unsigned threads) {
     check_streams(settings);
     return action();
   };
-  return run_program(app, count, arguments, checked, settings.operands);
+  return run_program(app, count, words.data(), checked, settings.operands);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -37,6 +38,18 @@ int become_suite(char** arguments) {
   execv(path.c_str(), arguments);
   return static_cast<int>(
       complain(ExitCode::file, path + ": cannot be started: " + std::generic_category().message(errno)));
+}
+
+Json suite_description() {
+  const std::string path = sibling_program(program).string();
+  if (path.empty() || path.find('\'') != std::string::npos) return Json::array();
+  FILE* pipe = popen(("'" + path + "' describe").c_str(), "re");
+  if (pipe == nullptr) return Json::array();
+  std::string text;
+  std::array<char, 4096> block{};
+  while (const std::size_t n = std::fread(block.data(), 1, block.size(), pipe)) text.append(block.data(), n);
+  const Json description = pclose(pipe) == 0 ? Json::parse(text, nullptr, false) : Json();
+  return description.is_object() ? description["verbs"] : Json::array();
 }
 
 void add_suite_verbs(CommandLine& line) {

@@ -3,7 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "common/description.h"
 #include "common/run.h"
+#include "common/text_file.h"
 #include "verify/fuzz/fuzz.h"
 #include "verify/verify.h"
 
@@ -40,6 +42,17 @@ Examples:
   verb->callback([&] { action = [&] { return run_fuzz(fuzz, output); }; });
 }
 
+/// For `strata completion`, `strata manual` and the site.
+void add_description(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand("describe", "All verbs and options in JSON")->group("");
+  verb->callback([&] {
+    action = [&] {
+      write_text("-", describe(app).dump(1) + "\n");
+      return ExitCode::ok;
+    };
+  });
+}
+
 }  // namespace
 
 // Called by `strata verify` and `strata fuzz`, whose name it has in messages.
@@ -54,5 +67,6 @@ int main(int argc, char** argv) {
   app.footer(exit_codes);
   add_verify(app, verify, output, action);
   add_fuzz(app, fuzz, output, action);
+  add_description(app, action);
   return run_program(app, argc, argv, action, {});
 }

@@ -1,0 +1,66 @@
+# Packages: `cpack` in a build folder of the preset release, or tools/packages. Two packages for Debian, `strata` (the programs) and
+# `libstrata-dev`; and a tarball of everything.
+set(CPACK_PACKAGE_NAME strata)
+set(CPACK_PACKAGE_VENDOR "The Strata contributors")
+set(CPACK_PACKAGE_CONTACT "The Strata contributors <maintainers@strata.invalid>" CACHE STRING "Maintainer of packages")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact Booleans of solids given as triangle meshes")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_GENERATOR DEB TGZ)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_COMPONENTS_ALL tools development debian_tools debian_development)
+set(CPACK_COMPONENT_TOOLS_GROUP tools)
+set(CPACK_COMPONENT_DEBIAN_TOOLS_GROUP tools)
+set(CPACK_COMPONENT_DEVELOPMENT_GROUP development)
+set(CPACK_COMPONENT_DEBIAN_DEVELOPMENT_GROUP development)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME strata)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "librsvg2-bin, libstrata-dev")
+set(CPACK_DEBIAN_TOOLS_DESCRIPTION "exact Booleans of solids given as triangle meshes
+ Unions, intersections, differences and symmetric differences of solids, computed
+ exactly on the doubles in the files. Coplanar faces, touching edges and all
+ other degenerate cases are ordinary input. There is no tolerance, and nothing
+ is moved.
+ .
+ The command line also slices, splits, draws, offsets and compares solids, finds
+ contacts in assemblies, combines polygons, and tests other engines.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libstrata-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(development_needs "libtbb-dev, libboost-dev")
+if(STRATA_WITH_GMP)
+  string(APPEND development_needs ", libgmp-dev")
+endif()
+if(STRATA_WITH_ASSIMP)
+  string(APPEND development_needs ", libassimp-dev")
+endif()
+if(TARGET strata_planar)
+  string(APPEND development_needs ", libpugixml-dev")
+endif()
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${development_needs}")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "exact Booleans of solids: C++ library and headers
+ Unions, intersections, differences and symmetric differences of solids given as
+ triangle meshes, computed exactly on the doubles given.
+ .
+ Headers, static libraries, and files for CMake and pkg-config.")
+
+# What Debian wants in a package: its copyright and its changes.
+find_program(STRATA_GZIP gzip)
+if(STRATA_GZIP)
+  foreach(package strata libstrata-dev)
+    set(folder ${PROJECT_BINARY_DIR}/debian/${package})
+    set(component debian_tools)
+    if(package STREQUAL libstrata-dev)
+      set(component debian_development)
+    endif()
+    configure_file(packaging/debian/copyright ${folder}/copyright COPYONLY)
+    configure_file(CHANGELOG.md ${folder}/changelog COPYONLY)
+    execute_process(COMMAND ${STRATA_GZIP} -9nf ${folder}/changelog)
+    install(FILES ${folder}/copyright ${folder}/changelog.gz DESTINATION share/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
+  endforeach()
+endif()
+include(CPack)

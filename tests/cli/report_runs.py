@@ -1,0 +1,81 @@
+"""One command line at least for every verb that writes a report, so that reports can be held against their schemas."""
+from tool import DATA, cube, off, open_cube, two_cubes
+
+TETRAHEDRON = off([(0, 0, 0), (4, 0, 0), (0, 4, 0), (0, 0, 4)], [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
+SHEET = off([(-9, -9, .5), (9, -9, .5), (9, 9, .5), (-9, 9, .5)], [(0, 1, 2), (0, 2, 3)])
+
+FILES = {
+    "a.off": cube(), "b.off": cube(.5, .5, .5), "far.off": cube(9), "beside.off": cube(1), "big.off": cube(-1, -1, -1, 4), "open.off": open_cube(),
+    "crossing.off": two_cubes(.5), "tetrahedron.off": TETRAHEDRON, "sheet.off": SHEET,
+    "points.csv": "x,y,z\n0.5,0.5,0.5\n0,0,0\n7,7,7\n", "rays.csv": "x,y,z,dx,dy,dz\n-1,0.5,0.25,1,0,0\n",
+    "p.wkt": "POLYGON ((0 0, 3 0, 0 1, 3 2))", "q.wkt": "POLYGON ((1 0, 4 0, 4 4, 1 4), (2 1, 2 2, 3 2, 3 1))",
+    "r.wkt": "POLYGON ((4 0, 5 0, 5 4, 4 4))", "places.csv": "x,y\n1.5,0.5\n9,9\n",
+    "i.csv": "lower,upper\n0,1\n2,3\n", "j.csv": "lower,upper\n0.5,2.5\n",
+    "steps.json": '{"start": {"file": "big.off"}, "steps": [{"operation": "difference", "file": "b.off", "label": "hole"},'
+                  ' {"operation": "union", "file": "beside.off"}]}',
+    "model.csg": "difference() { cube(size = [2, 2, 2], center = false); sphere(r = 1, $fn = 12); }",
+}
+
+_booleans = ("union", "intersection", "difference", "symmetric-difference")
+
+# (the verb that has the schema, arguments, exit codes that are expected)
+RUNS = [
+    *((verb, f"{verb} a.off b.off -o out.off --certify", 0) for verb in _booleans),
+    ("union", "union crossing.off b.off -o out.stl", 0),
+    ("union", "union a.off b.off -o out.off --grid 1/3", 0),
+    ("union", "union a.off far.off -o out.xoff --rounding nearest --engine layers", 0),
+    ("difference", "difference a.off a.off -o out.off --engine bsp", 0),
+    ("union", "union a.off open.off -o out.off", 4),
+    ("union", "union a.off open.off -o out.off --input soup", 0),
+    ("union", "union tetrahedron.off b.off -o out.xoff", 0),
+    ("resolve", "resolve crossing.off -o out.off --keep outer", 0),
+    ("resolve", "resolve open.off -o out.off", 4),
+    ("round", "round tetrahedron.off -o out.off --to 0.3", 0),
+    ("round", "round crossing.off -o out.off --to float32", 0),
+    ("eval", "eval a-(b&c) a=a.off b=b.off c=big.off -o out.off", 0),
+    ("eval", "eval model.csg -o out.off --round-transforms", 0),
+    ("check", "check a.off", 0),
+    ("check", "check open.off", 1),
+    ("check", "check crossing.off", 1),
+    ("info", "info a.off", 0),
+    ("info", "info open.off", 0),
+    ("compare", "compare a.off a.off", 0),
+    ("compare", "compare a.off b.off", 1),
+    ("chain", "chain steps.json -o out.off --exact-volumes --checkpoint saved", 0),
+    ("chain", "chain steps.json -o out.off --checkpoint saved --resume saved", 0),
+    ("chain", "chain steps.json -o out.off", 0),
+    ("draw", "draw a.off b.off --input overlapping --direction -1,-2,-3 -o out.svg --style both", 0),
+    ("draw", "draw a.off --from 5,6,7 -o out.svg", 0),
+    ("layers", "layers a.off far.off -o out.ply", 0),
+    ("layers", "layers a.off --origin direction:0,0,1", 0),
+    ("layers", "layers a.off --origin 4,5,6", 0),
+    ("locate", "locate a.off b.off --points points.csv -o out.csv --all", 0),
+    ("locate", "locate a.off --points points.csv -o out.csv --engine bsp", 0),
+    ("ray", "ray a.off --rays rays.csv -o out.csv --all --exact", 0),
+    ("bsp", "bsp b.off -o cells.glb", 0),
+    ("decompose", "decompose crossing.off --input overlapping -o pieces --volumes", 0),
+    ("decompose", f"decompose {DATA / 'bracket.off'} -o pieces.glb --exploded", 0),
+    ("hull", "hull crossing.off --points points.csv -o out.off", 0),
+    ("minkowski", "minkowski a.off tetrahedron.off -o out.off", 0),
+    ("erosion", "erosion big.off a.off -o out.off", 0),
+    ("offset", "offset a.off --by 0.25 --facets 40 -o out.off", 0),
+    ("contacts", "contacts a.off beside.off b.off far.off --distance --overlap overlaps -o out.glb", 0),
+    ("contacts", "contacts a.off far.off", 0),
+    ("topology", "topology a=a.off b=beside.off --expression a-b --open b --operator closure -o out.sgc", 0),
+    ("clip", "clip sheet.off a.off -o out.off --keep outside", 0),
+    ("split", "split a.off sheet.off --plane 1,0,0,1/3 -o pieces", 0),
+    ("imprint", "imprint a.off sheet.off -o pieces", 0),
+    ("cells", "cells a.off sheet.off -o pieces --walls", 0),
+    ("section", "section a.off far.off --plane 1,1,0,1/3 -o out.wkt --exact", 0),
+    ("slice", "slice a.off b.off --along y --step 1/4 -o out.svg", 0),
+    *((f"planar {verb}", f"planar {verb} p.wkt q.wkt --fill even-odd -o out.wkt", 0) for verb in _booleans),
+    ("planar union", "planar union p.wkt q.wkt --grid 1 -o out.svg", 0),
+    ("planar check", "planar check p.wkt", 1),
+    ("planar check", "planar check q.wkt", 0),
+    ("planar info", "planar info q.wkt --fill even-odd", 0),
+    ("planar bridge", "planar bridge q.wkt --fill even-odd -o out.wkt", 0),
+    ("planar locate", "planar locate q.wkt --points places.csv -o out.csv", 0),
+    ("planar contacts", "planar contacts p.wkt q.wkt r.wkt", 0),
+    ("planar decompose", "planar decompose q.wkt --fill even-odd", 0),
+    *((f"intervals {verb}", f"intervals {verb} i.csv j.csv -o out.csv", 0) for verb in _booleans),
+]

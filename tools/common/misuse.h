@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
+
+/// What to say about a command line that was not understood: what is wrong, the word that was probably meant, and
+/// what to type. Several lines, which end with a newline.
+[[nodiscard]] std::string explain_misuse(const CLI::App& app, const CLI::ParseError& error);

@@ -1,0 +1,13 @@
+# Writes schema_texts.h: the text of every schema, so that the program needs no file beside it.
+file(GLOB schemas CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/schemas/*.json)
+list(LENGTH schemas count)
+set(text "#pragma once\n#include <array>\n#include <string_view>\n\nstruct SchemaText {\n  std::string_view name;\n  std::string_view text;\n};\n\n")
+string(APPEND text "inline constexpr std::array<SchemaText, ${count}> schema_texts{{\n")
+foreach(schema ${schemas})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${schema})
+  cmake_path(GET schema STEM name)
+  file(READ ${schema} content)
+  string(APPEND text "    {\"${name}\", R\"schema(${content})schema\"},\n")
+endforeach()
+string(APPEND text "}};\n")
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/schema_texts.h CONTENT "@text@" @ONLY)
