@@ -1,0 +1,63 @@
+#include "core/attributes/triangle_origins.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "core/attributes/face_frame.h"
+#include "core/containers/collect.h"
+
+namespace strata {
+namespace {
+
+void require_sources(std::span<const MeshPoints> operands, std::span<const Source> sources) {
+  for (const Source& s : sources)
+    if (s.operand >= operands.size() || s.face >= operands[s.operand].mesh().triangles.size())
+      throw std::invalid_argument("there is no face " + std::to_string(s.face) + " of operand " +
+                                  std::to_string(s.operand));
+}
+
+}  // namespace
+
+TriangleOrigins::TriangleOrigins(std::span<const AttributedMesh> operands, ExactMeshView result,
+                                 std::span<const Source> sources, bool may_turn, const Monitor& monitor)
+    : points_(result), sources_(sources), may_turn_(may_turn), origin_(sources.size()) {
+  operands_.reserve(operands.size());
+  for (const AttributedMesh& o : operands) operands_.emplace_back(o.mesh);
+  if (sources.size() != result.mesh.triangles.size())
+    throw std::invalid_argument(std::to_string(sources.size()) + " sources of " +
+                                std::to_string(result.mesh.triangles.size()) + " triangles");
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sources.size(), 1 << 13), [&](const auto& range) {
+    monitor.check();
+    require_sources(operands_, sources.subspan(range.begin(), range.size()));
+    for (std::size_t t = range.begin(); t != range.end(); ++t) origin_[t] = origin_of(t);
+  });
+  parts_ = collect(sources.size(), [&](std::uint32_t t) { return origin_[t] == part; });
+}
+
+std::uint8_t TriangleOrigins::origin_of(std::size_t triangle) const {
+  const MeshPoints& operand = operands_[sources_[triangle].operand];
+  const Triangle &t = result().triangles[triangle], &source = source_corners(sources_[triangle]);
+  for (std::uint8_t n = 0; n < orders.size(); ++n) {
+    bool is_equal = true;
+    for (std::size_t k = 0; k < 3 && is_equal; ++k)
+      is_equal = MeshPoints::are_equal(points_, t[k], operand, source[orders[n][k]]);
+    if (is_equal) return n;
+  }
+  return part;
+}
+
+void TriangleOrigins::find_turned_parts(const Monitor& monitor) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts_.size(), 256), [&](const auto& range) {
+    monitor.check();
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      const std::uint32_t t = parts_[i];
+      const FaceFrame frame(points_of(sources_[t].operand), source_corners(sources_[t]));
+      if (frame.is_opposite(points_, result().triangles[t])) origin_[t] = turned_part;
+    }
+  });
+}
+
+}  // namespace strata
