@@ -293,5 +293,21 @@ TEST_CASE("what tells its sources carries attributes by a call", "[attributes]")
     CHECK_THROWS_AS(carry_attributes(operands, ExactMeshView(left, {}), sources), std::invalid_argument);
     sources[3] = {1, 0};
     CHECK_THROWS_AS(carry_attributes(operands, ExactMeshView(left, {}), sources), std::invalid_argument);
+    sources[3] = {0, 3};
+    Mesh wrong = left;
+    wrong.triangles[5][1] = 8;
+    CHECK_THROWS_AS(carry_attributes(operands, ExactMeshView(wrong, {}), sources), std::invalid_argument);
+    CHECK_THROWS_AS(carry_attributes(operands, ExactMeshView(left, std::array{ExactVertex{8, {}}}), sources),
+                    std::invalid_argument);
+  }
+  SECTION("a face with a vertex that there is not, which a soup may have") {
+    Mesh soup = left;
+    soup.triangles.push_back({0, 1, 8});
+    Attributes a = with({"x", Element::vertex, Interpolation::linear, 1, Floats(8, 1)});
+    const Attributes b = with(constant<float>("x", Element::corner, {2}, Interpolation::linear));
+    const std::vector<Operand> operands{{soup, {}, false, &a}, {right, {}, false, &b}};
+    const BooleanResult r =
+        combine(Operation::union_, std::span<const Operand>(operands), {.input = InputClass::repair});
+    CHECK(ends<float>(r.attributes, "x") == std::pair(Floats{1}, Floats{2}));
   }
 }

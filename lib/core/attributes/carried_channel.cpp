@@ -30,10 +30,15 @@ class TypedChannel final : public CarriedChannel {
   }
 
   void write_triangles(std::size_t first, std::size_t last) override {
-    if (element_ == Element::face)
-      write_faces(first, last);
-    else
-      write_whole_triangles(first, last);
+    for (std::size_t t = first; t < last;) {
+      const std::size_t end = end_of_run(t, last);
+      if (end > t) {
+        copy_run(t, end);
+        t = end;
+      } else {
+        write_triangle(t++);
+      }
+    }
   }
 
   void write_corner(std::size_t corner, std::size_t source_corner, const FaceFrame& frame) override {
@@ -97,31 +102,39 @@ class TypedChannel final : public CarriedChannel {
     if (is_negated(t)) negate(corner);
   }
 
-  void write_faces(std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last; ++t) {
-      const Source& s = origins_.sources()[t];
-      if (is_missing(t)) {
-        write_missing(t, nullptr);
-        continue;
-      }
-      copy(values_[s.operand].data() + s.face * size_, t);
-      if (is_negated(t)) negate(t);
-    }
+  /// The end of the triangles from this one on that are, one after the other, faces of an operand as they are, so that
+  /// their values are.
+  [[nodiscard]] std::size_t end_of_run(std::size_t first, std::size_t last) const {
+    if (element_ == Element::vertex || is_missing(first)) return first;
+    const Source& s = origins_.sources()[first];
+    std::size_t t = first;
+    while (t < last && origins_.sources()[t] == Source{s.operand, s.face + static_cast<std::uint32_t>(t - first)} &&
+           (element_ == Element::face || origins_.is_as_it_was(t)) && !is_negated(t))
+      ++t;
+    return t;
+  }
+  void copy_run(std::size_t first, std::size_t last) {
+    const Source& s = origins_.sources()[first];
+    const std::size_t size = element_ == Element::face ? size_ : 3 * size_;
+    std::copy_n(values_[s.operand].data() + s.face * size, (last - first) * size, result_.data() + first * size);
   }
 
-  void write_whole_triangles(std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last; ++t) {
-      if (!origins_.is_whole(t)) continue;
-      const auto& order = origins_.order(t);
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (is_missing(t)) {
-          write_missing(3 * t + k, nullptr);
-          continue;
-        }
-        copy(value_at(origins_.sources()[t], order[k]), 3 * t + k);
-        if (is_negated(t)) negate(3 * t + k);
-      }
-    }
+  void write_triangle(std::size_t t) {
+    if (element_ == Element::face)
+      write_face(t);
+    else if (origins_.is_whole(t))
+      for (std::size_t k = 0; k < 3; ++k) write_corner_of_whole(t, k);
+  }
+  void write_face(std::size_t t) {
+    const Source& s = origins_.sources()[t];
+    if (is_missing(t)) return write_missing(t, nullptr);
+    copy(values_[s.operand].data() + s.face * size_, t);
+    if (is_negated(t)) negate(t);
+  }
+  void write_corner_of_whole(std::size_t t, std::size_t k) {
+    if (is_missing(t)) return write_missing(3 * t + k, nullptr);
+    copy(value_at(origins_.sources()[t], origins_.order(t)[k]), 3 * t + k);
+    if (is_negated(t)) negate(3 * t + k);
   }
 
   /// Per vertex the lowest corner of it; none for one that no triangle has.

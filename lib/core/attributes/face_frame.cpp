@@ -75,6 +75,27 @@ bool FaceFrame::is_opposite(const MeshPoints& points, const Triangle& t) const {
 }
 
 std::array<double, 3> FaceFrame::unit_normal() const {
+  std::array<double, 3> n{};
+  double longest = 0, error = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const DoubleDouble d = determinant(fine_[0], fine_[1], fine_[2], (i + 1) % 3, (i + 2) % 3);
+    n[i] = d.value;
+    longest = std::max(longest, std::abs(d.value));
+    error = std::max(error, d.error);
+  }
+  const bool is_certain = std::isfinite(longest) && error < longest * 0x1p-70;
+  if (!is_certain && !has_exact_normal(n)) return {};
+  double square = 0;
+  for (double& x : n) {
+    if (is_certain) x /= longest;
+    square += x * x;
+  }
+  for (double& x : n) x /= std::sqrt(square);
+  return n;
+}
+
+/// Writes the normal divided by its longest component. False for a face without area.
+bool FaceFrame::has_exact_normal(std::array<double, 3>& normal) const {
   const auto& [a, b, c] = exact_corners();
   std::array<Rational, 3> n;
   Rational longest = 0;
@@ -82,15 +103,9 @@ std::array<double, 3> FaceFrame::unit_normal() const {
     n[i] = determinant(a, b, c, (i + 1) % 3, (i + 2) % 3);
     longest = std::max(longest, abs(n[i]));
   }
-  if (longest == 0) return {};
-  std::array<double, 3> unit{};
-  double square = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    unit[i] = to_nearest_double(n[i] / longest);
-    square += unit[i] * unit[i];
-  }
-  for (double& x : unit) x /= std::sqrt(square);
-  return unit;
+  if (longest == 0) return false;
+  for (std::size_t i = 0; i < 3; ++i) normal[i] = to_nearest_double(n[i] / longest);
+  return true;
 }
 
 FaceFrame::Place::Place(const FaceFrame& frame, const MeshPoints& points, std::uint32_t vertex)

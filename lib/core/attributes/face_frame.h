@@ -49,7 +49,7 @@ class FaceFrame {
   /// True when a triangle in the plane of the face has the opposite orientation, as projected.
   [[nodiscard]] bool is_opposite(const MeshPoints& points, const Triangle& triangle) const;
 
-  /// The outward unit normal, each component within a unit in the last place; (0, 0, 0) for a face without area.
+  /// The outward unit normal to a few units in the last place of its length; (0, 0, 0) for a face without area.
   [[nodiscard]] std::array<double, 3> unit_normal() const;
 
  private:
@@ -57,6 +57,7 @@ class FaceFrame {
 
   /// Twice the area of a projected triangle, with its sign; zero with an infinite error if it is not known.
   [[nodiscard]] DoubleDouble area(const Fine& p, const Fine& q, const Fine& r) const;
+  [[nodiscard]] bool has_exact_normal(std::array<double, 3>& normal) const;
   [[nodiscard]] const std::array<RationalPoint, 3>& exact_corners() const;
   [[nodiscard]] Rational exact_area(const RationalPoint& p, const RationalPoint& q, const RationalPoint& r) const;
   /// The weights of a point; none if the face has no area.

@@ -76,6 +76,10 @@ void convert(const Channel& channel, const std::vector<From>& from, const Channe
   to.reserve(elements * form.components);
   for (std::size_t e = 0; e < elements; ++e) {
     const std::size_t at = is_finer ? element_at(channel.element, mesh, e) : e;
+    if ((at + 1) * channel.components > from.size()) {  // a vertex that there is not: no result has the face
+      to.resize(to.size() + form.components);
+      continue;
+    }
     for (std::size_t c = 0; c < channel.components; ++c) {
       const From x = from[at * channel.components + c];
       if constexpr (std::is_same_v<To, From>)

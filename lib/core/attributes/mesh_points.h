@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "core/exact/double_double.h"
@@ -12,8 +14,13 @@ namespace strata {
 /// The vertices of a mesh as exact points. Refers to the mesh.
 class MeshPoints {
  public:
+  /// Throws std::invalid_argument where exact vertices are not in order, or are none of the mesh.
   explicit MeshPoints(ExactMeshView mesh) : mesh_(mesh) {
     if (mesh.exact.empty()) return;
+    const auto is_out_of_order = [](const ExactVertex& a, const ExactVertex& b) { return a.vertex >= b.vertex; };
+    if (std::adjacent_find(mesh.exact.begin(), mesh.exact.end(), is_out_of_order) != mesh.exact.end() ||
+        mesh.exact.back().vertex >= mesh.mesh.vertices.size())
+      throw std::invalid_argument("exact vertices are not in order, or of no vertex");
     first_listed_ = mesh.exact.front().vertex;
     listed_.assign(mesh.mesh.vertices.size() - first_listed_, nullptr);
     for (const ExactVertex& e : mesh.exact) listed_[e.vertex - first_listed_] = &e.position;

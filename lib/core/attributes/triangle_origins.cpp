@@ -12,11 +12,16 @@
 namespace strata {
 namespace {
 
-void require_sources(std::span<const MeshPoints> operands, std::span<const Source> sources) {
-  for (const Source& s : sources)
-    if (s.operand >= operands.size() || s.face >= operands[s.operand].mesh().triangles.size())
-      throw std::invalid_argument("there is no face " + std::to_string(s.face) + " of operand " +
-                                  std::to_string(s.operand));
+void require_vertices(const MeshView& mesh, const Triangle& t) {
+  for (const std::uint32_t v : t)
+    if (v >= mesh.vertices.size()) throw std::invalid_argument("a triangle has the vertex " + std::to_string(v));
+}
+
+void require_source(std::span<const MeshPoints> operands, const Source& s) {
+  if (s.operand >= operands.size() || s.face >= operands[s.operand].mesh().triangles.size())
+    throw std::invalid_argument("there is no face " + std::to_string(s.face) + " of operand " +
+                                std::to_string(s.operand));
+  require_vertices(operands[s.operand].mesh(), operands[s.operand].mesh().triangles[s.face]);
 }
 
 }  // namespace
@@ -31,8 +36,11 @@ TriangleOrigins::TriangleOrigins(std::span<const AttributedMesh> operands, Exact
                                 std::to_string(result.mesh.triangles.size()) + " triangles");
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sources.size(), 1 << 13), [&](const auto& range) {
     monitor.check();
-    require_sources(operands_, sources.subspan(range.begin(), range.size()));
-    for (std::size_t t = range.begin(); t != range.end(); ++t) origin_[t] = origin_of(t);
+    for (std::size_t t = range.begin(); t != range.end(); ++t) {
+      require_source(operands_, sources[t]);
+      require_vertices(result.mesh, result.mesh.triangles[t]);
+      origin_[t] = origin_of(t);
+    }
   });
   parts_ = collect(sources.size(), [&](std::uint32_t t) { return origin_[t] == part; });
 }

@@ -14,8 +14,9 @@ namespace strata {
 /// of them. Refers to operands, result and sources.
 class TriangleOrigins {
  public:
-  /// Compares corners, in parallel. Throws std::invalid_argument for sources of no face and for as many sources as
-  /// there are no triangles. `may_turn`: false where none has the opposite orientation of its source.
+  /// Compares corners, in parallel. Throws std::invalid_argument for sources of no face, another number of sources than
+  /// triangles, and triangles with vertices that there are not. `may_turn`: false where none has the opposite
+  /// orientation of its source.
   TriangleOrigins(std::span<const AttributedMesh> operands, ExactMeshView result, std::span<const Source> sources,
                   bool may_turn, const Monitor& monitor);
 
@@ -30,6 +31,8 @@ class TriangleOrigins {
   /// The triangles that are not their source faces, rising.
   [[nodiscard]] std::span<const std::uint32_t> parts() const { return parts_; }
   [[nodiscard]] bool is_whole(std::size_t triangle) const { return origin_[triangle] < part; }
+  /// True when a triangle has the corners of its source in their order.
+  [[nodiscard]] bool is_as_it_was(std::size_t triangle) const { return origin_[triangle] == 0; }
   /// Of a whole triangle, the corner of its source at each of its corners.
   [[nodiscard]] const std::array<std::uint8_t, 3>& order(std::size_t triangle) const {
     return orders[origin_[triangle]];
