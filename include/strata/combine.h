@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "strata/attributes.h"
 #include "strata/errors.h"
 #include "strata/formula.h"
 #include "strata/mesh.h"
@@ -31,6 +32,7 @@ struct Operand {
   MeshView mesh;
   std::span<const ExactVertex> exact;
   bool is_checked = false;  ///< known to bound a solid, as a Solid does: not checked again, if there are rationals
+  const Attributes* attributes = nullptr;  ///< what the result is to carry on (carry_attributes.h); null: nothing
 };
 
 /// The regularized boundary of the result.
@@ -39,6 +41,7 @@ struct BooleanResult {
   std::vector<Source> sources;             ///< one per triangle
   std::vector<ExactVertex> exact;          ///< exact positions of rounded vertices, if Options::exact_vertices
   std::optional<RoundingReport> rounding;  ///< what moved, if Options::rounding
+  Attributes attributes;                   ///< if an operand has any, or Options::cut_material is given
   std::vector<Defect> notes;               ///< what was resolved on the way in (seams welded, degenerate faces)
   Profile profile;
 };
@@ -59,6 +62,13 @@ struct BooleanResult {
 /// either. Solids that only touch have an empty intersection. Empty operands are empty sets; of no operands the result
 /// is empty. degenerate_contact.h specifies what every degenerate contact gives.
 ///
+/// Sources: every triangle lies in one face of one operand. If operands have attributes and faces of several coincide,
+/// it is that of the first operand that keeps it: the first whose faces there, without those of the others or after
+/// them, change what is inside. That is the first operand that has a face there, for the four operations about solids.
+/// Without attributes it is one of the operands that have a face there. If an operand has attributes, the result has
+/// them as carry_attributes.h says. In an intersection cut faces are those of all operands but the first, else those
+/// that are turned over.
+///
 /// Laws: those of sets, as point sets. Same bytes for any number of threads. With another engine the solid is the same,
 /// but its triangles are not.
 ///
@@ -66,7 +76,8 @@ struct BooleanResult {
 /// k).
 ///
 /// Throws InputError (an operand is not what was declared; `operand()` says which), std::invalid_argument (`exact` is
-/// not in order, or the mesh does not hold the nearest doubles), Cancelled, std::length_error (more than 2^32 - 2
+/// not in order, or the mesh does not hold the nearest doubles; attributes do not fit their mesh, or the engine carries
+/// none), Cancelled, std::length_error (more than 2^32 - 2
 /// vertices or faces in all). Source: per stage, lib/ARCHITECTURE.md.
 [[nodiscard]] BooleanResult combine(Operation operation, std::span<const MeshView> operands,
                                     const Options& options = {});
@@ -87,6 +98,8 @@ struct Engine {
   BooleanResult (*combine)(Operation operation, std::span<const Operand> operands, const Options& options);
   /// The same for a bounded formula; null if the engine has only the four operations.
   BooleanResult (*evaluate)(const Formula& formula, std::span<const Operand> operands, const Options& options);
+  /// Every triangle that it makes lies in the face that is its source, so that attributes can be carried.
+  bool keeps_faces = false;
 };
 
 }  // namespace strata

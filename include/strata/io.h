@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strata/attributes.h"
 #include "strata/errors.h"
 #include "strata/file_path.h"
 #include "strata/mesh.h"
@@ -40,6 +41,7 @@ struct MeshFile {
   std::vector<std::string> notes;                  ///< what was left out or decided when reading, one sentence each
   std::vector<std::uint32_t> polygon_of_triangle;  ///< face of the file, from 0, per triangle; empty: they are the same
   std::vector<ExactVertex> exact;                  ///< as in ExactMesh: vertices that are not three doubles (XOFF only)
+  Attributes attributes;                           ///< what the file says beside the shape
 };
 
 /// The format that goes with a file name's extension, upper or lower case; `other` for those that Strata has no reader

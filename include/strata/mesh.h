@@ -67,7 +67,7 @@ struct ExactMeshView {
 };
 
 /// The triangle of the input that an output triangle is a part of: number of the operand, and of the triangle there,
-/// both from 0. Of several coplanar ones it is one of them.
+/// both from 0. Of several coplanar ones it is one of them; `combine` says which.
 struct Source {
   std::uint32_t operand = 0;
   std::uint32_t face = 0;

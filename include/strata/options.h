@@ -99,7 +99,8 @@ inline constexpr std::array all_insides{Inside::winding, Inside::even_odd, Insid
   return names[static_cast<std::size_t>(inside)];
 }
 
-struct Engine;  // combine.h
+struct Engine;    // combine.h
+struct Material;  // attributes.h
 
 /// How an operation is computed. Every field has a default: `{.threads = 1}` is enough.
 struct Options {
@@ -113,6 +114,9 @@ struct Options {
   /// what moved in BooleanResult::rounding. Exact vertices, where they are asked for, go before: nothing is rounded
   /// then. Solids are exact; their functions do not look at it.
   std::optional<CoordinateGrid> rounding = {};
+  /// Where attributes are carried (carry_attributes.h): what cut faces are made of that have no material. Null:
+  /// nothing.
+  const Material* cut_material = nullptr;
   Progress progress = {};               ///< any callable that takes a double: the fraction done
   const CancelToken* cancel = nullptr;  ///< null: the operation cannot be cancelled
 };

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "strata/attributes.h"
 #include "strata/combine.h"
 #include "strata/measure.h"
 #include "strata/mesh.h"
@@ -58,6 +59,13 @@ class Solid {
   /// Of a solid made from a mesh operand 0 and the face's own number.
   [[nodiscard]] const std::vector<Source>& sources() const;
   [[nodiscard]] const std::vector<Defect>& notes() const;  ///< what was resolved when it was made
+
+  /// What the mesh carries: channels of as many values as it has vertices, corners and faces. Solids made from solids
+  /// have what these carry, as carry_attributes.h says; others have none. Solids are equal whatever they carry.
+  [[nodiscard]] const Attributes& attributes() const;
+  /// The same solid with these attributes in place of its own. Throws std::invalid_argument where they do not fit the
+  /// mesh, as `check_attributes` says.
+  [[nodiscard]] Solid with_attributes(Attributes attributes) const;
 
   [[nodiscard]] Rational volume() const;           ///< exact; O(n)
   [[nodiscard]] double area() const;               ///< of the boundary, to a few units in the last place; O(n)

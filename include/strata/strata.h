@@ -3,6 +3,7 @@
 /// every extension has a header of its own: bsp.h, complex.h, contact.h, convex.h, incremental.h, openscad.h, planar.h,
 /// query.h, section.h, surface.h.
 #include "strata/attributes.h"
+#include "strata/carry_attributes.h"
 #include "strata/check.h"
 #include "strata/combine.h"
 #include "strata/coordinate_grid.h"

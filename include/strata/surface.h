@@ -99,6 +99,7 @@ struct Arrangement {
 /// The pieces into which surfaces divide a solid. Surfaces that end inside it, or leave a way around them, do not
 /// divide it there. Sources: operand 0 is the solid, operand k surface k - 1. Laws: the pieces unite to the solid;
 /// their volumes add up to its own; each is connected. Without surfaces: the components. Of the empty solid: none.
+/// The solid's attributes are carried; faces that the surfaces cut are cut faces (Options::cut_material).
 [[nodiscard]] std::vector<Solid> split(const Solid& solid, std::span<const Surface> surfaces,
                                        const Options& options = {});
 

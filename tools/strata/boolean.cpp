@@ -17,6 +17,18 @@
 
 namespace {
 
+/// Puts attributes into the operands, unless the engine carries none. Returns the material for cut faces.
+std::optional<strata::Material> put_attributes(std::span<const LoadedMesh> operands, const Settings& settings,
+                                               std::vector<strata::Operand>& views) {
+  std::vector<const strata::Attributes*> lists;
+  for (const LoadedMesh& operand : operands) lists.push_back(&operand.attributes);
+  const std::optional<strata::Material> material = settings.attributes.material_among(lists);
+  if (!carries_attributes(settings.engine, lists, material, settings)) return std::nullopt;
+  for (std::size_t n = 0; n < views.size(); ++n)
+    if (!operands[n].attributes.empty()) views[n].attributes = &operands[n].attributes;
+  return material;
+}
+
 strata::BooleanResult evaluate(strata::Operation operation, std::span<const LoadedMesh> operands, strata::Format format,
                                const Settings& settings, const Watch& watch) {
   ProgressBar bar(settings.progress, settings.quiet);
@@ -25,6 +37,8 @@ strata::BooleanResult evaluate(strata::Operation operation, std::span<const Load
   options.exact_vertices = !settings.report.empty() || format == strata::Format::xoff || settings.touching != "shared";
   std::vector<strata::Operand> views;
   for (const LoadedMesh& operand : operands) views.push_back({operand.mesh.mesh, operand.mesh.exact});
+  const std::optional<strata::Material> cut_material = put_attributes(operands, settings, views);
+  if (cut_material) options.cut_material = &*cut_material;
   if (!options.rounding || options.exact_vertices)
     return strata::combine(operation, std::span<const strata::Operand>(views), options);
   try {
@@ -91,8 +105,9 @@ ExitCode run_boolean(strata::Operation operation, const char* name, const Settin
   watch.on_stop(OnStop::leave);
   add_profile(report, result.profile);
   if (result.rounding)
-    return write_rounded_result(std::move(result.mesh), *result.rounding, format, settings, watch, name, question);
+    return write_rounded_result(std::move(result.mesh), result.attributes, *result.rounding, format, settings, watch,
+                                name, question);
   if (!settings.report.empty()) report["operands"] = operand_reports(operands, result.notes, settings);
-  return write_result({std::move(result.mesh), std::move(result.exact)}, format, std::move(report), settings, watch,
-                      name, question);
+  return write_result({std::move(result.mesh), std::move(result.exact)}, result.attributes, format, std::move(report),
+                      settings, watch, name, question);
 }

@@ -87,5 +87,5 @@ ExitCode run_chain(const ChainSettings& chain, Settings& settings) {
   report["operands"] = operands.reports();
   run.add_to(report);
   const Asked question = []() -> verify::NewCase { throw std::runtime_error("the document itself says all"); };
-  return write_result(run.solid().exact_mesh(), format, std::move(report), settings, watch, "chain", question);
+  return write_result(run.solid().exact_mesh(), {}, format, std::move(report), settings, watch, "chain", question);
 }

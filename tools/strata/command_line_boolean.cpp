@@ -19,6 +19,7 @@ void add_boolean(CommandLine& line, strata::Operation operation, const std::stri
   add_common_options(*verb, settings, 1, 0);
   add_input_class_and_holes(*verb, settings);
   add_engine(*verb, settings, boolean_engines());
+  add_attribute_options(*verb, settings);
   add_output_options(*verb, settings);
   verb->footer(fmt::format("Example:\n  strata {} A.stl B.stl -o OUT.stl\n\n{}", name, exit_codes));
   line.on(*verb, [&settings, operation, name] { return run_boolean(operation, name, settings); });
@@ -38,6 +39,7 @@ void add_resolve(CommandLine& line) {
       ->transform(CLI::CheckedTransformer(insides))
       ->type_name("RULE")
       ->default_str("winding");
+  add_attributes_option(*verb, settings);
   add_output_options(*verb, settings);
   verb->footer(fmt::format(R"(Examples:
   strata resolve crossing.stl -o solid.stl
@@ -57,6 +59,7 @@ void add_round(CommandLine& line) {
                    "What coordinates become: float64, float32, or multiples of a step, as 0.001 or 1/1024")
       ->required()
       ->type_name("float64|float32|STEP");
+  add_attributes_option(*verb, settings);
   add_output_file(*verb, settings);
   verb->footer(fmt::format(
       R"(Faces stay as they are where rounded ones do not cross, and are rearranged where they do. What is thinner than
@@ -84,6 +87,7 @@ void add_eval(CommandLine& line) {
   add_run_options(*verb, settings);
   add_input_class_and_holes(*verb, settings);
   add_engine(*verb, settings, formula_engines());
+  add_attribute_options(*verb, settings);
   add_output_options(*verb, settings);
   verb->footer(fmt::format(
       R"text(Operators, the strongest first: ~a (all but a; ! is the same), a - b and a + b (union), a & b, a ^ b (in one of them),

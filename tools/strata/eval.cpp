@@ -79,7 +79,7 @@ Input read_expression(Settings& settings) {
   check_streams(settings);
   Input input{read_operands(settings), names, {}};
   std::map<std::string, strata::Solid> solids;
-  for (std::size_t k = 0; k < names.size(); ++k) solids[names[k]] = make_solid(input.operands, k, settings);
+  for (std::size_t k = 0; k < names.size(); ++k) solids[names[k]] = make_attributed_solid(input.operands, k, settings);
   input.expression =
       strata::parse_expression(settings.expression, [&](const std::string& name) { return solids.at(name); });
   return input;
@@ -108,10 +108,21 @@ Json expression_report(const strata::Expression& e) {
           {"primitives", std::move(primitives)}};
 }
 
+std::optional<strata::Material> material_for_cuts(const strata::Expression& expression, const Settings& settings) {
+  if (settings.attributes.cut_material.empty()) return std::nullopt;
+  const auto primitives = expression.primitives();
+  std::vector<const strata::Attributes*> lists;
+  for (const auto& p : primitives) lists.push_back(&p.solid.attributes());
+  return settings.attributes.material_among(lists);
+}
+
 strata::Solid evaluate(const strata::Expression& expression, const Settings& settings, const Watch& watch) {
   ProgressBar bar(settings.progress, settings.quiet);
+  strata::Options options = watched_options(settings, bar, watch);
+  const std::optional<strata::Material> cut_material = material_for_cuts(expression, settings);
+  if (cut_material) options.cut_material = &*cut_material;
   try {
-    return expression.evaluate(watched_options(settings, bar, watch));
+    return expression.evaluate(options);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
@@ -152,5 +163,6 @@ ExitCode run_eval(Settings& settings) {
     report["expression"] = expression_report(*input.expression);
     report["operands"] = operand_reports(input.operands, settings);
   }
-  return write_result(solid.exact_mesh(), format, std::move(report), settings, watch, "eval", question);
+  return write_result(solid.exact_mesh(), solid.attributes(), format, std::move(report), settings, watch, "eval",
+                      question);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -11,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "strata/carry_attributes.h"
 #include "threads.h"
 
 namespace {
@@ -68,7 +70,10 @@ std::vector<LoadedMesh> read_operands(const Settings& settings) {
   for (const std::string& path : settings.operands) {
     strata::MeshFile file = on_threads(settings, [&] { return read_operand(path, settings); });
     print_notes(path, file.notes, settings);
-    operands.push_back({path, {std::move(file.mesh), std::move(file.exact)}, std::move(file.polygon_of_triangle)});
+    operands.push_back({path,
+                        {std::move(file.mesh), std::move(file.exact)},
+                        std::move(file.polygon_of_triangle),
+                        settings.attributes.chosen(std::move(file.attributes))});
   }
   return operands;
 }
@@ -87,7 +92,9 @@ Format output_format(const Settings& settings) {
       fmt::format("cannot tell a format from {}; use --format with one of: {}", settings.output, writable));
 }
 
-void write_output(const Settings& settings, Format format, const strata::ExactMesh& mesh) {
+void write_output(const Settings& settings, Format format, const strata::ExactMesh& mesh,
+                  const strata::Attributes& attributes) {
+  if (!attributes.empty()) print_notes(settings.output, {"attributes are not written"}, settings);
   if (settings.output == "-") {
     const auto write = [&] { return strata::write_mesh(std::cout, mesh, format, "standard output"); };
     print_notes("standard output", on_threads(settings, write), settings);
@@ -108,4 +115,12 @@ strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, co
   } catch (const strata::InputError& error) {
     throw strata::InputError(error.defects(), k);
   }
+}
+
+strata::Solid make_attributed_solid(std::span<const LoadedMesh> operands, std::size_t k, const Settings& settings) {
+  strata::Solid solid = make_solid(operands, k, settings);
+  const LoadedMesh& operand = operands[k];
+  if (operand.attributes.empty()) return solid;
+  const std::array given{strata::AttributedMesh{operand.mesh, &operand.attributes}};
+  return solid.with_attributes(strata::carry_attributes(given, solid.exact_mesh(), solid.sources()));
 }

@@ -84,5 +84,5 @@ ExitCode run_hull(const Settings& settings) {
   const strata::ExactMesh result = mesh_of(hull);
   report["seconds"]["evaluate"] = stopwatch.lap();
   report["peak_bytes"] = peak_bytes();
-  return write_result(result, format, std::move(report), settings, watch, "hull", [&] { return asked(result); });
+  return write_result(result, {}, format, std::move(report), settings, watch, "hull", [&] { return asked(result); });
 }

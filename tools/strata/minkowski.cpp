@@ -55,7 +55,7 @@ ExitCode run_making(const char* verb, const Settings& settings, const Make& make
   report["peak_bytes"] = peak_bytes();
   watch.on_stop(OnStop::leave);
   if (!settings.report.empty()) report["operands"] = operand_reports(operands, settings);
-  return write_result(solid.exact_mesh(), format, std::move(report), settings, watch, verb, question);
+  return write_result(solid.exact_mesh(), {}, format, std::move(report), settings, watch, verb, question);
 }
 
 }  // namespace

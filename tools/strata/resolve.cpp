@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "report.h"
 #include "reproduction.h"
 #include "result_file.h"
+#include "strata/carry_attributes.h"
 #include "verbs.h"
 #include "watched_options.h"
 
@@ -26,7 +28,10 @@ verify::NewCase asked(const LoadedMesh& mesh, const Settings& settings) {
 
 strata::Solid evaluate(const LoadedMesh& mesh, const Settings& settings, const Watch& watch) {
   ProgressBar bar(settings.progress, settings.quiet);
-  return strata::resolve(mesh.mesh, settings.inside, watched_options(settings, bar, watch));
+  const strata::Solid solid = strata::resolve(mesh.mesh, settings.inside, watched_options(settings, bar, watch));
+  if (mesh.attributes.empty()) return solid;
+  const std::array given{strata::AttributedMesh{mesh.mesh, &mesh.attributes}};
+  return solid.with_attributes(strata::carry_attributes(given, solid.exact_mesh(), solid.sources()));
 }
 
 }  // namespace
@@ -64,5 +69,6 @@ ExitCode run_resolve(const Settings& settings) {
   watch.on_stop(OnStop::leave);
   if (!settings.report.empty())
     report["operands"] = Json::array({operand_report(operands.front(), solid.notes(), settings)});
-  return write_result(solid.exact_mesh(), format, std::move(report), settings, watch, "resolve", question);
+  return write_result(solid.exact_mesh(), solid.attributes(), format, std::move(report), settings, watch, "resolve",
+                      question);
 }

@@ -8,6 +8,7 @@
 
 #include "common/stopwatch.h"
 #include "rounded_output.h"
+#include "strata/carry_attributes.h"
 #include "strata/check.h"
 #include "strata/measure.h"
 #include "strata/solid.h"
@@ -33,10 +34,16 @@ strata::ExactMesh separated(const strata::ExactMesh& mesh) {
 /// turn. Returns false if that is no solid any more.
 bool separate(RoundedOutput& rounded, const strata::ExactMesh& exact, strata::Format format, const Settings& settings,
               const Watch& watch) {
-  rounded.mesh = separated(rounded.mesh ? *rounded.mesh : exact);
+  const strata::Solid separated = strata::Solid::trusted(rounded.mesh ? *rounded.mesh : exact)
+                                      .with_attributes(std::move(rounded.attributes))
+                                      .separated();
+  rounded.mesh = separated.exact_mesh();
+  rounded.attributes = separated.attributes();
   const auto grid = grid_of(format, settings);
   if (!grid || !settings.makes_solids()) return true;
   strata::RoundedMesh again = rounded_for_output(*rounded.mesh, *grid, settings, &watch.token());
+  if (!rounded.attributes.empty())
+    rounded.attributes = strata::carry_attributes({*rounded.mesh, &rounded.attributes}, again, *grid);
   rounded.mesh = strata::ExactMesh{std::move(again.mesh), {}};
   return again.report.rounds == 0;
 }
@@ -81,7 +88,7 @@ ExitCode write(const strata::ExactMesh& exact, RoundedOutput rounded, strata::Fo
   }
   watch.on_stop(OnStop::finish);
   stopwatch.lap();
-  write_output(settings, format, written);
+  write_output(settings, format, written, rounded.attributes);
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.report.empty()) write_report(settings.report, std::move(report));
   if (rounded.strays) print_strays(*rounded.strays);
@@ -94,19 +101,21 @@ ExitCode write(const strata::ExactMesh& exact, RoundedOutput rounded, strata::Fo
 
 }  // namespace
 
-ExitCode write_result(const strata::ExactMesh& exact, strata::Format format, Json report, const Settings& settings,
-                      Watch& watch, const char* verb, const Asked& asked) {
+ExitCode write_result(const strata::ExactMesh& exact, const strata::Attributes& attributes, strata::Format format,
+                      Json report, const Settings& settings, Watch& watch, const char* verb, const Asked& asked) {
   Stopwatch stopwatch;
-  RoundedOutput rounded = rounded_output(exact, format, settings, &watch.token());
+  RoundedOutput rounded = rounded_output(exact, attributes, format, settings, &watch.token());
   return write(exact, std::move(rounded), format, std::move(report), settings, watch, stopwatch, verb, asked);
 }
 
-ExitCode write_rounded_result(strata::Mesh mesh, const strata::RoundingReport& rounding, strata::Format format,
-                              const Settings& settings, Watch& watch, const char* verb, const Asked& asked) {
+ExitCode write_rounded_result(strata::Mesh mesh, const strata::Attributes& attributes,
+                              const strata::RoundingReport& rounding, strata::Format format, const Settings& settings,
+                              Watch& watch, const char* verb, const Asked& asked) {
   Stopwatch stopwatch;
   print_rounding(rounding, settings);
   const strata::ExactMesh written{std::move(mesh), {}};
   RoundedOutput output;
+  output.attributes = attributes;
   if (strays(rounding)) output.strays = rounding;
   return write(written, std::move(output), format, Json(), settings, watch, stopwatch, verb, asked);
 }

@@ -13,11 +13,13 @@
 /// What all verbs that make a mesh do with it: checks it where asked to, completes the report with the result and the
 /// times, writes both. Not certified: says so and tells by the exit code. If that was no matter
 /// of rounding, what `verb` asked is kept as a reproduction.
-[[nodiscard]] ExitCode write_result(const strata::ExactMesh& exact, strata::Format format, Json report,
-                                    const Settings& settings, Watch& watch, const char* verb, const Asked& asked);
+[[nodiscard]] ExitCode write_result(const strata::ExactMesh& exact, const strata::Attributes& attributes,
+                                    strata::Format format, Json report, const Settings& settings, Watch& watch,
+                                    const char* verb, const Asked& asked);
 
 /// The same for what was rounded to the format already, for which there is no report: a mesh of doubles, and what
 /// rounding did.
-[[nodiscard]] ExitCode write_rounded_result(strata::Mesh mesh, const strata::RoundingReport& rounding,
-                                            strata::Format format, const Settings& settings, Watch& watch,
-                                            const char* verb, const Asked& asked);
+[[nodiscard]] ExitCode write_rounded_result(strata::Mesh mesh, const strata::Attributes& attributes,
+                                            const strata::RoundingReport& rounding, strata::Format format,
+                                            const Settings& settings, Watch& watch, const char* verb,
+                                            const Asked& asked);

@@ -6,6 +6,7 @@
 #include "files.h"
 #include "report.h"
 #include "rounded_output.h"
+#include "strata/carry_attributes.h"
 #include "verbs.h"
 
 namespace {
@@ -36,7 +37,7 @@ ExitCode run_round(const Settings& settings) {
   const CoordinateGrid grid = grid_for(settings, format);
   const std::vector<LoadedMesh> operands = read_operands(settings);
   report["seconds"]["read"] = stopwatch.lap();
-  const strata::Solid solid = make_solid(operands, 0, settings);
+  const strata::Solid solid = make_attributed_solid(operands, 0, settings);
 
   watch.on_stop(OnStop::ask);
   strata::RoundedMesh rounded;
@@ -49,6 +50,9 @@ ExitCode run_round(const Settings& settings) {
   report["seconds"]["evaluate"] = stopwatch.lap();
   report["peak_bytes"] = peak_bytes();
   print_rounding(rounded.report, settings);
+  strata::Attributes attributes;
+  if (!solid.attributes().empty())
+    attributes = strata::carry_attributes({solid.exact_mesh(), &solid.attributes()}, rounded, grid);
   const strata::ExactMesh mesh{std::move(rounded.mesh), {}};
   if (!settings.report.empty()) {
     report["operands"] = Json::array({operand_report(operands.front(), solid.notes(), settings)});
@@ -57,7 +61,7 @@ ExitCode run_round(const Settings& settings) {
   }
   watch.on_stop(OnStop::finish);
   stopwatch.lap();
-  write_output(settings, format, mesh);
+  write_output(settings, format, mesh, attributes);
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.report.empty()) write_report(settings.report, std::move(report));
   if (!strays(rounded.report)) return ExitCode::ok;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "files.h"
+#include "strata/carry_attributes.h"
 
 using strata::CoordinateGrid;
 using strata::Format;
@@ -119,22 +120,24 @@ void print_strays(const strata::RoundingReport& report) {
       report.largest_movement, report.largest_movement / report.unit);
 }
 
-RoundedOutput rounded_output(const strata::ExactMesh& exact, Format format, const Settings& settings,
-                             const strata::CancelToken* cancel) {
+RoundedOutput rounded_output(const strata::ExactMesh& exact, const strata::Attributes& attributes, Format format,
+                             const Settings& settings, const strata::CancelToken* cancel) {
   const auto grid = grid_of(format, settings);
-  if (!grid || !settings.makes_solids()) return {std::nullopt, nullptr, std::nullopt};
+  if (!grid || !settings.makes_solids()) return {attributes, std::nullopt, nullptr, std::nullopt};
   strata::RoundedMesh rounded = rounded_for_output(exact, *grid, settings, cancel);
   print_rounding(rounded.report, settings);
   Json report = to_json(rounded.report, rounded.mesh);
   const bool is_rounded_by_writer = format != Format::stl && !rounded.report.rounded && settings.grid.empty();
   std::optional<strata::RoundingReport> straying;
   if (strays(rounded.report)) straying = rounded.report;
-  if (is_rounded_by_writer) return {std::nullopt, std::move(report), straying};
-  return {strata::ExactMesh{std::move(rounded.mesh), {}}, std::move(report), straying};
+  if (is_rounded_by_writer) return {attributes, std::nullopt, std::move(report), straying};
+  strata::Attributes of_rounded;
+  if (!attributes.empty()) of_rounded = strata::carry_attributes({exact, &attributes}, rounded, *grid);
+  return {std::move(of_rounded), strata::ExactMesh{std::move(rounded.mesh), {}}, std::move(report), straying};
 }
 
 void write_solid(const Settings& settings, Format format, const strata::ExactMesh& exact) {
-  const RoundedOutput rounded = rounded_output(exact, format, settings);
+  const RoundedOutput rounded = rounded_output(exact, {}, format, settings);
   write_output(settings, format, rounded.mesh ? *rounded.mesh : exact);
   if (rounded.strays) print_strays(*rounded.strays);
 }

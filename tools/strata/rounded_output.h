@@ -30,13 +30,15 @@ void print_strays(const strata::RoundingReport& report);
 
 /// What a file holds in place of the exact boundary of a solid.
 struct RoundedOutput {
+  strata::Attributes attributes;                 ///< of what the file holds
   std::optional<strata::ExactMesh> mesh;         ///< none: the exact mesh, as the format keeps or rounds it
   Json report;                                   ///< what rounding did: as RoundingReport; null if nothing was asked
   std::optional<strata::RoundingReport> strays;  ///< if what is written strays from the exact mesh
 };
 /// Rounded such that it bounds a solid, unless the settings ask for the nearest numbers or the format holds all.
-[[nodiscard]] RoundedOutput rounded_output(const strata::ExactMesh& exact, strata::Format format,
-                                           const Settings& settings, const strata::CancelToken* cancel = nullptr);
+[[nodiscard]] RoundedOutput rounded_output(const strata::ExactMesh& exact, const strata::Attributes& attributes,
+                                           strata::Format format, const Settings& settings,
+                                           const strata::CancelToken* cancel = nullptr);
 
 /// Writes the boundary of a solid so, whole or not at all. Throws strata::IoError.
 void write_solid(const Settings& settings, strata::Format format, const strata::ExactMesh& exact);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "attribute_options.h"
 #include "common/usage_error.h"
 #include "strata/options.h"
 #include "strata/transform.h"
@@ -26,6 +27,7 @@ struct Settings {
   const strata::Engine* engine = nullptr;  ///< none: the arrangement
   std::string output;                      ///< path; "-" is stdout
   std::string output_format;               ///< empty: by extension
+  AttributeSettings attributes;            ///< which ones are carried, and what cuts are made of
   std::string report;                      ///< path of the JSON report; "-" is stdout; empty: none
   std::uint64_t max_defects = 100;         ///< of one kind that are printed
   bool certify = false;
@@ -81,6 +83,12 @@ void add_output_file(CLI::App& verb, Settings& settings);
 
 /// The same and what goes with making a solid.
 void add_output_options(CLI::App& verb, Settings& settings);
+
+/// --attributes all|none|NAME,...
+void add_attributes_option(CLI::App& verb, Settings& settings);
+
+/// The same and --cut-material NAME.
+void add_attribute_options(CLI::App& verb, Settings& settings);
 
 /// --rounding valid|nearest, --grid.
 void add_rounding_options(

@@ -1,9 +1,11 @@
 #include "strata/combine.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "core/attributes/carry.h"
 #include "core/csg/arena.h"
 #include "core/csg/boolean.h"
 #include "core/csg/early_unions.h"
@@ -13,6 +15,10 @@
 
 namespace strata {
 namespace {
+
+bool have_attributes(std::span<const Operand> operands) {
+  return std::any_of(operands.begin(), operands.end(), [](const Operand& o) { return o.attributes != nullptr; });
+}
 
 /// Some operands of unions are united first, then all.
 BooleanResult combine_in_arena(const Rule& rule, std::span<const Operand> given, const Options& options) {
@@ -54,6 +60,12 @@ BooleanResult with_found_class(std::span<const Operand> operands, const Options&
   return result;
 }
 
+/// With attributes it matters which of several coincident faces is kept. About solids, operations keep the right one.
+Rule with_keepers(const Rule& rule, std::span<const Operand> operands, const Options& options, bool is_formula) {
+  const bool is_clear = options.input == InputClass::solid && !is_formula;
+  return is_clear || !have_attributes(operands) ? rule : rule.by_first_keeper();
+}
+
 BooleanResult combine(const Rule& rule, std::span<const Operand> operands, const Options& options) {
   tbb::task_arena arena = arena_for(options, worth_in_faces(operands, options.input));
   BooleanResult result;
@@ -73,13 +85,65 @@ BooleanResult rounded_after(const Options& options, const Evaluate& evaluate) {
   return result;
 }
 
+bool carries_attributes(std::span<const Operand> operands, const Options& options) {
+  return options.cut_material != nullptr || have_attributes(operands);
+}
+
+/// Attributes of an exact result.
+void put_attributes(std::span<const Operand> operands, const Options& options, CutFaces cut_faces,
+                    BooleanResult& result) {
+  std::vector<AttributedMesh> sources;
+  for (const Operand& o : operands) sources.push_back({{o.mesh, o.exact}, o.attributes});
+  Stopwatch watch(result.profile);
+  arena_for(options, result.mesh.triangles.size()).execute([&] {
+    const CarryRules rules{options.cut_material, cut_faces};
+    result.attributes = carry(sources, {result.mesh, result.exact}, result.sources, rules, Monitor(options.cancel));
+  });
+  watch.lap("attributes");
+}
+
+/// Rounds an exact result with attributes.
+void round_with_attributes(const CoordinateGrid& grid, const Options& options, BooleanResult& result) {
+  const ExactMesh exact{std::move(result.mesh), std::move(result.exact)};
+  RoundedMesh rounded = round_to_solid(exact, grid, options);
+  result.attributes = carry_attributes({exact, &result.attributes}, rounded, grid, options);
+  put_rounded(std::move(rounded), result);
+}
+
+/// Evaluates, and carries attributes if there are any: from the exact result, which is rounded after that.
+template <class Evaluate>
+BooleanResult with_attributes(std::span<const Operand> operands, const Options& options, CutFaces cut_faces,
+                              const Evaluate& evaluate) {
+  if (!carries_attributes(operands, options)) return evaluate(options);
+  if (options.engine != nullptr && !options.engine->keeps_faces)
+    throw std::invalid_argument(std::string("the engine ") + options.engine->name + " carries no attributes");
+  for (const Operand& o : operands)
+    if (o.attributes != nullptr) check_attributes(*o.attributes, o.mesh.vertices.size(), o.mesh.triangles.size());
+  Options exact = options;
+  exact.exact_vertices = true;
+  exact.rounding.reset();
+  BooleanResult result = evaluate(exact);
+  put_attributes(operands, options, cut_faces, result);
+  if (options.exact_vertices) return result;
+  if (options.rounding) round_with_attributes(*options.rounding, options, result);
+  result.exact.clear();
+  return result;
+}
+
+CutFaces cut_faces_of(Operation operation) {
+  return operation == Operation::intersection ? CutFaces::of_later_operands : CutFaces::turned;
+}
+
 }  // namespace
 
 BooleanResult combine(Operation operation, std::span<const Operand> operands, const Options& options) {
-  return with_found_class(operands, options, [&](const Options& found) {
-    if (found.engine != nullptr)
-      return rounded_after(found, [&](const Options& o) { return o.engine->combine(operation, operands, o); });
-    return combine(Rule(operation, static_cast<std::uint32_t>(operands.size())), operands, found);
+  return with_attributes(operands, options, cut_faces_of(operation), [&](const Options& wanted) {
+    return with_found_class(operands, wanted, [&](const Options& found) {
+      if (found.engine != nullptr)
+        return rounded_after(found, [&](const Options& o) { return o.engine->combine(operation, operands, o); });
+      const Rule rule(operation, static_cast<std::uint32_t>(operands.size()));
+      return combine(with_keepers(rule, operands, found, false), operands, found);
+    });
   });
 }
 
@@ -90,10 +154,12 @@ BooleanResult combine(const Formula& formula, std::span<const Operand> operands,
   if (formula.holds({})) throw std::invalid_argument("the result is not bounded");
   if (options.engine != nullptr && options.engine->evaluate == nullptr)
     throw std::invalid_argument(std::string("the engine ") + options.engine->name + " evaluates no formulas");
-  return with_found_class(operands, options, [&](const Options& found) {
-    if (found.engine != nullptr)
-      return rounded_after(found, [&](const Options& o) { return o.engine->evaluate(formula, operands, o); });
-    return combine(Rule(formula), operands, found);
+  return with_attributes(operands, options, CutFaces::turned, [&](const Options& wanted) {
+    return with_found_class(operands, wanted, [&](const Options& found) {
+      if (found.engine != nullptr)
+        return rounded_after(found, [&](const Options& o) { return o.engine->evaluate(formula, operands, o); });
+      return combine(with_keepers(Rule(formula), operands, found, true), operands, found);
+    });
   });
 }
 

@@ -9,6 +9,7 @@
 #include "core/kernel/predicates.h"
 #include "core/kernel/ray_crossing.h"
 #include "core/mesh/prepare.h"
+#include "strata/carry_attributes.h"
 
 namespace strata {
 namespace {
@@ -167,6 +168,7 @@ Solid::Data part_of(const Solid& solid, const std::vector<std::uint32_t>& faces,
     part.boundary.mesh.triangles.push_back({number[a], number[b], number[c]});
     part.sources.push_back(solid.sources()[f]);
   }
+  if (!solid.attributes().empty()) part.attributes = Shared<Attributes>::make(part_of(solid.attributes(), faces, used));
   return part;
 }
 

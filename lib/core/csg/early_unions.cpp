@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -21,6 +22,8 @@ EarlyUnions::EarlyUnions(const Rule& rule, std::span<const Operand> given, const
     if (groups.empty()) groups = groups_of_overlapping_operands(boxes);
     std::move(groups.begin(), groups.end(), std::back_inserter(groups_));
   }
+  if (std::any_of(given.begin(), given.end(), [](const Operand& o) { return o.attributes != nullptr; }))
+    std::erase_if(groups_, [](const auto& g) { return g.back() - g.front() + 1 != g.size(); });
   if (!groups_.empty()) unite(options, evaluate);
 }
 

@@ -17,7 +17,8 @@ class EarlyUnions {
  public:
   using Evaluate = std::function<BooleanResult(const Rule&, std::span<const Operand>, const Options&)>;
 
-  /// Unites operands that `rule` unites. The given operands must outlive this.
+  /// Unites operands that `rule` unites. The given operands must outlive this. If any has attributes, only operands
+  /// that follow one another are united, so that the first of those with coincident faces remains the first.
   EarlyUnions(const Rule& rule, std::span<const Operand> given, const Options& options, const Evaluate& evaluate);
 
   /// As many as were given: each union replaces its first member, and the other members are empty.

@@ -1,7 +1,10 @@
 #include "strata/expression.h"
 
+#include <deque>
+
 #include "core/csg/decision_diagram.h"
 #include "core/csg/expression_node.h"
+#include "strata/carry_attributes.h"
 
 namespace strata {
 
@@ -88,6 +91,7 @@ Solid Expression::evaluate(const Options& options) const {
   std::vector<std::uint32_t> operand(all.size());
   std::vector<ExactMesh> images;
   images.reserve(all.size());
+  std::deque<Attributes> moved;
   std::vector<Operand> operands;
   for (std::size_t n = 0; n < all.size(); ++n) {
     if (!matters[n]) continue;
@@ -96,7 +100,9 @@ Solid Expression::evaluate(const Options& options) const {
     const bool is_moved = !all[n].map.is_identity();
     if (is_moved) images.push_back(transform(mesh, all[n].map, all[n].placement));
     const ExactMesh& placed = is_moved ? images.back() : mesh;
-    operands.push_back({MeshView(placed.mesh), placed.exact, true});
+    const Attributes* attributes = &all[n].leaf->solid.attributes();
+    if (is_moved && !attributes->empty()) attributes = &moved.emplace_back(transform(*attributes, all[n].map));
+    operands.push_back({MeshView(placed.mesh), placed.exact, true, attributes->empty() ? nullptr : attributes});
   }
   Formula formula(static_cast<std::uint32_t>(operands.size()));
   const auto whole = fold<Formula::Term>(

@@ -8,6 +8,7 @@
 #include "core/csg/solid_boundary.h"
 #include "core/csg/solid_data.h"
 #include "core/kernel/disjoint_sets.h"
+#include "strata/carry_attributes.h"
 
 namespace strata {
 namespace {
@@ -153,8 +154,13 @@ Solid Solid::separated() const {
   if (is_empty()) return *this;
   const SolidBoundary boundary(exact_mesh());
   Corners corners(boundary);
-  Data data{with_copies(boundary, corners), sources(), notes()};
+  Data data{with_copies(boundary, corners), {}, notes()};
+  for (Index t = 0; t < mesh().triangles.size(); ++t) data.sources.push_back({0, t});
   Divider(data.boundary, data.sources).divide(corners.wedges_to_divide());
+  if (!attributes().empty())
+    data.attributes = Shared<Attributes>::make(
+        carry_attributes(std::array{AttributedMesh{exact_mesh(), &attributes()}}, data.boundary, data.sources));
+  for (Source& s : data.sources) s = sources()[s.face];
   return Solid(Shared<Data>::make(std::move(data)));
 }
 

@@ -7,6 +7,7 @@
 #include "core/csg/found_class.h"
 #include "core/csg/solid_data.h"
 #include "core/mesh/prepare.h"
+#include "strata/carry_attributes.h"
 #include "strata/measure.h"
 
 namespace strata {
@@ -20,7 +21,12 @@ std::vector<Source> own_faces(std::size_t count) {
 }
 
 Solid::Data data_of(BooleanResult result) {
-  return {{std::move(result.mesh), std::move(result.exact)}, std::move(result.sources), std::move(result.notes)};
+  Shared<Attributes> attributes;
+  if (!result.attributes.empty()) attributes = Shared<Attributes>::make(std::move(result.attributes));
+  return {{std::move(result.mesh), std::move(result.exact)},
+          std::move(result.sources),
+          std::move(result.notes),
+          std::move(attributes)};
 }
 
 /// The same with exact vertices in the result.
@@ -118,6 +124,16 @@ const Mesh& Solid::mesh() const { return data_->boundary.mesh; }
 const ExactMesh& Solid::exact_mesh() const { return data_->boundary; }
 const std::vector<Source>& Solid::sources() const { return data_->sources; }
 const std::vector<Defect>& Solid::notes() const { return data_->notes; }
+const Attributes& Solid::attributes() const {
+  static const Attributes none;
+  return data_->attributes ? *data_->attributes : none;
+}
+Solid Solid::with_attributes(Attributes attributes) const {
+  check_attributes(attributes, mesh().vertices.size(), mesh().triangles.size());
+  Data data = *data_;
+  data.attributes = attributes.empty() ? Shared<Attributes>() : Shared<Attributes>::make(std::move(attributes));
+  return Solid(Shared<Data>::make(std::move(data)));
+}
 Rational Solid::volume() const { return strata::volume(data_->boundary); }
 double Solid::area() const { return strata::area(data_->boundary); }
 bool Solid::is_empty() const { return data_->boundary.mesh.triangles.empty(); }
@@ -149,7 +165,8 @@ Options of_solids(Options options) {
 
 Solid combine_solids(Operation operation, std::span<const Solid> operands, const Options& options) {
   std::vector<Operand> views;
-  for (const Solid& s : operands) views.push_back({MeshView(s.mesh()), s.exact_mesh().exact, true});
+  for (const Solid& s : operands)
+    views.push_back({MeshView(s.mesh()), s.exact_mesh().exact, true, s.data_->attributes.get()});
   return Solid(
       Shared<Solid::Data>::make(data_of(combine(operation, std::span<const Operand>(views), of_solids(options)))));
 }

@@ -10,6 +10,7 @@ struct Solid::Data {
   ExactMesh boundary;
   std::vector<Source> sources;
   std::vector<Defect> notes;
+  Shared<Attributes> attributes = {};  ///< null: none
 };
 
 }  // namespace strata

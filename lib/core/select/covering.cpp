@@ -32,7 +32,7 @@ bool Covering::leaves_nothing(std::span<const std::uint32_t> covers) {
   bool above = rule_.settles(operand_, 0), below = rule_.settles(operand_, 1);
   for (const Sheet& s : sheets_) {
     if (!s.is_decisive()) continue;
-    if (s.operand < operand_) return true;
+    if (s.operand < operand_ && !rule_.asks_for_keepers()) return true;
     above = above || rule_.settles(s.operand, s.above());
     below = below || rule_.settles(s.operand, s.below());
   }

@@ -100,7 +100,7 @@ bool FaceSplitter::is_one_of_the_same() const {
 void FaceSplitter::collect_whole() {
   Region region;
   for (const Constraint& c : constraints_) region.covers.push_back(c.other);
-  if (region.covers.front() < face_) return;  // sorted; that face represents all
+  if (region.covers.front() < face_ && !rule_.asks_for_keepers()) return;  // sorted; that face represents all
   if (!self_ && covering_.leaves_nothing(region.covers)) return;
   region.above = above_at(SymbolicPoint::weighted(face_, 1), region.covers);
   const Verdict verdict = verdict_on(region);
@@ -264,7 +264,8 @@ void FaceSplitter::judge() {
 }
 
 Verdict FaceSplitter::verdict_on(const Region& r) const {
-  if (!r.covers.empty() && r.covers.front() < face_) return Verdict::drop;  // that one speaks for all
+  const bool is_lowest = r.covers.empty() || r.covers.front() > face_;
+  if (!is_lowest && !rule_.asks_for_keepers()) return Verdict::drop;  // that one speaks for all
   if (rule_.keeps_covers()) return Verdict::keep;
   if (!rule_.looks_around()) {
     const auto looks_back = [&](std::uint32_t g) { return same_orientation(input_, face_, g) == Sign::negative; };
@@ -274,7 +275,34 @@ Verdict FaceSplitter::verdict_on(const Region& r) const {
   below.add(operand_, 1);
   for (const std::uint32_t g : r.covers)
     below.add(input_.operand_of_face(g), to_int(same_orientation(input_, face_, g)));
-  return verdict(rule_.inside(r.above), rule_.inside(below));
+  const Verdict found = verdict(rule_.inside(r.above), rule_.inside(below));
+  const bool is_asked = found != Verdict::drop && !r.covers.empty() && rule_.asks_for_keepers();
+  return is_asked && representative(r, below) != face_ ? Verdict::drop : found;
+}
+
+/// An operand keeps a piece where its own faces, crossed alone, change the rule's value: before the others are crossed,
+/// or after them. Its lowest face with the orientation of all of them together represents the piece; if there is no
+/// such operand, the lowest face of all. Seen from a face that is turned round, above and below are exchanged: the
+/// same.
+std::uint32_t FaceSplitter::representative(const Region& r, const Windings& below) const {
+  std::vector<std::uint32_t> faces = r.covers;
+  faces.insert(std::lower_bound(faces.begin(), faces.end(), face_), face_);
+  const auto orientation = [&](std::uint32_t g) { return g == face_ ? 1 : to_int(same_orientation(input_, face_, g)); };
+  const bool above_is_inside = rule_.inside(r.above), below_is_inside = rule_.inside(below);
+  for (auto first = faces.begin(); first != faces.end();) {
+    const std::uint32_t operand = input_.operand_of_face(*first);
+    const auto last =
+        std::find_if(first, faces.end(), [&](std::uint32_t g) { return input_.operand_of_face(g) != operand; });
+    int net = 0;
+    for (auto g = first; g != last; ++g) net += orientation(*g);
+    Windings alone = r.above, all_others = below;
+    alone.add(operand, net);
+    all_others.add(operand, -net);
+    if (net != 0 && (rule_.inside(alone) != above_is_inside || rule_.inside(all_others) != below_is_inside))
+      return *std::find_if(first, last, [&](std::uint32_t g) { return (orientation(g) > 0) == (net > 0); });
+    first = last;
+  }
+  return faces.front();
 }
 
 void FaceSplitter::collect() {

@@ -81,6 +81,7 @@ class FaceSplitter {
   void keep_covers(const Region& region);
   void judge();
   [[nodiscard]] Verdict verdict_on(const Region& r) const;
+  [[nodiscard]] std::uint32_t representative(const Region& r, const Windings& below) const;
   void collect();
   [[nodiscard]] PointId number_of(std::int32_t v);
 

@@ -33,7 +33,16 @@ class Rule {
     return rule;
   }
 
+  /// The same rule. Of coincident pieces, that of the first operand that keeps it represents all (`FaceSplitter`), not
+  /// that of the lowest face.
+  [[nodiscard]] Rule by_first_keeper() const {
+    Rule rule = *this;
+    rule.asks_for_keepers_ = operands_ > 1 && looks_around_;
+    return rule;
+  }
+
   [[nodiscard]] std::uint32_t operands() const { return operands_; }
+  [[nodiscard]] bool asks_for_keepers() const { return asks_for_keepers_; }
   /// False when winding numbers do not matter.
   [[nodiscard]] bool looks_around() const { return looks_around_; }
   /// True when pieces are not merged, and the faces that cover them are listed.
@@ -116,6 +125,7 @@ class Rule {
   std::optional<Formula> formula_;  ///< instead of the operation
   bool looks_around_ = true;
   bool keeps_covers_ = false;
+  bool asks_for_keepers_ = false;
   Inside inside_ = Inside::winding;  ///< `outer`: where the winding number is not 0
 };
 

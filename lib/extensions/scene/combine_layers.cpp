@@ -156,7 +156,7 @@ BooleanResult combine_in_layers(Operation operation, std::span<const Operand> op
 
 BooleanResult evaluate_formula_in_layers(const Formula& formula, std::span<const Operand> operands,
                                          const Options& options) {
-  return evaluate_in_layers(Rule(formula), operands, options);
+  return evaluate_in_layers(Rule(formula).by_first_keeper(), operands, options);
 }
 
 }  // namespace
@@ -177,6 +177,6 @@ LayerDecomposition combine(const LayerDecomposition& a, const LayerDecomposition
   return *std::move(result);
 }
 
-const Engine layer_engine{"layers", combine_in_layers, evaluate_formula_in_layers};
+const Engine layer_engine{"layers", combine_in_layers, evaluate_formula_in_layers, true};
 
 }  // namespace strata

@@ -8,6 +8,7 @@
 #include "core/csg/arena.h"
 #include "extensions/surface/surface_data.h"
 #include "extensions/surface/walls.h"
+#include "strata/carry_attributes.h"
 
 namespace strata {
 namespace {
@@ -89,7 +90,14 @@ std::vector<Solid> split(const Solid& solid, std::span<const Surface> surfaces, 
   std::vector<Index> inside;
   for (Index c = 1; c < a.cell_count; ++c)
     if (windings[c] > 0) inside.push_back(c);
-  return solids_of(a, inside);
+  std::vector<Solid> pieces = solids_of(a, inside);
+  if (solid.attributes().empty() && options.cut_material == nullptr) return pieces;
+  std::vector<AttributedMesh> sources{{solid.exact_mesh(), &solid.attributes()}};
+  for (const Surface& s : surfaces) sources.push_back({s.exact_mesh()});
+  for (Solid& piece : pieces)
+    piece = piece.with_attributes(
+        carry_attributes(sources, piece.exact_mesh(), piece.sources(), options, CutFaces::of_later_operands));
+  return pieces;
 }
 
 Surface clip(const Surface& surface, const Solid& solid, ClipTo part, const Options& options) {
