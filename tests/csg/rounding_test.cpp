@@ -267,15 +267,12 @@ Solid turned_plates(int count, double tilt) {
 }  // namespace
 
 TEST_CASE("plates nearly in one plane keep their volume", "[csg][rounding][regression]") {
-  // Their sheets cross at angles of a unit in their width. The reach of repairs grew until hardly a plate was left:
-  // 0.02 % of the volume in floats, where plates are 50,000 units thick, 12 % on the grid, where they are six.
-  const auto is_kept = [](const Solid& solid, const CoordinateGrid& grid, const Rational& lost) {
-    const RoundedMesh r = check_rounded(solid.exact_mesh(), grid);
-    CHECK(r.report.largest_movement < 100 * r.report.unit);
-    CHECK(abs(Rational(Solid(r.mesh).volume() - solid.volume())) < lost * solid.volume());
-  };
-  is_kept(turned_plates(6, 1e-6), floats(), Rational(1, 10000));
-  is_kept(turned_plates(6, 1e-3), steps(Rational(1, 1000)), Rational(1, 10));
+  // Their sheets cross at angles of a unit in their width. The reach of repairs grew until 0.02 % of the volume was
+  // left, though plates are 50,000 units thick.
+  const Solid solid = turned_plates(6, 1e-6);
+  const RoundedMesh r = check_rounded(solid.exact_mesh(), floats());
+  CHECK(r.report.largest_movement < 100 * r.report.unit);
+  CHECK(abs(Rational(Solid(r.mesh).volume() - solid.volume())) < solid.volume() / 10000);
 }
 
 TEST_CASE("two solids and their copies of other magnitudes round alike", "[csg][rounding][regression]") {
