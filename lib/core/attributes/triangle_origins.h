@@ -49,8 +49,6 @@ class TriangleOrigins {
       {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}, {0, 2, 1}, {1, 0, 2}}};
   static constexpr std::uint8_t first_turned = 3, part = 6, turned_part = 7;
 
-  [[nodiscard]] std::uint8_t origin_of(std::size_t triangle) const;
-
   std::vector<MeshPoints> operands_;
   MeshPoints points_;
   std::span<const Source> sources_;
