@@ -3,6 +3,7 @@
 #include <strata/section.h>
 #include <strata/strata.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <vector>
