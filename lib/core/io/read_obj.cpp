@@ -62,7 +62,7 @@ MeshFile read_pieces(const Input& input, std::span<const Piece> places) {
 
 }  // namespace
 
-MeshFile read_obj(const Input& input) {
+MeshFile read_obj(const Input& input, const std::filesystem::path* /*folder*/) {
   return read_in_pieces(input,
                         [&](std::size_t size) { return read_pieces(input, split_at_lines(input.data, 0, size)); });
 }
