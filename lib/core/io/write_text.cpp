@@ -13,16 +13,6 @@ std::string count_of(std::size_t n) { return std::to_string(n); }
 
 }  // namespace
 
-Notes write_obj(const Target& target) {
-  const MeshView mesh = target.mesh;
-  target.sink.write("# " + count_of(mesh.vertices.size()) + " vertices, " + count_of(mesh.triangles.size()) +
-                    " triangles\n");
-  write_lines(mesh, target.sink, "v ", "f ", 1);
-  Notes notes;
-  note_losses(notes, target.attributes, target.unit, "OBJ");
-  return notes;
-}
-
 Notes write_off(const Target& target) {
   const MeshView mesh = target.mesh;
   target.sink.write("OFF\n" + count_of(mesh.vertices.size()) + " " + count_of(mesh.triangles.size()) + " 0\n");
