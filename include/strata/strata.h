@@ -25,4 +25,5 @@
 #include "strata/shared.h"
 #include "strata/solid.h"
 #include "strata/transform.h"
+#include "strata/unit.h"
 #include "strata/version.h"

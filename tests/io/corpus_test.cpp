@@ -20,7 +20,8 @@ const fs::path* corpus() {
 }
 
 bool is_sound(const MeshFile& file) {
-  const auto& [mesh, notes, faces, exact] = file;
+  const auto& mesh = file.mesh;
+  const auto& faces = file.polygon_of_triangle;
   return std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
                      [](const Vertex& p) {
                        return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });

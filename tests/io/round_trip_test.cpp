@@ -12,8 +12,8 @@ using namespace strata::test;
 
 namespace {
 
-constexpr Format exact_formats[] = {Format::obj, Format::off,       Format::xoff,
-                                    Format::ply, Format::ply_ascii, Format::ply_big_endian};
+constexpr Format exact_formats[] = {
+    Format::obj, Format::off, Format::xoff, Format::ply, Format::ply_ascii, Format::ply_big_endian, Format::threemf};
 
 /// Any finite doubles at all, subnormals and both zeros included.
 Mesh random_mesh(unsigned seed) {

@@ -77,12 +77,13 @@ void add_profile(Json& report, const strata::Profile& profile) {
 
 }  // namespace
 
-ExitCode run_boolean(strata::Operation operation, const char* name, const Settings& settings) {
-  Watch watch(settings.timeout);
+ExitCode run_boolean(strata::Operation operation, const char* name, const Settings& given) {
+  Watch watch(given.timeout);
   Stopwatch stopwatch;
   Json report = {{"operation", name}, {"operands", nullptr}, {"result", nullptr}, {"seconds", Json::object()}};
-  const strata::Format format = output_format(settings);
-  const std::vector<LoadedMesh> operands = read_operands(settings);
+  const strata::Format format = output_format(given);
+  const std::vector<LoadedMesh> operands = read_operands(given);
+  const Settings settings = with_unit_of(operands, given);
   report["seconds"]["read"] = stopwatch.lap();
 
   watch.on_stop(OnStop::ask);
@@ -93,7 +94,7 @@ ExitCode run_boolean(strata::Operation operation, const char* name, const Settin
                                [&] { return evaluate(operation, operands, format, settings, watch); });
   } catch (const strata::InputError& error) {
     if (!settings.report.empty()) report_refusal(name, operands, error, settings);
-    throw;
+    throw strata::InputError(error.defects(), operands[error.operand()].argument);
   } catch (const strata::Cancelled&) {
     watch.on_stop(OnStop::leave);  // says why
     throw;

@@ -124,6 +124,25 @@ void add_info(CommandLine& line) {
   line.on(*verb, [&settings] { return run_info(settings); });
 }
 
+void add_convert(CommandLine& line) {
+  Settings& settings = line.settings;
+  CLI::App* verb = line.app.add_subcommand("convert", "A mesh, whatever its state, in another format");
+  add_common_options(*verb, settings, 1, 1);
+  add_attributes_option(*verb, settings);
+  add_output_file(*verb, settings);
+  verb->footer(fmt::format(
+      R"(Colours, texture coordinates, normals, materials, images, names and units come along where the format has them. What
+it cannot keep is told, and is an error with --strict.
+
+Examples:
+  strata convert part.3mf -o part.glb
+  strata convert scan.ply -o scan.3mf --unit millimeter --strict
+
+{})",
+      exit_codes));
+  line.on(*verb, [&settings] { return run_convert(settings); });
+}
+
 void add_compare(CommandLine& line) {
   Settings& settings = line.settings;
   CLI::App* verb = line.app.add_subcommand("compare", "Are two meshes equal as point sets, exactly?");
@@ -147,5 +166,6 @@ void add_boolean_verbs(CommandLine& line) {
   if (line.wants({"eval"})) add_eval(line);
   if (line.wants({"check"})) add_check(line);
   if (line.wants({"info"})) add_info(line);
+  if (line.wants({"convert"})) add_convert(line);
   if (line.wants({"compare"})) add_compare(line);
 }

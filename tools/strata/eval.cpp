@@ -78,6 +78,7 @@ Input read_expression(Settings& settings) {
   for (const std::string& name : names) settings.operands.push_back(paths.at(name));
   check_streams(settings);
   Input input{read_operands(settings), names, {}};
+  settings.unit = with_unit_of(input.operands, settings).unit;
   std::map<std::string, strata::Solid> solids;
   for (std::size_t k = 0; k < names.size(); ++k) solids[names[k]] = make_attributed_solid(input.operands, k, settings);
   input.expression =

@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "operand_units.h"
 #include "strata/carry_attributes.h"
 #include "threads.h"
 
@@ -20,7 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using strata::Format;
 
-constexpr const char* writable = "stl, stl-ascii, obj, off, xoff, ply, ply-ascii, ply-big-endian";
+constexpr const char* writable =
+    "stl, stl-ascii, obj, off, xoff, ply, ply-ascii, ply-big-endian, 3mf, glb, gltf, vtk, vtk-ascii, msh";
 
 void print_notes(const std::string& path, const std::vector<std::string>& notes, const Settings& settings) {
   if (settings.quiet) return;
@@ -67,40 +69,55 @@ strata::MeshFile read_operand(const std::string& path, const Settings& settings)
 
 std::vector<LoadedMesh> read_operands(const Settings& settings) {
   std::vector<LoadedMesh> operands;
+  std::size_t argument = 0;
   for (const std::string& path : settings.operands) {
     strata::MeshFile file = on_threads(settings, [&] { return read_operand(path, settings); });
     print_notes(path, file.notes, settings);
-    operands.push_back({path,
-                        {std::move(file.mesh), std::move(file.exact)},
-                        std::move(file.polygon_of_triangle),
-                        settings.attributes.chosen(std::move(file.attributes))});
+    LoadedMesh mesh{path, {std::move(file.mesh), std::move(file.exact)}, std::move(file.polygon_of_triangle)};
+    mesh.attributes = settings.attributes.chosen(std::move(file.attributes));
+    mesh.unit = file.unit;
+    mesh.argument = argument++;
+    if (settings.objects)
+      for (LoadedMesh& object : objects_of(std::move(mesh))) operands.push_back(std::move(object));
+    else
+      operands.push_back(std::move(mesh));
   }
+  use_one_unit(operands, settings);
   return operands;
+}
+
+Settings with_unit_of(std::span<const LoadedMesh> operands, Settings settings) {
+  if (!operands.empty()) settings.unit = strata::name(operands.front().unit);
+  return settings;
 }
 
 Format output_format(const Settings& settings) {
   if (!settings.output_format.empty()) {
     const auto format = strata::format_named(settings.output_format);
-    if (format && *format != Format::other) return *format;
+    if (format && strata::can_write(*format)) return *format;
     throw UsageError(
         fmt::format("cannot write the format {}; these can be written: {}", settings.output_format, writable));
   }
   if (settings.output == "-") return Format::stl;
   const Format format = strata::format_of(settings.output);
-  if (format != Format::other) return format;
+  if (strata::can_write(format)) return format;
   throw UsageError(
       fmt::format("cannot tell a format from {}; use --format with one of: {}", settings.output, writable));
 }
 
 void write_output(const Settings& settings, Format format, const strata::ExactMesh& mesh,
                   const strata::Attributes& attributes) {
-  if (!attributes.empty()) print_notes(settings.output, {"attributes are not written"}, settings);
+  strata::WriteOptions options;
+  options.format = format;
+  if (!attributes.empty()) options.attributes = &attributes;
+  options.unit = unit_in(settings);
+  options.strict = settings.strict;
   if (settings.output == "-") {
-    const auto write = [&] { return strata::write_mesh(std::cout, mesh, format, "standard output"); };
+    const auto write = [&] { return strata::write_mesh(std::cout, mesh, options, "standard output"); };
     print_notes("standard output", on_threads(settings, write), settings);
     if (!std::cout.flush()) throw strata::IoError("standard output", {}, std::strerror(errno));
   } else {
-    const auto write = [&] { return strata::write_mesh(settings.output, mesh, format); };
+    const auto write = [&] { return strata::write_mesh(settings.output, mesh, options); };
     print_notes(settings.output, on_threads(settings, write), settings);
   }
 }

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "about.h"
-#include "strata/errors.h"
 #include "strata/io.h"
 
 namespace {
@@ -17,7 +16,7 @@ struct Row {
 };
 
 /// What is worth knowing about a format of meshes beside its name.
-constexpr std::array<Row, 8> known{
+constexpr std::array<Row, 15> known{
     {{"stl", "floats", "binary; text is found when reading; corners, no shared vertices"},
      {"stl-ascii", "doubles", "text"},
      {"obj", "doubles", "text; polygons are triangulated"},
@@ -25,7 +24,14 @@ constexpr std::array<Row, 8> known{
      {"xoff", "rationals", "text; exact results, faces with holes"},
      {"ply", "doubles", "binary, little endian"},
      {"ply-ascii", "doubles", "text"},
-     {"ply-big-endian", "doubles", "binary"}}};
+     {"ply-big-endian", "doubles", "binary"},
+     {"3mf", "doubles", "archive; units, objects, materials, colours, textures"},
+     {"glb", "floats", "glTF 2.0; objects, materials, textures, normals"},
+     {"gltf", "floats", "the same as JSON"},
+     {"amf", "doubles", "units, objects, materials"},
+     {"vtk", "doubles", "legacy VTK, binary; any channel"},
+     {"vtk-ascii", "doubles", "legacy VTK, text"},
+     {"msh", "doubles", "Gmsh 4.1, text"}}};
 
 /// Formats of other things, which single verbs read and write.
 constexpr std::array<std::array<std::string_view, 3>, 10> others{
@@ -36,16 +42,13 @@ constexpr std::array<std::array<std::string_view, 3>, 10> others{
      {"csg", "read", "models that OpenSCAD wrote: eval"},
      {"sgc", "read, write", "sets that need not be regular: topology"},
      {"bsp", "read", "binary space partitions: bsp"},
-     {"glb", "write", "coloured pictures in space: decompose, contacts, bsp"},
+     {"glb", "write", "coloured pictures in space, of meshes: decompose, contacts, bsp"},
      {"png", "write", "pictures: draw, by rsvg-convert"},
      {"json", "read, write", "reports, steps of chain; jobs and records of batch are .jsonl"}}};
 
-bool can_be_written(strata::Format format) {
-  try {
-    return !strata::to_string(strata::Mesh{}, format).empty();
-  } catch (const strata::IoError&) {
-    return false;
-  }
+std::string_view use_of(strata::Format format) {
+  if (!strata::can_write(format)) return "read";
+  return strata::can_read(format) ? "read, write" : "write";
 }
 
 void print_row(std::string_view name, std::string_view use, std::string_view coordinates, std::string_view what) {
@@ -63,9 +66,9 @@ ExitCode print_formats() {
     Row row{name, "", ""};
     for (const Row& each : known)
       if (each.format == name) row = each;
-    print_row(name, can_be_written(format) ? "read, write" : "read", row.coordinates, row.what);
+    print_row(name, use_of(format), row.coordinates, row.what);
   }
-  for (const std::string_view name : {"glb", "gltf", "3mf", "fbx", "dae", "x3d", "blend"})
+  for (const std::string_view name : {"fbx", "dae", "x3d", "blend"})
     if (strata::format_named(name) == strata::Format::other)
       print_row(name, "read", "floats", "by assimp, in a process of its own");
   fmt::print("\nOther files:\n");

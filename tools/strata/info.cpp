@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -29,9 +30,29 @@ Json bounding_box(const strata::Mesh& mesh) {
   return lower ? Json{{"lower", *lower}, {"upper", *upper}} : Json(nullptr);
 }
 
+/// "color (corner, 4 x byte)".
+std::string described(const strata::Channel& c) {
+  constexpr std::array<const char*, 3> elements{"vertex", "corner", "face"};
+  constexpr std::array<const char*, 4> types{"float", "double", "byte", "integer"};
+  return fmt::format("{} ({}, {} x {})", c.name, elements[static_cast<std::size_t>(c.element)], c.components,
+                     types[c.values.index()]);
+}
+
+void add_attributes(Json& facts, const LoadedMesh& operand) {
+  const strata::Attributes& a = operand.attributes;
+  facts["unit"] = operand.unit == strata::Unit::none ? Json(nullptr) : Json(strata::name(operand.unit));
+  facts["channels"] = Json::array();
+  for (const strata::Channel& c : a.channels) facts["channels"].push_back(described(c));
+  for (const char* list : {"materials", "images"}) facts[list] = Json::array();
+  for (const strata::Material& m : a.materials) facts["materials"].push_back(m.name);
+  for (const strata::Image& i : a.images) facts["images"].push_back(i.name);
+  facts["objects"] = a.objects;
+  facts["groups"] = a.groups;
+}
+
 void print_facts(const Json& facts) {
   for (const auto& [key, value] : facts.items()) {
-    if (key == "defects") continue;
+    if (key == "defects" || (value.is_array() && value.empty())) continue;
     const std::string text = value.is_string() ? value.get<std::string>() : value.is_null() ? "-" : value.dump();
     fmt::print("{:17} {}\n", key, text);
   }
@@ -48,6 +69,7 @@ ExitCode run_info(const Settings& settings) {
   const std::vector<strata::Defect> defects = strata::diagnose(operand.mesh);
   Json facts = operand_report(operand, defects, settings);
   facts["bounding_box"] = bounding_box(operand.mesh.mesh);
+  add_attributes(facts, operand);
   facts["rational_vertices"] = operand.mesh.exact.size();
   facts["volume_exact"] = facts["volume"].is_null() ? Json(nullptr) : Json(strata::volume(operand.mesh).str());
   report["seconds"]["evaluate"] = stopwatch.lap();

@@ -36,16 +36,17 @@ strata::Solid evaluate(const LoadedMesh& mesh, const Settings& settings, const W
 
 }  // namespace
 
-ExitCode run_resolve(const Settings& settings) {
-  Watch watch(settings.timeout);
+ExitCode run_resolve(const Settings& given) {
+  Watch watch(given.timeout);
   Stopwatch stopwatch;
   Json report = {{"operation", "resolve"},
-                 {"inside", name(settings.inside)},
+                 {"inside", name(given.inside)},
                  {"operands", nullptr},
                  {"result", nullptr},
                  {"seconds", Json::object()}};
-  const strata::Format format = output_format(settings);
-  const std::vector<LoadedMesh> operands = read_operands(settings);
+  const strata::Format format = output_format(given);
+  const std::vector<LoadedMesh> operands = read_operands(given);
+  const Settings settings = with_unit_of(operands, given);
   report["seconds"]["read"] = stopwatch.lap();
 
   watch.on_stop(OnStop::ask);

@@ -15,13 +15,13 @@
 
 namespace {
 
-// Checks what the file will hold: XOFF does not round, binary STL rounds once more, to floats.
+// Checks what the file will hold: XOFF does not round, binary STL and glTF round once more, to floats.
 bool certify(const strata::ExactMesh& mesh, strata::Format format, const Settings& settings, const Watch& watch) {
   strata::Options options;
   options.threads = settings.threads;
   options.cancel = &watch.token();
   if (format == strata::Format::xoff) return strata::is_embedded(mesh, options);
-  if (format != strata::Format::stl) return strata::is_embedded(mesh.mesh, options);
+  if (!strata::holds_floats(format)) return strata::is_embedded(mesh.mesh, options);
   const std::string bytes = strata::to_string(mesh.mesh, format);
   return strata::is_embedded(strata::read_mesh(std::string_view(bytes), format, settings.output).mesh, options);
 }

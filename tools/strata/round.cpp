@@ -20,22 +20,23 @@ CoordinateGrid grid_named(const std::string& target) {
   return grid;
 }
 
-/// Binary STL holds floats, whatever was asked for.
+/// Some formats hold floats, whatever was asked for.
 CoordinateGrid grid_for(const Settings& settings, strata::Format format) {
   CoordinateGrid grid = grid_named(settings.target);
-  if (format == strata::Format::stl) grid.format = CoordinateGrid::Format::float32;
+  if (strata::holds_floats(format)) grid.format = CoordinateGrid::Format::float32;
   return grid;
 }
 
 }  // namespace
 
-ExitCode run_round(const Settings& settings) {
-  Watch watch(settings.timeout);
+ExitCode run_round(const Settings& given) {
+  Watch watch(given.timeout);
   Stopwatch stopwatch;
-  Json report = {{"operation", "round"}, {"to", settings.target}, {"operands", nullptr}, {"result", nullptr}};
-  const strata::Format format = output_format(settings);
-  const CoordinateGrid grid = grid_for(settings, format);
-  const std::vector<LoadedMesh> operands = read_operands(settings);
+  Json report = {{"operation", "round"}, {"to", given.target}, {"operands", nullptr}, {"result", nullptr}};
+  const strata::Format format = output_format(given);
+  const CoordinateGrid grid = grid_for(given, format);
+  const std::vector<LoadedMesh> operands = read_operands(given);
+  const Settings settings = with_unit_of(operands, given);
   report["seconds"]["read"] = stopwatch.lap();
   const strata::Solid solid = make_attributed_solid(operands, 0, settings);
 

@@ -62,7 +62,7 @@ Rational parse_step(const char* option, const std::string& text) {
 
 std::optional<CoordinateGrid> grid_of(Format format, const Settings& settings) {
   CoordinateGrid grid;
-  if (format == Format::stl) grid.format = CoordinateGrid::Format::float32;
+  if (strata::holds_floats(format)) grid.format = CoordinateGrid::Format::float32;
   if (settings.grid.empty()) return format == Format::xoff ? std::nullopt : std::optional(grid);
   grid.step = parse_step("--grid", settings.grid);
   return grid;
@@ -127,7 +127,7 @@ RoundedOutput rounded_output(const strata::ExactMesh& exact, const strata::Attri
   strata::RoundedMesh rounded = rounded_for_output(exact, *grid, settings, cancel);
   print_rounding(rounded.report, settings);
   Json report = to_json(rounded.report, rounded.mesh);
-  const bool is_rounded_by_writer = format != Format::stl && !rounded.report.rounded && settings.grid.empty();
+  const bool is_rounded_by_writer = !strata::holds_floats(format) && !rounded.report.rounded && settings.grid.empty();
   std::optional<strata::RoundingReport> straying;
   if (strays(rounded.report)) straying = rounded.report;
   if (is_rounded_by_writer) return {attributes, std::nullopt, std::move(report), straying};

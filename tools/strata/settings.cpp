@@ -12,12 +12,16 @@ void add_common_options(CLI::App& verb, Settings& settings, int least, int most)
   verb.add_option("MESH", settings.operands, "Mesh files; - is standard input")
       ->required()
       ->expected(least, most == 0 ? CLI::detail::expected_max_vector_size : most);
+  if (most == 0) verb.add_flag("--objects", settings.objects, "Each object of a file is an operand, not the file");
   add_run_options(verb, settings);
 }
 
 void add_run_options(CLI::App& verb, Settings& settings) {
   verb.add_option("--input-format", settings.input_format, "Format of the operands, instead of their extension")
       ->type_name("FORMAT");
+  verb.add_option("--unit", settings.unit,
+                  "Unit of operands whose files say none: micron, millimeter, centimeter, inch, foot or meter")
+      ->type_name("UNIT");
   verb.add_option("--report", settings.report, "Write a report in JSON; - is standard output")->type_name("FILE");
   verb.add_option("-j,--threads", settings.threads, "Threads; the result does not depend on it")->type_name("N");
   verb.add_option("--timeout", settings.timeout, "Give up after this time, with exit code 6")
@@ -74,6 +78,7 @@ void add_output_file(CLI::App& verb, Settings& settings) {
       ->type_name("OUT");
   verb.add_option("--format", settings.output_format, "Format of the result, instead of the extension of OUT")
       ->type_name("FORMAT");
+  verb.add_flag("--strict", settings.strict, "What the format cannot keep is an error, and not only told");
 }
 
 void add_output_options(CLI::App& verb, Settings& settings) {

@@ -28,6 +28,9 @@ struct Settings {
   std::string output;                      ///< path; "-" is stdout
   std::string output_format;               ///< empty: by extension
   AttributeSettings attributes;            ///< which ones are carried, and what cuts are made of
+  std::string unit;                        ///< of operands whose files say none; empty: none
+  bool objects = false;                    ///< each object of a file is an operand
+  bool strict = false;                     ///< what a format cannot keep is an error
   std::string report;                      ///< path of the JSON report; "-" is stdout; empty: none
   std::uint64_t max_defects = 100;         ///< of one kind that are printed
   bool certify = false;

@@ -19,6 +19,9 @@
 /// Counts, measures, bounding box. Says what it can about broken meshes too.
 [[nodiscard]] ExitCode run_info(const Settings& settings);
 
+/// A mesh in another format, with all that the format keeps of its attributes.
+[[nodiscard]] ExitCode run_convert(const Settings& settings);
+
 /// Are two meshes equal as point sets?
 [[nodiscard]] ExitCode run_compare(const Settings& settings);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <ostream>
+#include <stdexcept>
 #include <utility>
 
 #include "core/io/readers.h"
@@ -12,14 +13,21 @@ namespace strata {
 namespace {
 
 using Name = std::pair<std::string_view, Format>;
-constexpr std::array<Name, 8> names{Name{"stl", Format::stl},
-                                    Name{"stl-ascii", Format::stl_ascii},
-                                    Name{"obj", Format::obj},
-                                    Name{"off", Format::off},
-                                    Name{"xoff", Format::xoff},
-                                    Name{"ply", Format::ply},
-                                    Name{"ply-ascii", Format::ply_ascii},
-                                    Name{"ply-big-endian", Format::ply_big_endian}};
+constexpr std::array<Name, 15> names{Name{"stl", Format::stl},
+                                     Name{"stl-ascii", Format::stl_ascii},
+                                     Name{"obj", Format::obj},
+                                     Name{"off", Format::off},
+                                     Name{"xoff", Format::xoff},
+                                     Name{"ply", Format::ply},
+                                     Name{"ply-ascii", Format::ply_ascii},
+                                     Name{"ply-big-endian", Format::ply_big_endian},
+                                     Name{"3mf", Format::threemf},
+                                     Name{"glb", Format::glb},
+                                     Name{"gltf", Format::gltf},
+                                     Name{"amf", Format::amf},
+                                     Name{"vtk", Format::vtk},
+                                     Name{"vtk-ascii", Format::vtk_ascii},
+                                     Name{"msh", Format::msh}};
 
 std::string lower(std::string text) {
   for (char& c : text)
@@ -31,47 +39,75 @@ std::string lower(std::string text) {
   throw IoError(name, {},
                 (extension.empty() ? std::string("unknown format: the name has no extension")
                                    : "unknown format '" + extension + "'") +
-                    "; known are stl, obj, off, xoff, ply" +
-                    (io::can_read_other(".glb") ? ", and glb, gltf, 3mf, fbx, dae and others for reading" : ""));
+                    "; known are stl, obj, off, xoff, ply, 3mf, glb, gltf; vtk and msh for writing; amf" +
+                    (io::can_read_other(".dae") ? ", fbx, dae and others" : "") + " for reading");
 }
 
 using ExactPositions = std::span<const ExactVertex>;
 
-void check(MeshView mesh, ExactPositions exact, Format format, const std::string& name) {
-  io::check_writable(mesh, name);
-  if (format == Format::xoff) io::check_writable(exact, mesh.vertices.size(), name);
+const Attributes no_attributes;
+
+/// What is written, without its destination.
+struct Content {
+  MeshView mesh;
+  ExactPositions exact = {};
+  const Attributes* attributes = nullptr;
+  Unit unit = Unit::none;
+  bool strict = false;
+};
+
+Content content(MeshView mesh, ExactPositions exact, const WriteOptions& options) {
+  return {mesh, exact, options.attributes, options.unit, options.strict};
 }
 
-std::vector<std::string> write(MeshView mesh, ExactPositions exact, Format format, io::Sink& sink,
-                               const std::string& name) {
+void check(const Content& content, Format format, const std::string& name) {
+  io::check_writable(content.mesh, name);
+  if (format == Format::xoff) io::check_writable(content.exact, content.mesh.vertices.size(), name);
+  if (content.attributes != nullptr) io::check_attributes(content.mesh, *content.attributes);
+}
+
+io::Notes write_checked(const io::Target& target, Format format) {
   switch (format) {
     case Format::stl:
-      return io::write_stl(mesh, sink, name);
+      return io::write_stl(target);
     case Format::stl_ascii:
-      io::write_stl_ascii(mesh, sink);
-      break;
+      return io::write_stl_ascii(target);
     case Format::obj:
-      io::write_obj(mesh, sink);
-      break;
+      return io::write_obj(target);
     case Format::off:
-      io::write_off(mesh, sink);
-      break;
+      return io::write_off(target);
     case Format::xoff:
-      io::write_xoff(mesh, exact, sink);
-      break;
+      return io::write_xoff(target);
     case Format::ply:
-      io::write_ply_binary(mesh, sink, false);
-      break;
     case Format::ply_ascii:
-      io::write_ply_ascii(mesh, sink);
-      break;
     case Format::ply_big_endian:
-      io::write_ply_binary(mesh, sink, true);
-      break;
+      return io::write_ply(target, format);
+    case Format::threemf:
+      return io::write_3mf(target);
+    case Format::glb:
+      return io::write_glb(target);
+    case Format::gltf:
+      return io::write_gltf(target);
+    case Format::vtk:
+    case Format::vtk_ascii:
+      return io::write_vtk(target, format == Format::vtk_ascii);
+    case Format::msh:
+      return io::write_msh(target);
+    case Format::amf:
     case Format::other:
-      throw IoError(name, {}, "cannot write this format; stl, obj, off, xoff and ply can be written");
+      break;
   }
-  return {};
+  throw IoError(target.name, {},
+                "cannot write this format; stl, obj, off, xoff, ply, 3mf, glb, gltf, vtk and msh can be written");
+}
+
+io::Notes write(const Content& content, Format format, io::Sink& sink, const std::string& name,
+                const std::filesystem::path* path = nullptr) {
+  check(content, format, name);
+  const Attributes& attributes = content.attributes != nullptr ? *content.attributes : no_attributes;
+  io::Notes notes = write_checked({content.mesh, content.exact, attributes, content.unit, sink, name, path}, format);
+  if (content.strict && !notes.empty()) throw IoError(name, {}, "cannot be written without loss: " + notes.front());
+  return notes;
 }
 
 }  // namespace
@@ -96,6 +132,14 @@ std::string_view name(Format format) {
   return found == names.end() ? "other" : found->first;
 }
 
+bool can_read(Format format) {
+  return format != Format::vtk && format != Format::vtk_ascii && format != Format::msh;
+}
+
+bool can_write(Format format) { return format != Format::amf && format != Format::other; }
+
+bool holds_floats(Format format) { return format == Format::stl || format == Format::glb || format == Format::gltf; }
+
 MeshFile read_mesh(const FilePath& given, std::optional<Format> format) {
   const std::filesystem::path path(given.text());
   const Format chosen = format.value_or(format_of(path));
@@ -118,53 +162,80 @@ MeshFile read_mesh(std::span<const std::byte> data, Format format, std::string n
 
 namespace {
 
-std::vector<std::string> write_to_file(const std::filesystem::path& path, MeshView mesh, ExactPositions exact,
-                                       std::optional<Format> format) {
+io::Notes write_to_file(const std::filesystem::path& path, const Content& content, std::optional<Format> format) {
   const Format chosen = format.value_or(format_of(path));
   if (chosen == Format::other) fail_unknown(path.string(), path.extension().string());
-  check(mesh, exact, chosen, path.string());
+  check(content, chosen, path.string());
   io::FileSink sink(path);
-  auto notes = write(mesh, exact, chosen, sink, path.string());
+  auto notes = write(content, chosen, sink, path.string(), &path);
   sink.finish();
   return notes;
 }
 
-std::vector<std::string> write_to_stream(std::ostream& stream, MeshView mesh, ExactPositions exact, Format format,
-                                         const std::string& name) {
-  check(mesh, exact, format, name);
+io::Notes write_to_stream(std::ostream& stream, const Content& content, Format format, const std::string& name) {
+  check(content, format, name);
   io::StreamSink sink(stream, name);
-  auto notes = write(mesh, exact, format, sink, name);
+  if (content.strict) {
+    io::StringSink whole;
+    auto notes = write(content, format, whole, name);
+    sink.write(whole.take());
+    sink.finish();
+    return notes;
+  }
+  auto notes = write(content, format, sink, name);
   sink.finish();
   return notes;
 }
 
-std::string write_to_string(MeshView mesh, ExactPositions exact, Format format) {
-  check(mesh, exact, format, "memory");
+std::string write_to_string(const Content& content, Format format) {
   io::StringSink sink;
-  (void)write(mesh, exact, format, sink, "memory");
+  (void)write(content, format, sink, "memory");
   return sink.take();
+}
+
+Format format_in(const WriteOptions& options) {
+  if (!options.format) throw std::invalid_argument("write_mesh: the options need a format where there is no path");
+  return *options.format;
 }
 
 }  // namespace
 
-std::vector<std::string> write_mesh(const FilePath& path, MeshView mesh, std::optional<Format> format) {
-  return write_to_file(path.text(), mesh, {}, format);
+using Notes = std::vector<std::string>;
+
+Notes write_mesh(const FilePath& path, MeshView mesh, std::optional<Format> format) {
+  return write_to_file(path.text(), {mesh}, format);
 }
 
-std::vector<std::string> write_mesh(const FilePath& path, const ExactMesh& mesh, std::optional<Format> format) {
-  return write_to_file(path.text(), mesh.mesh, mesh.exact, format);
+Notes write_mesh(const FilePath& path, const ExactMesh& mesh, std::optional<Format> format) {
+  return write_to_file(path.text(), {mesh.mesh, mesh.exact}, format);
 }
 
-std::vector<std::string> write_mesh(std::ostream& stream, MeshView mesh, Format format, std::string name) {
-  return write_to_stream(stream, mesh, {}, format, name);
+Notes write_mesh(const FilePath& path, MeshView mesh, const WriteOptions& options) {
+  return write_to_file(path.text(), content(mesh, {}, options), options.format);
 }
 
-std::vector<std::string> write_mesh(std::ostream& stream, const ExactMesh& mesh, Format format, std::string name) {
-  return write_to_stream(stream, mesh.mesh, mesh.exact, format, name);
+Notes write_mesh(const FilePath& path, const ExactMesh& mesh, const WriteOptions& options) {
+  return write_to_file(path.text(), content(mesh.mesh, mesh.exact, options), options.format);
 }
 
-std::string to_string(MeshView mesh, Format format) { return write_to_string(mesh, {}, format); }
+Notes write_mesh(std::ostream& stream, MeshView mesh, Format format, std::string name) {
+  return write_to_stream(stream, {mesh}, format, name);
+}
 
-std::string to_string(const ExactMesh& mesh, Format format) { return write_to_string(mesh.mesh, mesh.exact, format); }
+Notes write_mesh(std::ostream& stream, const ExactMesh& mesh, Format format, std::string name) {
+  return write_to_stream(stream, {mesh.mesh, mesh.exact}, format, name);
+}
+
+Notes write_mesh(std::ostream& stream, const ExactMesh& mesh, const WriteOptions& options, std::string name) {
+  return write_to_stream(stream, content(mesh.mesh, mesh.exact, options), format_in(options), name);
+}
+
+std::string to_string(MeshView mesh, Format format) { return write_to_string({mesh}, format); }
+
+std::string to_string(const ExactMesh& mesh, Format format) { return write_to_string({mesh.mesh, mesh.exact}, format); }
+
+std::string to_string(const ExactMesh& mesh, const WriteOptions& options) {
+  return write_to_string(content(mesh.mesh, mesh.exact, options), format_in(options));
+}
 
 }  // namespace strata

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/io/face_list.h"
+#include "core/io/obj_extras.h"
 #include "core/io/pieces.h"
 
 namespace strata::io {
@@ -40,6 +41,7 @@ struct ObjPiece {
   std::vector<Vertex> vertices;
   FaceList faces;
   ObjUses uses;
+  ObjExtras extras;
   ObjIgnored ignored;
 };
 

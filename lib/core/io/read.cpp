@@ -19,13 +19,13 @@ std::optional<MeshFile> read_piece_by_piece(const File& file, Format format, std
   return {};
 }
 
-MeshFile read_bytes(const Input& input, Format format) {
+MeshFile read_bytes(const Input& input, Format format, const std::filesystem::path* folder) {
   switch (format) {
     case Format::stl:
     case Format::stl_ascii:
       return read_stl(input);
     case Format::obj:
-      return read_obj(input);
+      return read_obj(input, folder);
     case Format::off:
       return read_off(input);
     case Format::xoff:
@@ -34,6 +34,18 @@ MeshFile read_bytes(const Input& input, Format format) {
     case Format::ply_ascii:
     case Format::ply_big_endian:
       return read_ply(input);
+    case Format::threemf:
+      return read_3mf(input);
+    case Format::glb:
+      return read_glb(input, folder);
+    case Format::gltf:
+      return read_gltf(input, folder);
+    case Format::amf:
+      return read_amf(input);
+    case Format::vtk:
+    case Format::vtk_ascii:
+    case Format::msh:
+      fail("VTK and MSH files can be written, but not be read");
     case Format::other:
       return read_other(input);
   }
@@ -42,10 +54,10 @@ MeshFile read_bytes(const Input& input, Format format) {
 
 }  // namespace
 
-MeshFile read(const Input& input, Format format) {
+MeshFile read(const Input& input, Format format, const std::filesystem::path* folder) {
   try {
     if (input.data.empty()) fail("the file is empty");
-    return with_emptiness_noted(read_bytes(input, format));
+    return with_emptiness_noted(read_bytes(input, format, folder));
   } catch (const Malformed& malformed) {
     throw input.error(malformed);
   }
@@ -57,7 +69,8 @@ MeshFile read(const File& file, Format format, std::size_t piece) {
   if (format == Format::other && file.size() > 0)
     return with_emptiness_noted(read_other(std::filesystem::path(file.name())));
   const FileBytes bytes(file);
-  return read(Input{file.name(), bytes.view(), piece}, format);
+  const std::filesystem::path folder = std::filesystem::absolute(file.name()).parent_path();
+  return read(Input{file.name(), bytes.view(), piece}, format, &folder);
 }
 
 }  // namespace strata::io

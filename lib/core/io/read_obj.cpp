@@ -27,7 +27,16 @@ void check(const ObjUses& uses, std::uint64_t before, std::uint64_t vertex_count
   if (static_cast<std::int64_t>(before) + uses.lowest < 0) fail("a relative index out of range");
 }
 
-MeshFile join_pieces(const Input& input, std::vector<ObjPiece> pieces) {
+/// A face counts its vertices from the start of the file, or of the piece that is whole.
+std::vector<ObjExtrasAt> extras_of(std::vector<ObjPiece>& pieces, std::span<const std::uint64_t> vertices,
+                                   std::span<const std::uint64_t> faces) {
+  std::vector<ObjExtrasAt> extras;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    extras.push_back({&pieces[i].extras, faces[i], vertices[i], pieces[i].uses.relative});
+  return extras;
+}
+
+MeshFile join_pieces(const Input& input, std::vector<ObjPiece> pieces, const std::filesystem::path* folder) {
   const auto before = vertices_before(pieces);
   MeshFile file;
   resize_fresh(file.mesh.vertices, before.back());
@@ -39,11 +48,14 @@ MeshFile join_pieces(const Input& input, std::vector<ObjPiece> pieces) {
     std::copy(piece.vertices.begin(), piece.vertices.end(), file.mesh.vertices.begin() + before[i]);
     faces[i] = std::move(piece.faces);
   });
+  std::vector<std::uint64_t> faces_before{0};
+  for (const FaceList& list : faces) faces_before.push_back(faces_before.back() + list.count());
   gather_faces(faces, file, input.name);
+  add_obj_extras(file, extras_of(pieces, before, faces_before), faces_before.back(), folder);
   return file;
 }
 
-MeshFile read_pieces(const Input& input, std::span<const Piece> places) {
+MeshFile read_pieces(const Input& input, std::span<const Piece> places, const std::filesystem::path* folder) {
   std::vector<ObjPiece> pieces(places.size());
   tbb::parallel_for(std::size_t{0}, places.size(),
                     [&](std::size_t i) { pieces[i] = read_obj_piece(input, places[i]); });
@@ -55,16 +67,16 @@ MeshFile read_pieces(const Input& input, std::span<const Piece> places) {
   }
   if (ignored.unknown > 0 && is_empty)
     fail_at_line(ignored.first_unknown, "expected OBJ statements such as 'v 0 0 0' and 'f 1 2 3'");
-  MeshFile file = join_pieces(input, std::move(pieces));
+  MeshFile file = join_pieces(input, std::move(pieces), folder);
   ignored.note(file);
   return file;
 }
 
 }  // namespace
 
-MeshFile read_obj(const Input& input) {
-  return read_in_pieces(input,
-                        [&](std::size_t size) { return read_pieces(input, split_at_lines(input.data, 0, size)); });
+MeshFile read_obj(const Input& input, const std::filesystem::path* folder) {
+  return read_in_pieces(
+      input, [&](std::size_t size) { return read_pieces(input, split_at_lines(input.data, 0, size), folder); });
 }
 
 }  // namespace strata::io

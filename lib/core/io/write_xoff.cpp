@@ -2,6 +2,7 @@
 #include <string>
 
 #include "core/io/blocks.h"
+#include "core/io/losses.h"
 #include "core/io/writers.h"
 #include "core/io/xoff_number.h"
 
@@ -26,7 +27,10 @@ void append_line(std::string& text, const Vertex& nearest, const RationalPoint* 
 
 }  // namespace
 
-void write_xoff(MeshView mesh, std::span<const ExactVertex> exact, Sink& sink) {
+Notes write_xoff(const Target& target) {
+  const MeshView mesh = target.mesh;
+  const auto exact = target.exact;
+  Sink& sink = target.sink;
   sink.write("XOFF\n" + std::to_string(mesh.vertices.size()) + " " + std::to_string(mesh.triangles.size()) + " 0\n");
   write_texts(sink, mesh.vertices.size(), [&](std::size_t v, std::string& text) {
     const auto at = find_exact(exact, v);
@@ -37,6 +41,9 @@ void write_xoff(MeshView mesh, std::span<const ExactVertex> exact, Sink& sink) {
     for (const std::uint32_t v : mesh.triangles[f]) text.append(" ").append(std::to_string(v));
     text += '\n';
   });
+  Notes notes;
+  note_losses(notes, target.attributes, target.unit, "XOFF");
+  return notes;
 }
 
 }  // namespace strata::io

@@ -1,9 +1,11 @@
 #pragma once
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/io/sink.h"
+#include "strata/io.h"
 #include "strata/mesh.h"
 
 namespace strata::io {
@@ -14,20 +16,42 @@ void check_writable(MeshView mesh, const std::string& name);
 /// The same for exact positions: of vertices that do not exist, not in order, or beyond the range of doubles.
 void check_writable(std::span<const ExactVertex> exact, std::size_t vertex_count, const std::string& name);
 
-/// One writer per format. A mesh without faces is written as some bytes, because readers refuse empty files. Requires
-/// finite coordinates and indices in range.
-void write_stl_ascii(MeshView mesh, Sink& sink);
-void write_obj(MeshView mesh, Sink& sink);
-void write_off(MeshView mesh, Sink& sink);
-void write_xoff(MeshView mesh, std::span<const ExactVertex> exact, Sink& sink);
-void write_ply_ascii(MeshView mesh, Sink& sink);
-void write_ply_binary(MeshView mesh, Sink& sink, bool big_endian);
+/// Throws std::invalid_argument where a channel does not fit the mesh, or an index of a channel, a material or an image
+/// is out of range.
+void check_attributes(MeshView mesh, const Attributes& attributes);
 
-/// The header of a PLY file with doubles; `format` is its second word.
-[[nodiscard]] std::string ply_header(MeshView mesh, const std::string& format);
+using Notes = std::vector<std::string>;
+
+/// What a writer writes, to what.
+struct Target {
+  MeshView mesh;
+  std::span<const ExactVertex> exact;  ///< XOFF only
+  const Attributes& attributes;
+  Unit unit;
+  Sink& sink;
+  std::string name;                             ///< of the file, for messages
+  const std::filesystem::path* path = nullptr;  ///< of the file, if other files can stand beside it
+};
+
+/// One writer per format. A mesh without faces is written as some bytes, because readers refuse empty files. Requires
+/// finite coordinates, indices in range, and attributes that fit. Returns notes: what was lost.
+[[nodiscard]] Notes write_stl_ascii(const Target& target);
+[[nodiscard]] Notes write_obj(const Target& target);
+[[nodiscard]] Notes write_off(const Target& target);
+[[nodiscard]] Notes write_xoff(const Target& target);
+[[nodiscard]] Notes write_ply(const Target& target, Format format);
+[[nodiscard]] Notes write_3mf(const Target& target);
+[[nodiscard]] Notes write_glb(const Target& target);
+[[nodiscard]] Notes write_gltf(const Target& target);
+[[nodiscard]] Notes write_vtk(const Target& target, bool ascii);
+[[nodiscard]] Notes write_msh(const Target& target);
 
 /// Rounds coordinates to floats and reports this in a note. Throws IoError when one is beyond the range of floats or
 /// there are more than 2^32 - 1 triangles.
-[[nodiscard]] std::vector<std::string> write_stl(MeshView mesh, Sink& sink, const std::string& name);
+[[nodiscard]] Notes write_stl(const Target& target);
+
+/// Notes how many vertices a format of floats cannot represent. Throws IoError at coordinates beyond their range;
+/// `format` names it in both.
+[[nodiscard]] Notes note_floats(std::span<const Vertex> vertices, const std::string& name, const char* format);
 
 }  // namespace strata::io

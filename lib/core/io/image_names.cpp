@@ -1,0 +1,48 @@
+#include "core/io/image_names.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <filesystem>
+#include <set>
+#include <string_view>
+
+namespace strata::io {
+namespace {
+
+bool starts_with(const Image& image, std::string_view bytes) {
+  return image.bytes.size() >= bytes.size() && std::memcmp(image.bytes.data(), bytes.data(), bytes.size()) == 0;
+}
+
+/// Letters, digits, and what no system minds; nothing hidden.
+std::string safe_name(const Image& image) {
+  std::string name = image.name;
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '-' && c != '_') c = '_';
+  while (name.starts_with('.')) name.erase(0, 1);
+  if (name.empty()) name = "texture";
+  const std::string type = media_type_of(image);
+  if (!std::filesystem::path(name).has_extension()) name += type == "image/jpeg" ? ".jpg" : ".png";
+  return name;
+}
+
+}  // namespace
+
+std::string media_type_of(const Image& image) {
+  if (!image.media_type.empty()) return image.media_type;
+  return starts_with(image, "\xff\xd8") ? "image/jpeg" : "image/png";
+}
+
+std::vector<std::string> file_names_of(const std::vector<Image>& images) {
+  std::vector<std::string> names;
+  std::set<std::string> used;
+  for (const Image& image : images) {
+    const std::string wanted = safe_name(image);
+    std::string name = wanted;
+    for (std::size_t n = 1; !used.insert(name).second; ++n) name = std::to_string(n) + "_" + wanted;
+    names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace strata::io
