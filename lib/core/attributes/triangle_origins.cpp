@@ -88,8 +88,8 @@ TriangleOrigins::TriangleOrigins(std::span<const AttributedMesh> operands, Exact
       require_source(operands_, sources[t]);
       require_vertices(result.mesh, result.mesh.triangles[t]);
       const std::uint32_t number = sources[t].operand;
-      origin_[t] = static_cast<std::uint8_t>(order_of(orders, result.mesh.triangles[t], source_corners(sources[t]),
-                                                      number, operands_[number], known));
+      origin_[t] = static_cast<std::uint8_t>(
+          order_of(orders, result.mesh.triangles[t], source_corners(sources[t]), number, operands_[number], known));
     }
   });
   parts_ = collect(sources.size(), [&](std::uint32_t t) { return origin_[t] == part; });
