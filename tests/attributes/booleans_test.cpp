@@ -205,12 +205,13 @@ TEST_CASE("of faces that coincide the first operand's speaks", "[attributes][deg
   CHECK(coincident > 100);
 }
 
+// Catches: operands 0 and 8 united before operand 1 comes, whose face coincides with one of operand 8.
 TEST_CASE("of many united operands, too, the first one's coincident face speaks", "[attributes][degenerate]") {
-  // Pairs of slabs with a common wall, listed apart from each other, and a lid in the same plane over all of them.
-  std::vector<Mesh> meshes;
-  const auto slab = [](double x) { return box({x, 0, 0}, {x + 1, 1, 1}); };
-  for (const double x : {0.0, 2.0, 4.0, 6.0, 1.0, 3.0, 5.0, 7.0}) meshes.push_back(slab(x));
-  meshes.push_back(box({0, 0, 0.5}, {8, 1, 1}));
+  std::vector<Mesh> meshes{box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0.5}, {2, 1, 1})};
+  for (int far = 1; far < 7; ++far) meshes.push_back(box({9.0 * far, 0, 0}, {9.0 * far + 1, 1, 1}));
+  meshes.push_back(meshes.front());  // mirrored, so that the common wall has the same triangles
+  for (Vertex& v : meshes.back().vertices) v[0] = 2 - v[0];
+  for (Triangle& t : meshes.back().triangles) std::swap(t[1], t[2]);
   std::vector<Attributes> attributes;
   for (std::size_t n = 0; n < meshes.size(); ++n) {
     attributes.emplace_back();
@@ -220,12 +221,19 @@ TEST_CASE("of many united operands, too, the first one's coincident face speaks"
   const auto operands = operands_of(meshes, attributes);
   const BooleanResult r = combine(Operation::union_, std::span<const Operand>(operands), {.input = InputClass::solid});
   const auto& number = values_of<std::int32_t>(r.attributes, "operand");
-  std::set<std::int32_t> seen;
+  std::size_t on_lid = 0;
   for (std::size_t t = 0; t < number.size(); ++t) {
     CHECK(number[t] == static_cast<std::int32_t>(r.sources[t].operand));
-    seen.insert(number[t]);
+    const auto is_on_lid = [&](std::uint32_t v) {
+      const Vertex& p = r.mesh.vertices[v];
+      return p[2] == 1 && p[0] >= 1 && p[0] <= 2;
+    };
+    const Triangle& triangle = r.mesh.triangles[t];
+    if (!std::all_of(triangle.begin(), triangle.end(), is_on_lid)) continue;
+    ++on_lid;
+    CHECK(number[t] == 1);
   }
-  CHECK(seen == std::set<std::int32_t>{0, 1, 2, 3, 4, 5, 6, 7});  // the lid coincides with all, and comes last
+  CHECK(on_lid >= 2);
 }
 
 TEST_CASE("a solid without attributes has none, and results of such have none", "[attributes]") {
