@@ -132,9 +132,7 @@ std::string_view name(Format format) {
   return found == names.end() ? "other" : found->first;
 }
 
-bool can_read(Format format) {
-  return format != Format::vtk && format != Format::vtk_ascii && format != Format::msh;
-}
+bool can_read(Format format) { return format != Format::vtk && format != Format::vtk_ascii && format != Format::msh; }
 
 bool can_write(Format format) { return format != Format::amf && format != Format::other; }
 
