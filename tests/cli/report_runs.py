@@ -21,6 +21,8 @@ _booleans = ("union", "intersection", "difference", "symmetric-difference")
 # (the verb that has the schema, arguments, exit codes that are expected)
 RUNS = [
     *((verb, f"{verb} a.off b.off -o out.off --certify", 0) for verb in _booleans),
+    ("convert", "convert a.off -o out.3mf --unit inch", 0),
+    ("union", "union a.off b.off -o out.glb --cut-material '#ff0000'", 0),
     ("union", "union crossing.off b.off -o out.stl", 0),
     ("union", "union a.off b.off -o out.off --grid 1/3", 0),
     ("union", "union a.off far.off -o out.xoff --rounding nearest --engine layers", 0),

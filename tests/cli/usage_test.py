@@ -60,7 +60,7 @@ class Usage(ToolTest):
                           ("union", a, a, "-o", "out.stl", "--timeout", "soon"),
                           ("union", a, a, "-o", "out.stl", "-j", "-1"),
                           ("union", a, a, "-o", "out.unknown"), ("union", a, a, "-o", "no_extension"),
-                          ("union", a, a, "-o", "out.stl", "--format", "glb"),
+                          ("union", a, a, "-o", "out.stl", "--format", "fbx"),
                           ("info", a, "--input-format", "nonsense")):
             with self.subTest(arguments=arguments):
                 done = self.run_tool(*arguments, expect=USAGE)

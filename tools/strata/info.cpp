@@ -52,7 +52,7 @@ void add_attributes(Json& facts, const LoadedMesh& operand) {
 
 void print_facts(const Json& facts) {
   for (const auto& [key, value] : facts.items()) {
-    if (key == "defects" || (value.is_array() && value.empty())) continue;
+    if (key == "defects" || (key == "unit" && value.is_null()) || (value.is_array() && value.empty())) continue;
     const std::string text = value.is_string() ? value.get<std::string>() : value.is_null() ? "-" : value.dump();
     fmt::print("{:17} {}\n", key, text);
   }
