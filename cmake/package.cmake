@@ -31,7 +31,7 @@ set(CPACK_DEBIAN_TOOLS_DESCRIPTION "exact Booleans of solids given as triangle m
  contacts in assemblies, combines polygons, and tests other engines.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libstrata-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(development_needs "libtbb-dev, libboost-dev")
+set(development_needs "libtbb-dev, libboost-dev, zlib1g-dev")
 if(STRATA_WITH_GMP)
   string(APPEND development_needs ", libgmp-dev")
 endif()

@@ -207,7 +207,8 @@ class Limits(BatchTest):
         self.assertLess(peaks[3], peaks[1] + (64 << 20))
 
     def test_a_crash_costs_one_job(self):
-        for number in (signal.SIGSEGV, signal.SIGKILL, signal.SIGABRT):
+        handled = {signal.SIGSEGV} if sanitized else set()  # sanitizers make an exit of it
+        for number in sorted({signal.SIGSEGV, signal.SIGKILL, signal.SIGABRT} - handled):
             with self.subTest(signal=number):
                 self.jobs(self.union(0), self.heavy(), *[self.union(k) for k in range(1, 6)])
                 self.path("out0.off").unlink(missing_ok=True)
