@@ -57,6 +57,8 @@ def pages():
             found[name] = pathlib.Path("explanation/theory", path.name)
     for path in sorted((ROOT / "lib").rglob("*.png")) + sorted((ROOT / "lib").rglob("*.svg")):
         found[path.relative_to(ROOT)] = pathlib.Path("explanation/theory", path.name)
+    for path in sorted((ROOT / "examples/pictures").glob("*.svg")):
+        found[path.relative_to(ROOT)] = pathlib.Path("tutorials/pictures", path.name)
     for path in sorted((ROOT / "include/strata").glob("*.h")):
         found[path.relative_to(ROOT)] = pathlib.Path("reference/api", path.stem + ".md")
     found[pathlib.Path("README.md")] = pathlib.Path("index.md")
