@@ -84,7 +84,9 @@ def relink(text, source, target, found):
             return match[0]  # made below
         if not (ROOT / wanted).exists():
             sys.exit(f"{source}: there is no {wanted}, to which it links")
-        return label if label.startswith("`") else f"{label} (`{wanted}`)"
+        if label.startswith("`") or wanted.as_posix().endswith(label):
+            return label
+        return f"{label} (`{wanted}`)"
     return re.sub(r"(!?)\[([^\]]*)\]\(([^)\s]+)((?:\s+\"[^\"]*\")?)\)", link, text)
 
 
