@@ -125,3 +125,20 @@ TEST_CASE("OFF: the letters are those of what is written, and floats have points
   CHECK(stream.str() ==
         "CNOFF\n3 1 0\n0 0 0 0 0 1 1.0 0.0 0.5\n1 0 0 0 0 1 1.0 1.0 1.0\n0 1 0 0 0 1 0.0 0.0 -2.0\n3 0 1 2\n");
 }
+
+TEST_CASE("OFF: colours that are no floats are left out, with a note", "[io][off]") {
+  MeshFile file;
+  file.mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  WriteOptions options;
+  options.format = Format::off;
+  options.attributes = &file.attributes;
+  for (const ChannelValues& values :
+       {ChannelValues(Doubles{1, 0, 1e300}), ChannelValues(std::vector<std::int32_t>{1, 2, 3})}) {
+    const auto how = std::holds_alternative<Doubles>(values) ? Interpolation::linear : Interpolation::nearest;
+    file.attributes.channels = {{"color", Element::face, how, 3, values}};
+    std::ostringstream stream;
+    CHECK(write_mesh(stream, ExactMesh{file.mesh, {}}, options) ==
+          std::vector<std::string>{"channel color left out: OFF cannot keep it"});
+    CHECK(stream.str() == "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  }
+}

@@ -2,8 +2,10 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "core/io/blocks.h"
+#include "core/io/finite_values.h"
 #include "core/io/losses.h"
 #include "core/io/text_lines.h"
 #include "core/io/writers.h"
@@ -28,7 +30,9 @@ struct OffChannels {
       const bool is_float = has<float>(c) || has<double>(c), is_of_vertices = c.element == Element::vertex;
       if (c.name == channel_names::normal && c.components == 3 && is_float && is_of_vertices) normal = &c;
       if (c.name == channel_names::texcoord && c.components == 2 && is_float && is_of_vertices) texcoord = &c;
-      if (c.name == channel_names::color && c.components >= 3 && !has<std::int32_t>(c)) {
+      // Colours are read as floats.
+      const bool is_color = has<float>(c) || has<std::uint8_t>(c) || (has<double>(c) && has_finite_floats(c));
+      if (c.name == channel_names::color && c.components >= 3 && is_color) {
         if (is_of_vertices) color = &c;
         if (c.element == Element::face) face_color = &c;
       }
