@@ -205,6 +205,20 @@ TEST_CASE("PLY: channels of any kind and name are read as they were written", "[
   }
 }
 
+TEST_CASE("PLY: a file that is never whole in memory has the same channels", "[io][ply]") {
+  std::mt19937_64 random(1);
+  MeshFile file;
+  file.mesh = random_soup(random, 300, 500);
+  for (const char* name : {"a", "b", "c", "d"})
+    file.attributes.channels.push_back(random_channel(random, file.mesh, name));
+  const auto path = std::filesystem::temp_directory_path() / "strata-ply-pieces.ply";
+  std::ofstream(path, std::ios::binary) << written(file, Format::ply);
+  const auto again = io::read_binary_ply(io::File(path), 2000, path.parent_path());
+  REQUIRE(again);
+  for (const Channel& c : file.attributes.channels) CHECK(*again->attributes.find(c.name) == c);
+  std::filesystem::remove(path);
+}
+
 TEST_CASE("PLY: usual channels are written under usual names, others are announced", "[io][ply]") {
   MeshFile file;
   file.mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
