@@ -6,7 +6,7 @@
 
 #include "core/io/corner_values.h"
 #include "core/io/finite_values.h"
-#include "core/io/image_names.h"
+#include "core/io/images.h"
 #include "core/io/losses.h"
 #include "core/io/object_faces.h"
 #include "core/io/srgb.h"
@@ -93,7 +93,8 @@ class Surfaces {
   }
 
   [[nodiscard]] bool keeps(const Channel& c) const {
-    return &c == color_ || &c == texcoord_ || &c == not_finite_ || c.name == channel_names::material;
+    return &c == color_ || &c == texcoord_ || &c == not_finite_ ||
+           (c.name == channel_names::material && !material_.empty());
   }
   [[nodiscard]] bool writes_images() const { return texcoord_ != nullptr; }
   [[nodiscard]] std::uint32_t first_free() const { return pair_group(attributes_.materials.size()); }
@@ -330,7 +331,10 @@ Notes write_3mf(const Target& target) {
   const bool keeps_objects = are_apart || !objects.front().name.empty();
   note_losses(notes, attributes, target.unit, "3MF",
               {.materials = true, .images = surfaces.writes_images(), .objects = keeps_objects, .unit = true},
-              [&](const Channel& c) { return surfaces.keeps(c) || c.name == channel_names::object; });
+              [&](const Channel& c) {
+                return surfaces.keeps(c) ||
+                       (c.name == channel_names::object && !indices_of(attributes, c.name).empty());
+              });
   const std::vector<std::string> image_names = file_names_of(attributes.images);
   ZipWriter zip(target.sink);
   write_package(zip);

@@ -15,7 +15,7 @@
 #include "core/io/corner_values.h"
 #include "core/io/finite_values.h"
 #include "core/io/folder_of_model.h"
-#include "core/io/image_names.h"
+#include "core/io/images.h"
 #include "core/io/losses.h"
 #include "core/io/object_faces.h"
 #include "core/io/seam_vertices.h"

@@ -8,7 +8,7 @@
 
 #include "core/io/corner_values.h"
 #include "core/io/finite_values.h"
-#include "core/io/image_names.h"
+#include "core/io/images.h"
 #include "core/io/losses.h"
 #include "core/io/mtl.h"
 #include "core/io/object_faces.h"
@@ -91,7 +91,7 @@ class ObjWriter {
         normals_(target.mesh, numbers(channel_names::normal, 3)),
         color_(colors()) {
     add_changes("o", channel_names::object, attributes_.objects);
-    if (!attributes_.groups.empty()) add_changes("g", channel_names::group, attributes_.groups);
+    add_changes("g", channel_names::group, attributes_.groups);
     std::vector<std::string> materials;
     for (std::size_t m = 0; m < attributes_.materials.size(); ++m)
       materials.push_back(one_line(mtl_name(attributes_, m)));
@@ -100,7 +100,7 @@ class ObjWriter {
 
   Notes write() {
     Sink& sink = target_.sink;
-    const bool has_library = target_.path != nullptr && !attributes_.materials.empty();
+    const bool has_library = target_.beside != nullptr && !attributes_.materials.empty();
     if (has_library) write_library();
     write_vertices();
     texcoords_.write(sink, "vt");
@@ -149,26 +149,21 @@ class ObjWriter {
   [[nodiscard]] bool has(std::string_view channel) const { return !indices_of(attributes_, channel).empty(); }
   [[nodiscard]] bool keeps(const Channel& c) const {
     return &c == color_ || (c.name == channel_names::texcoord && !texcoords_.empty()) ||
-           (c.name == channel_names::normal && !normals_.empty()) || c.name == channel_names::material ||
-           c.name == channel_names::object || (c.name == channel_names::group && !attributes_.groups.empty()) ||
+           (c.name == channel_names::normal && !normals_.empty()) || has(c.name) ||
            std::find(not_finite_.begin(), not_finite_.end(), &c) != not_finite_.end();
   }
 
   /// The library and its images stand beside the file, named after it.
   void write_library() {
-    const std::filesystem::path& path = *target_.path;
-    const std::string stem = path.stem().string();
+    FilesBeside& beside = *target_.beside;
+    const std::string stem = beside.stem();
     std::vector<std::string> names = file_names_of(attributes_.images);
     for (std::size_t i = 0; i < names.size(); ++i) {
       names[i].insert(0, stem + "-");
-      FileSink image(path.parent_path() / names[i]);
-      image.write(
-          {reinterpret_cast<const char*>(attributes_.images[i].bytes.data()), attributes_.images[i].bytes.size()});
-      image.finish();
+      const auto& bytes = attributes_.images[i].bytes;
+      beside.add(names[i]).write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     }
-    FileSink library(path.parent_path() / (stem + ".mtl"));
-    library.write(mtl_text(attributes_, names));
-    library.finish();
+    beside.add(stem + ".mtl").write(mtl_text(attributes_, names));
     target_.sink.write("mtllib " + stem + ".mtl\n");
   }
 
