@@ -14,9 +14,11 @@ void add_decompose(CommandLine& line) {
   CLI::App* verb = line.app.add_subcommand("decompose", "A solid as convex pieces, exactly");
   add_common_options(*verb, settings, 1, 1);
   add_input_class(*verb, settings);
-  verb->add_option("-o,--output", settings.output,
-                   "A folder for the pieces, a file each, and decomposition.json with their walls; or a picture (.glb)")
-      ->type_name("DIR|OUT.glb");
+  verb->add_option(
+          "-o,--output", settings.output,
+          "A folder for the pieces, a file each, and decomposition.json with their walls; or one file, in which "
+          "they are groups (.msh, .vtk, .obj, ...); or a picture (.glb)")
+      ->type_name("DIR|OUT");
   verb->add_option("--format", settings.output_format,
                    "Of the files of a folder: off, obj, stl, ply, ...; xoff, which keeps rationals, unless told")
       ->type_name("FORMAT");

@@ -14,9 +14,12 @@ namespace {
 using Shared = std::shared_ptr<SurfaceSettings>;
 
 void add_folder(CLI::App& verb, Settings& settings, const char* meshes, const char* document) {
-  verb.add_option("-o,--output", settings.output,
-                  fmt::format("A folder for the {}, a file each, and {}, which lists them", meshes, document))
-      ->type_name("DIR");
+  verb.add_option(
+          "-o,--output", settings.output,
+          fmt::format("A folder for the {0}, a file each, and {1}, which lists them; or one file, in which they are "
+                      "groups (.msh, .vtk, .obj, ...)",
+                      meshes, document))
+      ->type_name("DIR|OUT");
   verb.add_option("--format", settings.output_format,
                   "Of the files: off, obj, stl, ply, ...; xoff, which keeps rationals, unless told")
       ->type_name("FORMAT");

@@ -10,6 +10,7 @@
 #include "common/watch.h"
 #include "files.h"
 #include "mesh_folder.h"
+#include "region_file.h"
 #include "report.h"
 #include "strata/convex.h"
 #include "strata/measure.h"
@@ -27,7 +28,8 @@ void check_output(const Settings& settings) {
     throw UsageError("--exploded is for pictures: give -o the name of a .glb file");
   if (is_picture(settings.output) && !settings.output_format.empty())
     throw UsageError("pictures are written as glTF: --format is for the files of a folder");
-  if (!settings.output.empty() && !is_picture(settings.output)) MeshFolder::check(settings);
+  if (!settings.output.empty() && !is_picture(settings.output) && !RegionFile::is_named(settings))
+    MeshFolder::check(settings);
 }
 
 Json facts(const Decomposition& d) {
@@ -103,6 +105,23 @@ void write_folder(const Decomposition& d, const Settings& settings) {
   write_text(folder.path("decomposition.json"), document.dump(1) + "\n");
 }
 
+/// All pieces in one file, each a group.
+void write_file(const Decomposition& d, const Settings& settings) {
+  RegionFile file(settings);
+  for (std::uint32_t p = 0; p < d.pieces.size(); ++p)
+    file.add(mesh_of(d.polytope(p)), fmt::format("piece {}", p), MeshContent::solid);
+  file.write();
+}
+
+void write_pieces(const Decomposition& d, const Settings& settings) {
+  if (is_picture(settings.output))
+    write_picture(d, settings);
+  else if (RegionFile::is_named(settings))
+    write_file(d, settings);
+  else
+    write_folder(d, settings);
+}
+
 }  // namespace
 
 ExitCode run_decompose(const Settings& settings) {
@@ -133,7 +152,7 @@ ExitCode run_decompose(const Settings& settings) {
 
   watch.on_stop(OnStop::finish);
   stopwatch.lap();
-  if (!settings.output.empty()) is_picture(settings.output) ? write_picture(d, settings) : write_folder(d, settings);
+  if (!settings.output.empty()) write_pieces(d, settings);
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.quiet && settings.report != "-")
     for (const auto& [key, value] : report["result"].items())

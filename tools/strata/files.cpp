@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iostream>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "operand_units.h"
@@ -23,6 +24,10 @@ using strata::Format;
 
 constexpr const char* writable =
     "stl, stl-ascii, obj, off, xoff, ply, ply-ascii, ply-big-endian, 3mf, glb, gltf, vtk, vtk-ascii, msh";
+
+[[noreturn]] void fail_unwritable(std::string_view format) {
+  throw UsageError(fmt::format("cannot write the format {}; these can be written: {}", format, writable));
+}
 
 void print_notes(const std::string& path, const std::vector<std::string>& notes, const Settings& settings) {
   if (settings.quiet) return;
@@ -95,12 +100,12 @@ Format output_format(const Settings& settings) {
   if (!settings.output_format.empty()) {
     const auto format = strata::format_named(settings.output_format);
     if (format && strata::can_write(*format)) return *format;
-    throw UsageError(
-        fmt::format("cannot write the format {}; these can be written: {}", settings.output_format, writable));
+    fail_unwritable(settings.output_format);
   }
   if (settings.output == "-") return Format::stl;
   const Format format = strata::format_of(settings.output);
   if (strata::can_write(format)) return format;
+  if (format != Format::other) fail_unwritable(strata::name(format));
   throw UsageError(
       fmt::format("cannot tell a format from {}; use --format with one of: {}", settings.output, writable));
 }

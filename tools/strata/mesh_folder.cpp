@@ -31,13 +31,13 @@ MeshFolder::MeshFolder(const Settings& settings, std::string stem, std::size_t c
   if (error) throw strata::IoError(settings.output, {}, fmt::format("cannot make the folder: {}", error.message()));
 }
 
-std::string MeshFolder::write(std::size_t number, const strata::ExactMesh& mesh, Content content) const {
+std::string MeshFolder::write(std::size_t number, const strata::ExactMesh& mesh, MeshContent content) const {
   std::string name = fmt::format("{}-{:0{}}.{}", stem_, number, digits_, extension_);
   Settings of_mesh = settings_;
   of_mesh.output = path(name);
   of_mesh.output_format.clear();
   const strata::Format format = output_format(of_mesh);
-  if (content == Content::solid) {
+  if (content == MeshContent::solid) {
     write_solid(of_mesh, format, mesh);
   } else {
     write_output(of_mesh, format, mesh);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "region_file.h"
 #include "settings.h"
 #include "strata/mesh.h"
 
@@ -10,9 +11,8 @@
 /// --format names, or XOFF, which keeps rationals.
 class MeshFolder {
  public:
-  enum class Content { solid, surface };  ///< solids are rounded as --rounding says
-
-  /// Throws UsageError where -o names a file or a folder that is not empty: meshes of different runs would mix.
+  /// Throws UsageError where -o names an existing file or a folder that is not empty: meshes of different runs would
+  /// mix.
   static void check(const Settings& settings);
 
   /// Makes the folder. `count` meshes will be written. Throws strata::IoError.
@@ -20,7 +20,7 @@ class MeshFolder {
 
   /// Writes one mesh, whole or not at all; returns the name of its file. Throws strata::IoError.
   [[nodiscard]] std::string write(std::size_t number, const strata::ExactMesh& mesh,
-                                  Content content = Content::solid) const;
+                                  MeshContent content = MeshContent::solid) const;
   /// A file in the folder.
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
 

@@ -21,10 +21,10 @@ namespace {
 
 using strata::Surface;
 
-/// What a verb made: meshes of one kind, for a folder.
+/// What a verb made: meshes of one kind, for a folder, or for one file.
 struct Product {
   const char* stem = "";  ///< of file names
-  MeshFolder::Content content = MeshFolder::Content::solid;
+  MeshContent content = MeshContent::solid;
   std::vector<strata::ExactMesh> meshes;
   std::vector<Json> facts;  ///< per mesh
   Json result = Json::object();
@@ -103,15 +103,26 @@ void write_folder(const Product& product, const char* verb, const Settings& sett
   write_text(folder.path(fmt::format("{}.json", verb)), Json({{"files", std::move(list)}}).dump(1) + "\n");
 }
 
-/// Computes, and writes what was made into the folder that -o names, if there is one.
+void write_file(const Product& product, const Settings& settings) {
+  RegionFile file(settings);
+  for (std::size_t i = 0; i < product.meshes.size(); ++i)
+    file.add(product.meshes[i], fmt::format("{} {}", product.stem, i), product.content);
+  file.write();
+}
+
+/// Computes, and writes what was made into the folder that -o names, or the file, if there is one.
 template <class Make>
 ExitCode run_to_folder(const char* verb, const Settings& settings, const Make& make) {
-  if (!settings.output.empty()) MeshFolder::check(settings);
+  const bool is_file = RegionFile::is_named(settings);
+  if (!settings.output.empty() && !is_file) MeshFolder::check(settings);
   VerbRun run(verb, settings);
   Product product;
   run.evaluate([&](const strata::Options& options) { product = make(run, options); });
   run.begin_writing();
-  if (!settings.output.empty()) write_folder(product, verb, settings);
+  if (is_file)
+    write_file(product, settings);
+  else if (!settings.output.empty())
+    write_folder(product, verb, settings);
   return run.end(std::move(product.result));
 }
 
@@ -156,14 +167,15 @@ ExitCode run_imprint(const Settings& settings) {
       product.meshes.push_back(s.exact_mesh());
       triangles += s.mesh().triangles.size();
     }
-    product.content = MeshFolder::Content::surface;
+    product.content = MeshContent::surface;
     product.result = {{"surfaces", product.meshes.size()}, {"triangles", triangles}};
     return product;
   });
 }
 
 ExitCode run_cells(const SurfaceSettings& surface, const Settings& settings) {
-  if (surface.walls && settings.output.empty()) throw UsageError("--walls go into the folder that -o names");
+  if (surface.walls && (settings.output.empty() || RegionFile::is_named(settings)))
+    throw UsageError("--walls go into the folder that -o names");
   return run_to_folder("cells", settings, [&](VerbRun& run, const strata::Options& options) {
     std::vector<Surface> surfaces = surfaces_from(run, 0);
     strata::Arrangement a = strata::arrange(surfaces, options);

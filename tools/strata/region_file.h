@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "settings.h"
+#include "strata/attributes.h"
+#include "strata/mesh.h"
+
+/// What a mesh of several is: solids are rounded as --rounding says.
+enum class MeshContent { solid, surface };
+
+/// Several meshes in the one file that -o names: the faces of each are a group with its name. Formats for simulation
+/// have a number for each face (VTK) or a physical surface for each group (MSH). Equal vertices are one.
+class RegionFile {
+ public:
+  /// False where -o names no file that a mesh can be written to, but a folder.
+  [[nodiscard]] static bool is_named(const Settings& settings);
+
+  /// Throws UsageError for a format that cannot be written.
+  explicit RegionFile(const Settings& settings);
+
+  void add(const strata::ExactMesh& mesh, std::string name, MeshContent content);
+  /// Whole or not at all. Throws strata::IoError.
+  void write();
+
+ private:
+  [[nodiscard]] std::uint32_t vertex(const strata::ExactMesh& mesh, std::uint32_t v);
+
+  const Settings& settings_;
+  strata::Format format_;
+  strata::ExactMesh all_;
+  std::vector<std::int32_t> group_;  ///< per face
+  std::vector<std::string> names_;
+  std::map<strata::RationalPoint, std::uint32_t> numbers_;
+};
