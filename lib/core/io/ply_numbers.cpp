@@ -18,13 +18,13 @@ struct Column {
   std::endian order;
   std::size_t count;
 
-  /// `place(i)` is where the value of record i goes.
+  /// `place(i)` is where the value of record i goes. Doubles hold all numbers, as in load_scalar.
   template <class T, class Place>
   void copy_as(const Place& place) const {
     const char* at = first;
     for (std::size_t i = 0; i < count; ++i) {
       auto& to = place(i);
-      to = static_cast<std::remove_reference_t<decltype(to)>>(load<T>(at, order));
+      to = static_cast<std::remove_reference_t<decltype(to)>>(static_cast<double>(load<T>(at, order)));
       at += stride;
     }
   }
