@@ -12,7 +12,8 @@ namespace strata {
 /// A solid that is combined with one tool after the other, as in simulated machining. A step shares with the version
 /// before it whatever it does not touch, so it costs about what the surfaces cost where tool and solid meet, and all
 /// versions may be kept. Coordinates do not grow with the number of steps: every vertex is given, or the meet of three
-/// planes of given faces (but where solids touch themselves within faces or edges, which results do not).
+/// planes of given faces (but where solids touch themselves within faces or edges, which results do not), or where a
+/// tool crosses an edge within a facet of a solid with attributes.
 ///
 /// An immutable value: copying is O(1), reading is thread-safe. Law: the same point set as that of the same operations
 /// on Solid; its triangles may be others. Source: own; lib/extensions/incremental/theory.md.
@@ -33,7 +34,10 @@ class IncrementalSolid {
   [[nodiscard]] IncrementalSolid with(Operation operation, std::span<const Solid> tools,
                                       const Options& options = {}) const;
 
-  [[nodiscard]] Solid solid() const;  ///< with exact vertices; O(n)
+  /// With exact vertices, and the attributes of the solids that it was made of (carry_attributes.h). Of the options
+  /// `threads`, `cancel` and `cut_material` count; the latter is for what differences have cut, and if no solid has
+  /// attributes for what else is in one plane with it, too. O(n).
+  [[nodiscard]] Solid solid(const Options& options = {}) const;
   [[nodiscard]] bool is_empty() const;
   [[nodiscard]] std::size_t triangle_count() const;
   /// Correct to a few units in the last place, unless nearly all of the solid cancels. O(1). `solid().volume()` is

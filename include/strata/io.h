@@ -1,6 +1,6 @@
 #pragma once
-/// Mesh files: STL, OBJ, OFF, PLY, XOFF, which keeps rational coordinates, 3MF, glTF; others by assimp. Colours,
-/// texture coordinates, normals, materials, images, names and units come along where the format has them.
+/// Mesh files: STL, OBJ, OFF, PLY, XOFF, which keeps rational coordinates, 3MF, glTF; others by assimp. Channels of
+/// numbers (colours, normals and so on), materials, images, names and units come along where the format has them.
 ///
 /// Paths are a std::string, a literal or a std::filesystem::path (FilePath). All functions may be called from many
 /// threads at once; two that write one file race for it, but each leaves a complete one.
@@ -104,10 +104,10 @@ std::vector<std::string> write_mesh(const FilePath& path, MeshView mesh, std::op
 /// IoError also for exact positions that are not in order, of no vertex, or beyond the range of doubles.
 std::vector<std::string> write_mesh(const FilePath& path, const ExactMesh& mesh, std::optional<Format> format = {});
 
-/// The same with attributes and a unit. What the format cannot keep of them is told by a note, one for each kind of
-/// loss. Channels whose names the format does not know are such a loss, but in PLY and VTK. Of OBJ, the material
-/// library and its images are files beside the target. Throws std::invalid_argument where a channel does not fit the
-/// mesh or an index refers to nothing.
+/// The same with attributes and a unit. A note tells each kind of loss: PLY keeps every channel, VTK those on vertices
+/// and faces, others those that they know (lib/core/io/theory.md). Of part.obj, the library part.mtl and images such as
+/// part-wood.png are files beside it. They replace files as the target does, when all are complete. Throws
+/// std::invalid_argument where attributes do not fit the mesh, as check_attributes says.
 std::vector<std::string> write_mesh(const FilePath& path, MeshView mesh, const WriteOptions& options);
 std::vector<std::string> write_mesh(const FilePath& path, const ExactMesh& mesh, const WriteOptions& options);
 

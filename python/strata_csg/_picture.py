@@ -79,9 +79,8 @@ class Frame:
         corners = [part.vertices[part.corners()] for part in parts if len(part.triangles)]
         if not corners:
             return None
-        lower = np.min([points.min(axis=0) for points in corners], axis=0)
-        upper = np.max([points.max(axis=0) for points in corners], axis=0)
-        return Frame(lower, upper)
+        drawn = np.concatenate(corners)
+        return Frame(np.asarray(drawn.min(axis=0), np.float64), np.asarray(drawn.max(axis=0), np.float64))
 
     @property
     def noise(self) -> float:

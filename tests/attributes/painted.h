@@ -89,4 +89,31 @@ template <class T>
   return {mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])};
 }
 
+/// With both channels above.
+[[nodiscard]] inline Solid painted(const Mesh& mesh, std::int32_t first_identifier) {
+  const Solid solid(mesh);
+  Attributes attributes;
+  attributes.channels = {places(solid.mesh()), identifiers(solid.mesh(), first_identifier)};
+  return solid.with_attributes(std::move(attributes));
+}
+
+/// True if the point is in the triangle.
+[[nodiscard]] inline bool is_in(const std::array<RationalPoint, 3>& face, const RationalPoint& p) {
+  const auto w = weights(face, p);
+  if (w[0] < 0 || w[1] < 0 || w[2] < 0) return false;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (w[0] * face[0][i] + w[1] * face[1][i] + w[2] * face[2][i] != p[i]) return false;
+  return true;
+}
+
+/// Every triangle is a part of the face that its identifier names.
+[[nodiscard]] inline bool is_part_of_its_faces(const Solid& solid,
+                                               const std::vector<std::array<RationalPoint, 3>>& faces) {
+  const auto& numbers = values_of<std::int32_t>(solid.attributes(), "identifier");
+  for (std::size_t t = 0; t < solid.mesh().triangles.size(); ++t)
+    for (const RationalPoint& p : corners_of(solid.exact_mesh(), t))
+      if (!is_in(faces.at(static_cast<std::size_t>(numbers[t])), p)) return false;
+  return true;
+}
+
 }  // namespace strata::test

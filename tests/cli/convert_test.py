@@ -66,6 +66,16 @@ class Convert(ToolTest):
                 self.assertEqual(facts["materials"], ["red"])
                 self.assertIn("material (face, 1 x integer)", facts["channels"])
 
+    def test_ply_and_off_keep_channels(self):
+        colors = self.file("a.off", "COFF\n3 1 0\n0 0 0 1 2 3\n1 0 0 4 5 6\n0 1 0 7 8 9\n3 0 1 2\n")
+        self.run_tool("convert", colors, "-o", "b.ply", "--strict")
+        self.run_tool("convert", "b.ply", "-o", "c.off", "--strict")
+        self.assertEqual(self.path("c.off").read_text(), colors.read_text())
+        self.assertEqual(self.facts("b.ply")["channels"], ["color (vertex, 3 x byte)"])
+        part = self.textured()
+        self.run_tool("convert", part, "-o", "part.ply")
+        self.assertIn("material (face, 1 x integer)", self.facts("part.ply")["channels"])
+
     def test_what_is_lost_is_told_once_and_an_error_if_strict(self):
         part = self.textured()
         said = self.run_tool("convert", part, "-o", "a.stl").stderr.decode()
@@ -108,7 +118,7 @@ class Convert(ToolTest):
         seeds = self.path("seeds")
         seeds.mkdir()
         part = self.textured()
-        for extension in ("3mf", "glb", "gltf", "obj", "ply"):
+        for extension in ("3mf", "glb", "gltf", "obj", "ply", "off"):
             self.run_tool("convert", part, "-o", seeds / f"part.{extension}")
         (seeds / "part.amf").write_text(AMF)
         done = subprocess.run([sys.executable, HOSTILE, "--tool", TOOL, "--seeds", seeds, "--count", "15"], capture_output=True, text=True)

@@ -43,6 +43,29 @@ class Draw(ToolTest):
         self.assertEqual(len(paths(text)), 6)
         self.assertNotIn('fill="none"', text)
 
+    def test_faces_have_the_colours_of_their_materials_and_vertices(self):
+        def fills(*arguments):
+            return set(re.findall(r'fill="(#[0-9a-f]{6})" stroke=', self.draw(*arguments, "--style", "fill")))
+
+        lines = CUBE.read_text().split("\n")
+        vertices, faces = lines[2:10], lines[10:22]
+        self.file("red.mtl", "newmtl red\nKd 1 0 0\n")
+        corners = [[str(int(n) + 1) for n in face.split()[1:]] for face in faces]
+        self.file("red.obj", "\n".join(["mtllib red.mtl", *(f"v {v}" for v in vertices), "usemtl red",
+                                         *("f " + " ".join(c) for c in corners)]) + "\n")
+        self.file("green.obj", "\n".join([*(f"v {v} 0 1 0" for v in vertices), *("f " + " ".join(c) for c in corners)]) + "\n")
+        view = ["--direction=-1,-2,-3"]
+        grey = fills(CUBE, *view)
+        self.assertEqual(len(grey), 3)
+        for name, pattern in (("red", "#..0000"), ("green", "#00..00")):
+            found = fills(f"{name}.obj", *view)
+            self.assertEqual(len(found), 3)
+            self.assertTrue(all(re.fullmatch(pattern, fill) for fill in found), found)
+            self.assertEqual(fills(f"{name}.obj", *view, "--attributes", "none"), grey)
+        # Solids that cross are drawn as their union, which has the colours of both.
+        both = fills("red.obj", DATA / "cube_beside.off", *view, "--input", "overlapping")
+        self.assertTrue({fill[3:] for fill in both} > {"0000"}, both)
+
     def test_the_same_picture_for_any_number_of_threads(self):
         pictures = {self.draw(DATA / "gear.off", "--direction=-2,3,-2", "-j", j) for j in ("1", "2", "8")}
         self.assertEqual(len(pictures), 1)

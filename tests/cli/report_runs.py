@@ -41,6 +41,8 @@ RUNS = [
     ("check", "check crossing.off", 1),
     ("info", "info a.off", 0),
     ("info", "info open.off", 0),
+    ("verify", f"verify --cases {DATA / 'cases'} --case contact-vertex-face-outside-union", 0),
+    ("verify", f"verify --cases {DATA / 'cases'} --case contact-vertex-face-outside-union --engine no=false", 1),
     ("compare", "compare a.off a.off", 0),
     ("compare", "compare a.off b.off", 1),
     ("chain", "chain steps.json -o out.off --exact-volumes --checkpoint saved", 0),

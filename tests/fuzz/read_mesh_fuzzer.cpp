@@ -1,15 +1,19 @@
 // The mesh readers. STRATA_FUZZ_FORMAT is a member of strata::Format.
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/io/readers.h"
 #include "fuzz.h"
 #include "io_error_law.h"
+#include "strata/carry_attributes.h"
 
 namespace strata::fuzz {
 namespace {
@@ -39,6 +43,26 @@ bool same(const std::vector<ExactVertex>& a, const std::vector<ExactVertex>& b) 
 
 bool same(const Mesh& a, const Mesh& b) {
   return a.triangles == b.triangles && bits_of(a.vertices) == bits_of(b.vertices);
+}
+
+/// NaN is NaN.
+bool same(const Channel& a, const Channel& b) {
+  if (a.name != b.name || a.element != b.element || a.interpolation != b.interpolation ||
+      a.components != b.components || a.values.index() != b.values.index())
+    return false;
+  return std::visit(
+      [&](const auto& values) {
+        const auto& others = std::get<std::decay_t<decltype(values)>>(b.values);
+        return std::equal(values.begin(), values.end(), others.begin(), others.end(),
+                          [](auto x, auto y) { return x == y || (x != x && y != y); });
+      },
+      a.values);
+}
+
+bool same(const Attributes& a, const Attributes& b) {
+  return std::equal(a.channels.begin(), a.channels.end(), b.channels.begin(), b.channels.end(),
+                    [](const Channel& x, const Channel& y) { return same(x, y); }) &&
+         a.materials == b.materials && a.images == b.images && a.objects == b.objects && a.groups == b.groups;
 }
 
 /// Polygons that come to a vertex again may leave such triangles; as faces of their own they are left out.
@@ -71,6 +95,7 @@ void check(const MeshFile& file) {
     require(polygons[i - 1] <= polygons[i], "triangles are in the order of the faces");
   for (const std::string& note : file.notes) require(!note.empty(), "notes say something");
   check_exact(file);
+  check_attributes(file.attributes, file.mesh.vertices.size(), file.mesh.triangles.size());
 }
 
 struct Outcome {
@@ -89,8 +114,9 @@ Outcome read(std::string_view text, std::size_t piece) {
 
 bool same(const Outcome& a, const Outcome& b) {
   if (a.error != b.error || a.file.has_value() != b.file.has_value()) return false;
-  return !a.file || (same(a.file->mesh, b.file->mesh) && same(a.file->exact, b.file->exact) &&
-                     a.file->notes == b.file->notes && a.file->polygon_of_triangle == b.file->polygon_of_triangle);
+  return !a.file ||
+         (same(a.file->mesh, b.file->mesh) && same(a.file->exact, b.file->exact) && a.file->notes == b.file->notes &&
+          a.file->polygon_of_triangle == b.file->polygon_of_triangle && same(a.file->attributes, b.file->attributes));
 }
 
 /// The corners of all triangles: what STL keeps.
@@ -133,7 +159,31 @@ void check_scene(const MeshFile& file) {
     require(again.mesh.triangles.size() == file.mesh.triangles.size(), "3MF keeps all triangles");
 }
 
+bool has_line(const Channel& c) {
+  return std::none_of(c.name.begin(), c.name.end(), [](char x) { return static_cast<unsigned char>(x) < ' '; });
+}
+
+/// Channels that PLY and OFF read, they also keep, but those whose names are no line.
+void check_channels(const MeshFile& file, Format format) {
+  WriteOptions options;
+  options.format = format;
+  options.attributes = &file.attributes;
+  const std::string text = to_string(ExactMesh{file.mesh, {}}, options);
+  const MeshFile again = read_mesh(std::string_view(text), format, "written");
+  require(same(again.mesh, file.mesh), "channels do not change the mesh");
+  if (file.mesh.vertices.empty() || file.mesh.triangles.empty()) return;
+  for (const Channel& c : file.attributes.channels) {
+    const Channel* const other = again.attributes.find(c.name);
+    require(!has_line(c) || (other != nullptr && same(c, *other)), "channels read back the same");
+  }
+}
+
 void check_round_trip(MeshFile file) {
+  if (std::none_of(file.mesh.triangles.begin(), file.mesh.triangles.end(), has_equal_corners)) {
+    if (tested == Format::ply)
+      for (const Format format : {Format::ply, Format::ply_ascii}) check_channels(file, format);
+    if (tested == Format::off) check_channels(file, tested);
+  }
   if (tested == Format::threemf || tested == Format::amf || holds_floats(tested)) {
     if (tested != Format::stl) return check_scene(file);
   }

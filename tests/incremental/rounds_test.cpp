@@ -20,7 +20,7 @@ constexpr Operation operations[] = {Operation::union_, Operation::difference, Op
 /// Each tool in a group of its own.
 std::vector<ToolGroup> alone(const std::vector<Solid>& tools) {
   std::vector<ToolGroup> groups;
-  for (const Solid& tool : tools) groups.push_back({{tool}, bounds_of(tool)});
+  for (const Solid& tool : tools) groups.push_back({{{tool, nullptr}}, bounds_of(tool)});
   return groups;
 }
 
@@ -36,7 +36,7 @@ std::vector<InputComplex::Coordinates> places(const FaceTree& tree) {
 FaceTree after(const Solid& start, Operation operation, const std::vector<Solid>& tools, unsigned threads = 0) {
   Options options;
   options.threads = threads;
-  return take_steps(FaceTree(faces_of(start)), operation, alone(tools), options);
+  return take_steps(FaceTree(faces_of({start, nullptr})), operation, alone(tools), options);
 }
 
 void check_against_steps(const Solid& start, const std::vector<Solid>& tools) {

@@ -58,6 +58,37 @@ TEST_CASE("Every mesh of the corpus is read, or refused with a reason", "[io][co
   CHECK(refused < read / 50);
 }
 
+TEST_CASE("PLY files of the corpus keep their channels when they are written and read again", "[io][corpus]") {
+  if (corpus() == nullptr) return;
+  std::size_t channels = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(*corpus())) {
+    if (!entry.is_regular_file() || entry.path().extension() != ".ply") continue;
+    CAPTURE(entry.path());
+    MeshFile file;
+    try {
+      file = read_mesh(entry.path());
+    } catch (const IoError&) {
+      continue;
+    }
+    channels += file.attributes.channels.size();
+    for (const Format format : {Format::ply, Format::ply_ascii, Format::ply_big_endian}) {
+      WriteOptions options;
+      options.format = format;
+      options.attributes = &file.attributes;
+      const MeshFile again = read_mesh(to_string(ExactMesh{file.mesh, {}}, options), format, "again");
+      CHECK(again.mesh == file.mesh);
+      if (file.mesh.triangles.empty()) continue;  // elements without records have no channels
+      CHECK(again.attributes.channels.size() == file.attributes.channels.size());
+      for (const Channel& c : file.attributes.channels) {
+        CAPTURE(c.name);
+        REQUIRE(again.attributes.find(c.name) != nullptr);
+        CHECK(*again.attributes.find(c.name) == c);
+      }
+    }
+  }
+  CHECK(channels > 20);
+}
+
 TEST_CASE("Corrupted files of the corpus are refused with their line", "[io][corpus]") {
   if (corpus() == nullptr) return;
   int files = 0;

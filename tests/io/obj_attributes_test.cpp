@@ -2,6 +2,9 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include "attributed.h"
@@ -93,4 +96,62 @@ TEST_CASE("OBJ: a library is read beneath the folder only; what is damaged in it
   const MeshFile other = read_mesh(folder.path / "inner/b.obj");
   CHECK(other.notes.size() == 2);
   CHECK(other.attributes.materials[0].name == "my red");
+}
+
+TEST_CASE("OBJ: a library that stands there is replaced only if all files are complete", "[io][obj]") {
+  // Catches a library that is replaced while the mesh is not: a strict error, a name that cannot be written.
+  const Folder folder;
+  const MeshFile file = two_objects();
+  folder.write("a.mtl", "mine");
+  folder.write("a-wood.png", "mine, too");
+  const auto text_of = [&](const char* name) {
+    std::ifstream stream(folder.path / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  WriteOptions options;
+  options.attributes = &file.attributes;
+  options.unit = Unit::inch;
+  options.strict = true;
+  CHECK_THROWS_AS(write_mesh(folder.path / "a.obj", file.mesh, options), IoError);
+  CHECK_FALSE(std::filesystem::exists(folder.path / "a.obj"));
+  CHECK(text_of("a.mtl") == "mine");
+  CHECK(text_of("a-wood.png") == "mine, too");
+  options.strict = false;
+  std::filesystem::create_directories(folder.path / "b.mtl");
+  folder.write("b-wood.png", "mine, too");
+  CHECK_THROWS_AS(write_mesh(folder.path / "b.obj", file.mesh, options), IoError);
+  CHECK_FALSE(std::filesystem::exists(folder.path / "b.obj"));
+  CHECK(text_of("b-wood.png") == "mine, too");
+  CHECK(write_mesh(folder.path / "a.obj", file.mesh, options).size() == 2);
+  CHECK(text_of("a.mtl").find("newmtl") == 0);
+  CHECK(text_of("a-wood.png") == "\x89PNG, or so");
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path)) files += entry.is_regular_file();
+  CHECK(files == 4);
+}
+
+TEST_CASE("Numbers of a list that there is not are no error, and told where a format cannot keep them", "[io]") {
+  MeshFile file;
+  file.mesh = tetrahedron;
+  for (const char* name : {"material", "object", "group"})
+    file.attributes.channels.push_back(
+        {name, Element::face, Interpolation::nearest, 1, std::vector<std::int32_t>{7, 7, -3, 0}});
+  const std::string all = "channels material, object, group left out: ";
+  for (const Format format : {Format::obj, Format::threemf, Format::glb, Format::off, Format::stl_ascii, Format::ply,
+                              Format::vtk, Format::msh}) {
+    CAPTURE(name(format));
+    WriteOptions options;
+    options.format = format;
+    options.attributes = &file.attributes;
+    std::ostringstream stream;
+    const std::string notes = all_notes(write_mesh(stream, ExactMesh{file.mesh, {}}, options));
+    if (format == Format::ply || format == Format::vtk)
+      CHECK(notes.empty());
+    else if (format == Format::msh)
+      CHECK(notes.find("channels material, object left out") != std::string::npos);
+    else
+      CHECK(notes.find(all) != std::string::npos);
+  }
+  file.attributes.groups = {"one"};
+  CHECK_THROWS_AS(written(file, Format::obj), std::invalid_argument);
 }

@@ -19,7 +19,7 @@ TEST_CASE("OFF is read with all the headers that are in use", "[io][off]") {
   }
 }
 
-TEST_CASE("Normals and colours in an OFF file are passed over", "[io][off]") {
+TEST_CASE("Colours in an OFF file are no part of its mesh", "[io][off]") {
   const auto file = read_text(
       "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0.5 0.5 0.5 1\n0 1 0 0 0 0 0\n3 0 1 2 0.1 0.2 0.3\n", Format::off);
   CHECK(file.mesh == Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});

@@ -33,7 +33,7 @@ struct Outcome {
     };
     const auto &p = a.file.exact, &q = b.file.exact;
     return a.error == b.error && a.file.mesh == b.file.mesh && a.file.notes == b.file.notes &&
-           a.file.polygon_of_triangle == b.file.polygon_of_triangle &&
+           a.file.polygon_of_triangle == b.file.polygon_of_triangle && a.file.attributes == b.file.attributes &&
            std::equal(p.begin(), p.end(), q.begin(), q.end(), same);
   }
 };
@@ -204,6 +204,53 @@ TEST_CASE("Binary PLY records of equal and of different sizes are read alike in 
   check_all_sizes(equal.substr(0, equal.size() - 1), Format::ply);
   equal[equal.size() - 70] = 5;
   check_all_sizes(equal, Format::ply);
+}
+
+TEST_CASE("Properties of binary PLY are read alike in pieces, with lists and without", "[io][pieces][ply]") {
+  std::string text =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 5\nproperty uchar x\nproperty uchar y\nproperty uint q\n"
+      "property uchar z\nproperty short s\nelement face 60\nproperty list uchar uchar texcoords\n"
+      "comment channel 1 linear c\nproperty list uchar float c\nproperty list uchar uchar vertex_indices\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+  using namespace std::string_literals;
+  for (char i = 0; i < 5; ++i) text += std::string{i, static_cast<char>(i * i), i, 0, 0, i, 0, -1, i};
+  std::string equal = text, different = text;
+  for (char i = 0; i < 60; ++i) {
+    const std::string values = "\x3f\x80\0\0"s + std::string{i, i, i, i} + "\x40\0\0\0"s;
+    const std::string colors{i, static_cast<char>(2 * i), 7};
+    equal += std::string{1, 9, 3} + values + std::string{3, 0, 1, static_cast<char>(2 + i % 3)} + colors;
+    different += i % 7 == 5 ? std::string{0, 4} + values + values.substr(4, 4) + std::string{4, 0, 1, 2, 3} + colors
+                            : std::string{0, 3} + values + std::string{3, 0, 1, 2} + colors;
+  }
+  CHECK(read_small(equal, Format::ply).triangles.size() == 60);
+  CHECK(read_small(different, Format::ply).triangles.size() == 68);
+  CHECK(outcome(different, Format::ply, whole).file.attributes.channels.size() == 4);
+  check_all_sizes(equal + "tail", Format::ply);
+  check_all_sizes(equal.substr(0, equal.size() - 1), Format::ply);
+  check_all_sizes(different.substr(0, different.size() - 40), Format::ply);
+}
+
+TEST_CASE("What stands behind records of OFF and text PLY is read alike in pieces", "[io][pieces]") {
+  std::string off = "STCNOFF\n12 12 0\n",
+              ply =
+                  "ply\nformat ascii 1.0\nelement vertex 12\nproperty float x\nproperty float q\nproperty float y\n"
+                  "property float z\nelement face 12\nproperty list uchar int vertex_indices\nproperty list uchar "
+                  "float texcoord\n"
+                  "property int material\nend_header\n";
+  std::string off_faces, ply_faces;
+  for (int i = 0; i < 12; ++i) {
+    const std::string n = std::to_string(i);
+    off += n + " 1 " + n + " 0 0 1 " + n + (i == 5 ? " 2" : " 2 3 4 0.5 ") + n + "\n";
+    off_faces += i % 4 == 3 ? "4 0 1 2 3 7\n" : "3 0 1 " + n + "\n";
+    ply += n + (i == 7 ? " odd 1 " : " 0.5 1 ") + n + "\n";
+    ply_faces += i % 4 == 3 ? "4 0 1 2 3 8 1 2 3 4 5 6 7 8 " : "3 0 1 2 6 1 2 3 4 5 6 ";
+    ply_faces += n + "\n";
+  }
+  check_all_sizes(off + off_faces, Format::off);
+  check_all_sizes(ply + ply_faces, Format::ply);
+  CHECK(outcome(ply + ply_faces, Format::ply, whole).file.attributes.channels.size() == 3);
+  CHECK(outcome(off + off_faces, Format::off, whole).file.attributes.channels.size() == 3);
+  check_all_sizes(ply + ply_faces.substr(0, ply_faces.size() - 9), Format::ply);
 }
 
 TEST_CASE("PLY counts that overflow when they are added up are refused alike in pieces", "[io][pieces][ply]") {

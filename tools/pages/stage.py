@@ -57,6 +57,8 @@ def pages():
             found[name] = pathlib.Path("explanation/theory", path.name)
     for path in sorted((ROOT / "lib").rglob("*.png")) + sorted((ROOT / "lib").rglob("*.svg")):
         found[path.relative_to(ROOT)] = pathlib.Path("explanation/theory", path.name)
+    for path in sorted((ROOT / "examples/pictures").glob("*.svg")):
+        found[path.relative_to(ROOT)] = pathlib.Path("tutorials/pictures", path.name)
     for path in sorted((ROOT / "include/strata").glob("*.h")):
         found[path.relative_to(ROOT)] = pathlib.Path("reference/api", path.stem + ".md")
     found[pathlib.Path("README.md")] = pathlib.Path("index.md")
@@ -82,7 +84,9 @@ def relink(text, source, target, found):
             return match[0]  # made below
         if not (ROOT / wanted).exists():
             sys.exit(f"{source}: there is no {wanted}, to which it links")
-        return label if label.startswith("`") else f"{label} (`{wanted}`)"
+        if label.startswith("`") or wanted.as_posix().endswith(label):
+            return label
+        return f"{label} (`{wanted}`)"
     return re.sub(r"(!?)\[([^\]]*)\]\(([^)\s]+)((?:\s+\"[^\"]*\")?)\)", link, text)
 
 

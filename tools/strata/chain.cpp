@@ -68,8 +68,11 @@ ExitCode run_chain(const ChainSettings& chain, Settings& settings) {
 
   ChainOperands operands(document, settings);
   ChainRun run(document, marks, chain, settings, watch);
+  std::optional<strata::Material> cut_material;
   try {
-    operands.read(from ? from->done : 0, !from);
+    operands.read(from ? from->done : 0, !from, from ? from->unit : strata::Unit::none);
+    cut_material = settings.attributes.material_among({&operands.materials()});
+    run.use_unit(operands.unit());
     report["seconds"]["read"] = stopwatch.lap();
     if (from)
       run.begin(*from);
@@ -87,5 +90,8 @@ ExitCode run_chain(const ChainSettings& chain, Settings& settings) {
   report["operands"] = operands.reports();
   run.add_to(report);
   const Asked question = []() -> verify::NewCase { throw std::runtime_error("the document itself says all"); };
-  return write_result(run.solid().exact_mesh(), {}, format, std::move(report), settings, watch, "chain", question);
+  if (operands.unit() != strata::Unit::none) settings.unit = strata::name(operands.unit());
+  const strata::Solid solid = run.solid(cut_material ? &*cut_material : nullptr);
+  return write_result(solid.exact_mesh(), solid.attributes(), format, std::move(report), settings, watch, "chain",
+                      question);
 }

@@ -24,6 +24,7 @@ struct Header {
   std::size_t done = 0;
   std::string digest;
   std::vector<ChainMark> marks;
+  strata::Unit unit = strata::Unit::none;
 };
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) { throw strata::IoError(path, {}, reason); }
@@ -38,6 +39,11 @@ Header read_header(std::string_view text, const std::string& path) {
   const JsonLocation root(json, path);
   if (read_count(root.at("version")) != version) root.at("version").fail_expected(fmt::format("{}", version));
   Header header{read_count(root.at("done")), root.at("digest").text(), read_marks(root)};
+  if (const auto place = root.find("unit")) {
+    const auto unit = strata::unit_named(place->text());
+    if (!unit) place->fail_expected("the name of a unit");
+    header.unit = *unit;
+  }
   if (header.marks.size() != header.done + 1) root.fail("the number of marks is not that of the steps done and one");
   return header;
 }
@@ -57,6 +63,7 @@ void write_checkpoint(const std::string& path, const ChainCheckpoint& checkpoint
   const std::string body =
       on_threads(settings, [&] { return strata::to_string(checkpoint.solid.exact_mesh(), Format::xoff); });
   Json header = {{"version", version}, {"done", checkpoint.done}, {"digest", sha256(body)}};
+  if (checkpoint.unit != strata::Unit::none) header["unit"] = strata::name(checkpoint.unit);
   header.update(to_json(marks, checkpoint.done + 1));
   OutputFile file(path);
   file.write(fmt::format("{}{}\n", title, header.dump()));
@@ -75,8 +82,10 @@ ChainCheckpoint read_checkpoint(const std::string& path, const std::vector<Chain
   if (sha256(text.substr(end + 1)) != header.digest) fail(path, "was changed since it was written");
   return on_threads(settings, [&] {
     strata::MeshFile file = strata::read_mesh(text, Format::xoff, path);
-    return ChainCheckpoint{header.done, strata::Solid(strata::ExactMesh{std::move(file.mesh), std::move(file.exact)},
-                                                      strata::InputClass::solid)};
+    return ChainCheckpoint{
+        header.done,
+        strata::Solid(strata::ExactMesh{std::move(file.mesh), std::move(file.exact)}, strata::InputClass::solid),
+        header.unit};
   });
 }
 

@@ -6,12 +6,14 @@
 #include "chain_marks.h"
 #include "settings.h"
 #include "strata/solid.h"
+#include "strata/unit.h"
 
 /// How far a chain has come. As a file it is XOFF, so that every verb reads it; its first line is a comment with the
-/// number of steps done, the marks of these steps and the SHA-256 of all other lines: chain.md.
+/// number of steps done, the unit, the marks of these steps and the SHA-256 of all other lines: chain.md.
 struct ChainCheckpoint {
-  std::size_t done = 0;  ///< steps
-  strata::Solid solid;   ///< after these
+  std::size_t done = 0;                    ///< steps
+  strata::Solid solid;                     ///< after these; without attributes, when read
+  strata::Unit unit = strata::Unit::none;  ///< of its coordinates
 };
 
 /// Writes whole or not at all. Throws strata::IoError.

@@ -93,10 +93,23 @@ Json ChainRun::facts() {
   return row;
 }
 
+strata::Solid ChainRun::solid(const strata::Material* cut_material) const {
+  strata::Options options;
+  options.threads = settings_.threads;
+  options.cut_material = cut_material;
+  return solid_in_steps_.solid(options);
+}
+
 void ChainRun::save() {
   if (saved_ == done_) return;
   Stopwatch stopwatch;
-  write_checkpoint(chain_.checkpoint, {done_, solid_in_steps_.solid()}, marks_, settings_);
+  const strata::Solid solid = solid_in_steps_.solid();
+  if (saves_ == 0 && !settings_.quiet && !solid.attributes().empty())
+    fmt::print(stderr,
+               "strata: {}: note: a checkpoint keeps no attributes; a chain resumed from it has those of later "
+               "steps only\n",
+               chain_.checkpoint);
+  write_checkpoint(chain_.checkpoint, {done_, solid, unit_}, marks_, settings_);
   saving_ += stopwatch.lap();
   saved_ = done_;
   ++saves_;

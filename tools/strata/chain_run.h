@@ -10,6 +10,7 @@
 #include "common/watch.h"
 #include "report.h"
 #include "strata/incremental.h"
+#include "strata/unit.h"
 
 /// A chain being done: the incremental solid as it is now, and what there is to report.
 class ChainRun {
@@ -18,6 +19,8 @@ class ChainRun {
   ChainRun(const ChainDocument& document, const std::vector<ChainMark>& marks, const ChainSettings& chain,
            const Settings& settings, Watch& watch);
 
+  /// The unit of all coordinates from here on, for checkpoints.
+  void use_unit(strata::Unit unit) { unit_ = unit; }
   /// Where to start: a checkpoint, or the document's start.
   void begin(const ChainCheckpoint& from);
   void begin(ChainOperands& operands);
@@ -26,7 +29,8 @@ class ChainRun {
   /// which tells about it.
   void finish(ChainOperands& operands);
 
-  [[nodiscard]] strata::Solid solid() const { return solid_in_steps_.solid(); }
+  /// `cut_material` may be null.
+  [[nodiscard]] strata::Solid solid(const strata::Material* cut_material) const;
 
   /// {start, resumed, steps, checkpoints, seconds: {evaluate, volumes, checkpoints}}.
   void add_to(Json& report) const;
@@ -48,4 +52,5 @@ class ChainRun {
   double evaluating_ = 0, measuring_ = 0, saving_ = 0;  // seconds
   std::size_t saves_ = 0;
   std::optional<std::size_t> saved_;  // steps done in the last checkpoint written
+  strata::Unit unit_ = strata::Unit::none;
 };

@@ -16,6 +16,7 @@ void add_chain_verb(CommandLine& line) {
   add_chain_options(*verb, *chain, settings);
   add_run_options(*verb, settings);
   add_input_class(*verb, settings);
+  add_attribute_options(*verb, settings);
   add_output_options(*verb, settings);
   verb->footer(fmt::format(
       R"text(STEPS.json, with paths relative to it; "start" may be null, "label", "input" and "transform" left out:

@@ -19,6 +19,7 @@ void add_draw(CommandLine& line) {
   add_common_options(*verb, settings, 1, 0);
   add_input_class(*verb, settings);
   add_draw_options(*verb, *draw);
+  add_attributes_option(*verb, settings);
   verb->add_option("-o,--output", settings.output, "The picture, .svg or .png; - is standard output")
       ->required()
       ->type_name("OUT");

@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "common/progress.h"
 #include "common/stopwatch.h"
 #include "common/view.h"
 #include "common/watch.h"
+#include "face_colors.h"
 #include "files.h"
 #include "report.h"
 #include "scene_input.h"
@@ -36,17 +39,18 @@ strata::Origin origin_of(const DrawSettings& draw) {
 
 std::vector<strata::Solid> make_solids(std::span<const LoadedMesh> operands, const Settings& settings) {
   std::vector<strata::Solid> solids;
-  for (std::size_t k = 0; k < operands.size(); ++k) solids.push_back(make_solid(operands, k, settings));
+  for (std::size_t k = 0; k < operands.size(); ++k) solids.push_back(make_attributed_solid(operands, k, settings));
   return solids;
 }
 
-/// Seen from outside, solids that cross look like their union, which has the curves where they cross as edges.
-strata::LayerDecomposition decompose(const std::vector<strata::Solid>& solids, const strata::Origin& origin,
+/// Layers of solids. Seen from outside, solids that cross look like their union, which has the curves where they cross
+/// as edges, and becomes the only solid.
+strata::LayerDecomposition decompose(std::vector<strata::Solid>& solids, const strata::Origin& origin,
                                      const strata::Monitor& monitor) {
   strata::LayerDecomposition layers(strata::scene_of(solids), origin, monitor);
   if (layers.cuts_at_crossings() == 0 || layers.windings_of_origin() != strata::WindingNumbers()) return layers;
-  const strata::Solid all = strata::union_(solids);
-  return strata::LayerDecomposition(strata::scene_of({&all, 1}), origin, monitor);
+  solids = {strata::union_(solids)};
+  return strata::LayerDecomposition(strata::scene_of(solids), origin, monitor);
 }
 
 struct Box {
@@ -102,8 +106,18 @@ Vertex unit_normal(const std::array<Vertex, 3>& t) {
   return length > 0 ? Vertex{n[0] / length, n[1] / length, n[2] / length} : Vertex{};
 }
 
+/// A bluish grey for a shade from 0 to 240, or a color at this brightness.
+std::string fill_of(int shade, const std::optional<ScreenColor>& color) {
+  if (!color) return fmt::format("#{0:02x}{0:02x}{1:02x}", shade, std::min(shade + 6, 255));
+  const auto byte = [&](double x) { return static_cast<int>(std::lround(255 * x * shade / 240)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte((*color)[0]), byte((*color)[1]), byte((*color)[2]));
+}
+
 /// The painter's way: everything that faces the eye, back to front.
-void fill_back_to_front(const strata::LayerDecomposition& layers, const View& view, SvgPage& page) {
+void fill_back_to_front(std::span<const strata::Solid> solids, const strata::LayerDecomposition& layers,
+                        const View& view, SvgPage& page) {
+  const strata::Scene& scene = layers.scene();
+  const std::vector<FaceColors> colors(solids.begin(), solids.end());
   const bool from_outside = layers.windings_of_origin() == strata::WindingNumbers();
   for (const std::uint32_t p : layers.back_to_front()) {
     if (from_outside && layers.sign(p) > 0) continue;  // turned away: something is before it
@@ -113,14 +127,16 @@ void fill_back_to_front(const strata::LayerDecomposition& layers, const View& vi
     if (layers.sign(p) > 0)
       for (double& x : normal) x = -x;
     const int shade = static_cast<int>(std::lround(view.brightness(normal) * 48)) * 5;
-    page.add_polygon(view.polygon({corners.begin(), corners.end()}), shade);
+    const std::uint32_t face = layers.face_of(p);
+    page.add_polygon(view.polygon({corners.begin(), corners.end()}),
+                     fill_of(shade, colors[scene.solid_of(face)].of(scene.local(face))));
   }
 }
 
-SvgPage draw_page(const DrawSettings& draw, const strata::Visibility& visibility,
+SvgPage draw_page(const DrawSettings& draw, std::span<const strata::Solid> solids, const strata::Visibility& visibility,
                   std::span<const strata::SeenEdge> edges, const View& view) {
   SvgPage page;
-  if (draw.style != "lines") fill_back_to_front(visibility.decomposition(), view, page);
+  if (draw.style != "lines") fill_back_to_front(solids, visibility.decomposition(), view, page);
   if (draw.style != "fill") {
     page.add_lines(draw_lines(visibility, edges, strata::EdgeKind::crease, view), draw.width / 1250, "#333");
     page.add_lines(draw_lines(visibility, edges, strata::EdgeKind::loop, view), draw.width / 500, "#000");
@@ -138,7 +154,8 @@ void add_draw_options(CLI::App& verb, DrawSettings& draw) {
   three("--direction", draw.direction, "Parallel projection: the direction in which one looks");
   three("--towards", draw.towards, "Where a perspective looks; by default the middle of the meshes");
   three("--up", draw.up, "What is upwards in the picture; by default 0,0,1");
-  verb.add_option("--style", draw.style, "lines: hidden lines removed; fill: shaded faces; both")
+  verb.add_option("--style", draw.style,
+                  "lines: hidden lines removed; fill: shaded faces, in their colors if they have any; both")
       ->check(CLI::IsMember({"lines", "fill", "both"}))
       ->capture_default_str();
   verb.add_option("--crease", draw.crease_angle, "Edges are drawn where faces meet at more than this angle")
@@ -167,7 +184,7 @@ ExitCode run_draw(const DrawSettings& draw, const Settings& settings) {
   std::string svg;
   try {
     svg = on_threads(settings, [&] {
-      const std::vector<strata::Solid> solids = make_solids(operands, settings);
+      std::vector<strata::Solid> solids = make_solids(operands, settings);
       const Vertex centre = draw.towards.empty() ? centre_of(solids) : vertex(draw.towards);
       const View view(origin, centre, draw.up.empty() ? Vertex{0, 0, 1} : vertex(draw.up));
       const strata::Visibility visibility(decompose(solids, origin, monitor));
@@ -178,7 +195,7 @@ ExitCode run_draw(const DrawSettings& draw, const Settings& settings) {
       if (draw.style != "fill") edges = strata::find_seen_edges(visibility, draw.crease_angle, monitor);
       report["seen_edges"] = edges.size();
       report["seconds"]["visibility"] = stopwatch.lap();
-      return draw_page(draw, visibility, edges, view).text(draw.width, "strata draw");
+      return draw_page(draw, solids, visibility, edges, view).text(draw.width, "strata draw");
     });
   } catch (const strata::Cancelled&) {
     watch.on_stop(OnStop::leave);  // says why

@@ -134,10 +134,12 @@ strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, co
   }
 }
 
-strata::Solid make_attributed_solid(std::span<const LoadedMesh> operands, std::size_t k, const Settings& settings) {
-  strata::Solid solid = make_solid(operands, k, settings);
-  const LoadedMesh& operand = operands[k];
-  if (operand.attributes.empty()) return solid;
-  const std::array given{strata::AttributedMesh{operand.mesh, &operand.attributes}};
+strata::Solid with_attributes_of(const LoadedMesh& mesh, strata::Solid solid) {
+  if (mesh.attributes.empty()) return solid;
+  const std::array given{strata::AttributedMesh{mesh.mesh, &mesh.attributes}};
   return solid.with_attributes(strata::carry_attributes(given, solid.exact_mesh(), solid.sources()));
+}
+
+strata::Solid make_attributed_solid(std::span<const LoadedMesh> operands, std::size_t k, const Settings& settings) {
+  return with_attributes_of(operands[k], make_solid(operands, k, settings));
 }

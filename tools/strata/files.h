@@ -29,7 +29,10 @@ struct LoadedMesh {
 /// Errors name that operand. Throws strata::InputError.
 [[nodiscard]] strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, const Settings& settings);
 
-/// The same with its attributes.
+/// A solid that was made from a mesh, with the attributes of this.
+[[nodiscard]] strata::Solid with_attributes_of(const LoadedMesh& mesh, strata::Solid solid);
+
+/// `make_solid`, with its attributes.
 [[nodiscard]] strata::Solid make_attributed_solid(std::span<const LoadedMesh> operands, std::size_t k,
                                                   const Settings& settings);
 

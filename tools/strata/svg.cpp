@@ -113,11 +113,10 @@ void SvgPage::add_lines(std::vector<PaperPath> segments, double width, std::stri
   if (!runs.empty()) layers_.push_back({std::move(runs), width, std::string(colour)});
 }
 
-void SvgPage::add_polygon(const PaperPath& corners, int shade) {
+void SvgPage::add_polygon(const PaperPath& corners, std::string_view colour) {
   if (corners.size() < 3) return;
-  const std::string colour = fmt::format("#{0:02x}{0:02x}{1:02x}", shade, std::min(shade + 6, 255));
   if (layers_.empty() || layers_.back().width != 0 || layers_.back().colour != colour)
-    layers_.push_back({{}, 0, colour});
+    layers_.push_back({{}, 0, std::string(colour)});
   layers_.back().paths.push_back(corners);
 }
 

@@ -10,8 +10,8 @@ class SvgPage {
  public:
   /// Lines of one look. Runs that share ends become one path, and points on a straight run are left out.
   void add_lines(std::vector<PaperPath> segments, double width, std::string_view colour);
-  /// A filled polygon over everything before. Neighbours of one shade share a path.
-  void add_polygon(const PaperPath& corners, int shade);
+  /// A filled polygon over everything before. Neighbours of one colour share a path.
+  void add_polygon(const PaperPath& corners, std::string_view colour);
 
   /// The document, `width` units wide.
   [[nodiscard]] std::string text(double width, std::string_view title) const;

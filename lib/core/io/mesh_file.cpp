@@ -7,6 +7,7 @@
 #include "core/io/readers.h"
 #include "core/io/sink.h"
 #include "core/io/writers.h"
+#include "strata/carry_attributes.h"
 #include "strata/io.h"
 
 namespace strata {
@@ -63,7 +64,8 @@ Content content(MeshView mesh, ExactPositions exact, const WriteOptions& options
 void check(const Content& content, Format format, const std::string& name) {
   io::check_writable(content.mesh, name);
   if (format == Format::xoff) io::check_writable(content.exact, content.mesh.vertices.size(), name);
-  if (content.attributes != nullptr) io::check_attributes(content.mesh, *content.attributes);
+  if (content.attributes != nullptr)
+    check_attributes(*content.attributes, content.mesh.vertices.size(), content.mesh.triangles.size());
 }
 
 io::Notes write_checked(const io::Target& target, Format format) {
@@ -102,10 +104,10 @@ io::Notes write_checked(const io::Target& target, Format format) {
 }
 
 io::Notes write(const Content& content, Format format, io::Sink& sink, const std::string& name,
-                const std::filesystem::path* path = nullptr) {
+                io::FilesBeside* beside = nullptr) {
   check(content, format, name);
   const Attributes& attributes = content.attributes != nullptr ? *content.attributes : no_attributes;
-  io::Notes notes = write_checked({content.mesh, content.exact, attributes, content.unit, sink, name, path}, format);
+  io::Notes notes = write_checked({content.mesh, content.exact, attributes, content.unit, sink, name, beside}, format);
   if (content.strict && !notes.empty()) throw IoError(name, {}, "cannot be written without loss: " + notes.front());
   return notes;
 }
@@ -165,7 +167,11 @@ io::Notes write_to_file(const std::filesystem::path& path, const Content& conten
   if (chosen == Format::other) fail_unknown(path.string(), path.extension().string());
   check(content, chosen, path.string());
   io::FileSink sink(path);
-  auto notes = write(content, chosen, sink, path.string(), &path);
+  io::FilesBeside beside(path);
+  auto notes = write(content, chosen, sink, path.string(), &beside);
+  sink.complete();
+  beside.complete();
+  beside.finish();
   sink.finish();
   return notes;
 }

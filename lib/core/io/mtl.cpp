@@ -4,8 +4,8 @@
 #include <array>
 #include <charconv>
 
-#include "core/io/file.h"
 #include "core/io/folder_of_model.h"
+#include "core/io/images.h"
 #include "core/io/line_end.h"
 
 namespace strata::io {
@@ -61,7 +61,7 @@ class MtlReader {
     } else if (word == "Pr" && read_number(line, x)) {
       m.roughness = x;
     } else if (word == "map_Kd") {
-      read_image(line, m);
+      read_map(line, m);
     }
   }
 
@@ -69,7 +69,7 @@ class MtlReader {
 
  private:
   /// Options may precede the name, which may have blanks: the whole, or the last word.
-  void read_image(std::string_view line, Material& m) {
+  void read_map(std::string_view line, Material& m) {
     std::string name(line);
     std::replace(name.begin(), name.end(), '\\', '/');
     const std::filesystem::path beside = library_.parent_path();
@@ -79,8 +79,7 @@ class MtlReader {
       path = file_beneath(&folder_, (beside / name).string());
     }
     if (!path) {
-      notes.push_back("the image '" + name.substr(0, 100) +
-                      "' left out: there is no such file beneath the folder of the model");
+      notes.push_back(note_of_missing_image(name));
       return;
     }
     const auto found = std::find(paths_.begin(), paths_.end(), *path);
@@ -88,16 +87,8 @@ class MtlReader {
       m.image = static_cast<std::uint32_t>(first_image_ + static_cast<std::size_t>(found - paths_.begin()));
       return;
     }
-    const File file(*path);
-    const FileBytes bytes(file);
-    const auto* data = reinterpret_cast<const std::byte*>(bytes.view().data());
-    std::string extension = path->extension().string();
-    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    const char* const type = extension == ".jpg" || extension == ".jpeg" ? "image/jpeg"
-                             : extension == ".png"                       ? "image/png"
-                                                                         : "";
     m.image = static_cast<std::uint32_t>(attributes_.images.size());
-    attributes_.images.push_back({path->filename().string(), type, {data, data + bytes.view().size()}});
+    attributes_.images.push_back(read_image(*path));
     paths_.push_back(*path);
   }
 

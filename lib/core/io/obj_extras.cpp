@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "core/io/corner_finder.h"
+#include "core/io/face_values.h"
 #include "core/io/file.h"
 #include "core/io/folder_of_model.h"
 #include "core/io/mtl.h"
@@ -44,10 +46,6 @@ class ExtrasAdder {
   }
 
  private:
-  [[nodiscard]] std::uint64_t face_of(std::size_t triangle) const {
-    return file_.polygon_of_triangle.empty() ? triangle : file_.polygon_of_triangle[triangle];
-  }
-
   void read_libraries(const std::filesystem::path* folder) {
     std::vector<std::string> names;
     for (const ObjExtrasAt& piece : pieces_)
@@ -99,10 +97,9 @@ class ExtrasAdder {
       }
     if (of_face.empty() && now == -1) return;
     of_face.resize(face_count_, now);
-    std::vector<std::int32_t> values(file_.mesh.triangles.size());
-    for (std::size_t t = 0; t < values.size(); ++t) values[t] = of_face[face_of(t)];
     file_.attributes.channels.push_back(
-        {std::string(channel), Element::face, Interpolation::nearest, 1, std::move(values)});
+        {std::string(channel), Element::face, Interpolation::nearest, 1, std::move(of_face)});
+    repeat_on_triangles(file_.attributes.channels.back(), file_);
   }
 
   void add_colors() {
@@ -133,23 +130,25 @@ class ExtrasAdder {
     const auto count = static_cast<std::int64_t>(all.size() / components);
     std::vector<double> values(3 * file_.mesh.triangles.size() * components);
     std::size_t p = 0;
-    std::uint64_t astray = 0;
+    std::uint64_t astray = 0, found_face = face_count_;
+    CornerFinder finder;
     for (std::size_t t = 0; t < file_.mesh.triangles.size(); ++t) {
-      const std::uint64_t face = face_of(t);
+      const std::uint64_t face = face_of(file_, t);
       while (p + 1 < pieces_.size() && face >= pieces_[p + 1].faces) ++p;
       const ObjExtras& e = *pieces_[p].extras;
       const std::uint64_t own = face - pieces_[p].faces;
       if (e.corners.empty() || own < e.first_face) continue;
       const std::uint64_t f = own - e.first_face, first = f == 0 ? 0 : e.ends[f - 1], last = e.ends[f];
+      if (face != found_face) finder.start(last - first, [&](std::size_t i) { return e.corners[first + i].vertex; });
+      found_face = face;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t vertex =
             file_.mesh.triangles[t][k] -
             (pieces_[p].relative_vertices ? static_cast<std::uint32_t>(pieces_[p].vertices) : 0);
-        std::uint64_t c = first;
-        while (c + 1 < last && e.corners[c].vertex != vertex) ++c;
-        std::int64_t i = e.corners[c].*index;
+        const ObjCorner& corner = e.corners[first + finder.corner_at(vertex)];
+        std::int64_t i = corner.*index;
         if (i == ObjCorner::none) continue;
-        if (e.corners[c].*is_relative) i += static_cast<std::int64_t>(before[p]);
+        if (corner.*is_relative) i += static_cast<std::int64_t>(before[p]);
         if (i < 0 || i >= count) {
           ++astray;
           continue;

@@ -4,6 +4,9 @@
 #include <array>
 #include <map>
 #include <numeric>
+#include <optional>
+
+#include "core/attributes/index_lists.h"
 
 namespace strata::io {
 namespace {
@@ -49,11 +52,17 @@ void take_vertices(MeshView mesh, ObjectFaces& object, std::vector<std::uint32_t
 
 }  // namespace
 
-std::span<const std::int32_t> indices_of(const Attributes& attributes, std::string_view channel) {
+std::span<const std::int32_t> numbers_of(const Attributes& attributes, std::string_view channel) {
   const Channel* const c = attributes.find(channel);
   if (c == nullptr || c->element != Element::face || c->components != 1) return {};
   const auto* const values = std::get_if<std::vector<std::int32_t>>(&c->values);
   return values == nullptr ? std::span<const std::int32_t>() : *values;
+}
+
+std::span<const std::int32_t> indices_of(const Attributes& attributes, std::string_view channel) {
+  const Channel* const c = attributes.find(channel);
+  const auto list = c == nullptr ? std::nullopt : list_of(*c);
+  return list && size_of(attributes, *list) > 0 ? numbers_of(attributes, channel) : std::span<const std::int32_t>();
 }
 
 std::vector<ObjectFaces> closed_objects(MeshView mesh, const Attributes& attributes) {

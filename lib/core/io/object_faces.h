@@ -16,6 +16,9 @@ struct ObjectFaces {
 };
 
 /// The values of a channel of integers on faces with one component; empty if there is no such channel.
+[[nodiscard]] std::span<const std::int32_t> numbers_of(const Attributes& attributes, std::string_view channel);
+
+/// The same where they are indices into a list: empty also if its list has no entries.
 [[nodiscard]] std::span<const std::int32_t> indices_of(const Attributes& attributes, std::string_view channel);
 
 /// The objects of a mesh as the channel "object" tells them; those without faces are left out. Empty unless there are

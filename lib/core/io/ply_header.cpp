@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "core/io/binary.h"
+#include "core/io/ply_names.h"
 #include "core/io/text_cursor.h"
 
 namespace strata::io {
@@ -59,6 +61,33 @@ PlyElement read_element(TextCursor& text) {
   return element;
 }
 
+/// Comments are free text: what is no announcement is nothing.
+std::optional<PlyAnnouncement> read_announcement(TextCursor& text) {
+  const std::string_view components = text.word(), word = text.word(), name = text.rest_of_line();
+  const auto how = std::find_if(ply_interpolations.begin(), ply_interpolations.end(),
+                                [&](const auto& known) { return known.first == word; });
+  const bool is_count = components.size() == 1 && components[0] >= '1' && components[0] <= '4';
+  if (!is_count || how == ply_interpolations.end() || name.size() < 2) return {};
+  return PlyAnnouncement{.components = static_cast<std::uint32_t>(components[0] - '0'),
+                         .interpolation = how->second,
+                         .name = std::string(name.substr(1))};
+}
+
+void read_comment(TextCursor& text, PlyHeader& header) {
+  if (text.accept("TextureFile")) {
+    text.skip_blanks();
+    std::string_view name = text.rest_of_line();
+    while (!name.empty() && (name.back() == ' ' || name.back() == '\t')) name.remove_suffix(1);
+    header.textures.emplace_back(name);
+  } else if (!header.elements.empty() && text.accept("channel")) {
+    PlyElement& element = header.elements.back();
+    auto announcement = read_announcement(text);
+    if (!announcement) return;
+    announcement->property = element.properties.size();
+    element.announcements.push_back(std::move(*announcement));
+  }
+}
+
 /// The end of the header's last line, in the style of its first line end: binary data may start with any byte.
 std::size_t data_offset(const Input& input, std::size_t end_of_word) {
   const std::size_t first_end = input.data.find_first_of("\r\n");
@@ -86,6 +115,13 @@ std::size_t size_of(PlyScalar type) {
       return 8;
   }
   return 0;
+}
+
+bool has_number(PlyScalar type, double number) {
+  const bool is_signed = type == PlyScalar::int8 || type == PlyScalar::int16 || type == PlyScalar::int32;
+  const int bits = 8 * static_cast<int>(size_of(type)) - (is_signed ? 1 : 0);
+  const double end = std::ldexp(1.0, bits);
+  return number >= (is_signed ? -end : 0) && number < end && number == std::floor(number);
 }
 
 double load_scalar(const char* bytes, PlyScalar type, std::endian order) {
@@ -121,7 +157,7 @@ std::size_t PlyElement::least_size() const {
   return size;
 }
 
-std::optional<std::size_t> PlyElement::find(const std::string& property) const {
+std::optional<std::size_t> PlyElement::find(std::string_view property) const {
   for (std::size_t i = 0; i < properties.size(); ++i)
     if (properties[i].name == property) return i;
   return std::nullopt;
@@ -143,7 +179,9 @@ PlyHeader read_ply_header(const Input& input) {
     } else if (text.accept("property")) {
       if (header.elements.empty()) text.fail_here("a property stands before the first element");
       header.elements.back().properties.push_back(read_property(text));
-    } else if (!text.accept("comment") && !text.accept("obj_info")) {
+    } else if (text.accept("comment")) {
+      read_comment(text, header);
+    } else if (!text.accept("obj_info")) {
       text.fail_expected("'format', 'element', 'property', 'comment' or 'end_header'");
     }
     text.skip_line();

@@ -2,44 +2,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <type_traits>
+#include <variant>
 
 #include "core/io/binary.h"
 
 namespace strata::io {
 namespace {
 
-/// One coordinate of points that are `stride` bytes apart.
+/// One property of records that are `stride` bytes apart.
 struct Column {
   const char* first;
   std::size_t stride;
   std::endian order;
+  std::size_t count;
 
-  template <class T>
-  void copy(std::span<Vertex> points, std::size_t axis) const {
+  /// `place(i)` is where the value of record i goes.
+  template <class T, class Place>
+  void copy_as(const Place& place) const {
     const char* at = first;
-    for (Vertex& p : points) {
-      p[axis] = static_cast<double>(load<T>(at, order));
+    for (std::size_t i = 0; i < count; ++i) {
+      auto& to = place(i);
+      to = static_cast<std::remove_reference_t<decltype(to)>>(load<T>(at, order));
       at += stride;
     }
   }
-  void copy(PlyScalar type, std::span<Vertex> points, std::size_t axis) const {
+  template <class Place>
+  void copy(PlyScalar type, const Place& place) const {
     switch (type) {
       case PlyScalar::int8:
-        return copy<std::int8_t>(points, axis);
+        return copy_as<std::int8_t>(place);
       case PlyScalar::uint8:
-        return copy<std::uint8_t>(points, axis);
+        return copy_as<std::uint8_t>(place);
       case PlyScalar::int16:
-        return copy<std::int16_t>(points, axis);
+        return copy_as<std::int16_t>(place);
       case PlyScalar::uint16:
-        return copy<std::uint16_t>(points, axis);
+        return copy_as<std::uint16_t>(place);
       case PlyScalar::int32:
-        return copy<std::int32_t>(points, axis);
+        return copy_as<std::int32_t>(place);
       case PlyScalar::uint32:
-        return copy<std::uint32_t>(points, axis);
+        return copy_as<std::uint32_t>(place);
       case PlyScalar::float32:
-        return copy<float>(points, axis);
+        return copy_as<float>(place);
       case PlyScalar::float64:
-        return copy<double>(points, axis);
+        return copy_as<double>(place);
     }
   }
 };
@@ -53,18 +60,27 @@ bool all_finite(std::span<const Vertex> points) {
 
 }  // namespace
 
-bool BinaryNumbers::take_points(const PlyElementPlan& plan, std::span<Vertex> points) {
+bool BinaryNumbers::take_points(const PlyElementPlan& plan, PlyStore& store, std::uint64_t first, std::uint64_t count) {
   const PlyElement& element = *plan.element;
   const std::size_t stride = element.least_size();
-  if (element.has_lists() || remaining() / stride < points.size()) return false;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::size_t place = offset_;
-    for (std::size_t i = 0; i < plan.axes[axis]; ++i) place += size_of(element.properties[i].type);
-    const Column column{data_.data() + place, stride, order_};
-    column.copy(element.properties[plan.axes[axis]].type, points, axis);
+  if (element.has_lists() || remaining() / stride < count) return false;
+  const auto points = std::span(store.vertices).subspan(first, count);
+  for (std::size_t i = 0; i < plan.uses.size(); ++i) {
+    const PlyUse& use = plan.uses[i];
+    const PlyScalar type = element.properties[i].type;
+    const Column column{data_.data() + offset_ + use.offset, stride, order_, count};
+    if (use.kind == PlyUse::Kind::coordinate)
+      column.copy(type, [&](std::size_t p) -> double& { return points[p][use.component]; });
+    else if (use.kind == PlyUse::Kind::value)
+      std::visit(
+          [&](auto& values) {
+            column.copy(
+                type, [&](std::size_t p) -> auto& { return values[use.place(first + p)]; });
+          },
+          store.values[use.channel]);
   }
   if (!all_finite(points)) return false;
-  offset_ += points.size() * stride;
+  offset_ += count * stride;
   return true;
 }
 
@@ -73,7 +89,7 @@ std::uint64_t BinaryNumbers::take_triangles(const PlyElementPlan& plan, std::uin
   constexpr std::size_t size = 1 + 3 * 4;
   if (!plan.is_usual_list) return 0;
   // Negative integers are large ones in this comparison.
-  const bool is_signed = plan.element->properties[plan.list].type == PlyScalar::int32;
+  const bool is_signed = plan.element->properties[0].type == PlyScalar::int32;
   const std::uint64_t limit = is_signed ? std::min(vertex_count, std::uint64_t{1} << 31) : vertex_count;
   const std::uint64_t most = std::min<std::uint64_t>(count, remaining() / size);
   const char* bytes = data_.data() + offset_;

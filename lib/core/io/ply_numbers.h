@@ -1,16 +1,18 @@
 #pragma once
 #include <bit>
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "core/io/face_list.h"
 #include "core/io/input.h"
+#include "core/io/number_in.h"
 #include "core/io/ply_plan.h"
+#include "core/io/ply_store.h"
 #include "core/io/text_cursor.h"
-#include "strata/mesh.h"
 
 namespace strata::io {
 
@@ -24,6 +26,15 @@ class TextNumbers {
   double next(PlyScalar type, const char* what) {
     seek(what);
     return is_integer(type) ? text_.whole_number(what) : text_.number(what);
+  }
+  /// A number of a channel, which may be infinite or NaN. Nothing where the word is no number of the type.
+  template <class T>
+  std::optional<T> value(PlyScalar type) {
+    seek("a number");
+    if constexpr (std::is_floating_point_v<T>)
+      if (!is_integer(type)) return number_in<T>(text_.word());
+    const auto number = number_in<double>(text_.word());
+    return number && has_number(type, *number) ? std::optional(static_cast<T>(*number)) : std::nullopt;
   }
   void skip(PlyScalar, std::uint64_t count) {
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -70,6 +81,10 @@ class BinaryNumbers {
     offset_ += size_of(type);
     return value;
   }
+  template <class T>
+  std::optional<T> value(PlyScalar type) {
+    return static_cast<T>(next(type, "a number"));
+  }
   void skip(PlyScalar type, std::uint64_t count) {
     if (count > room(type)) fail_at(offset_, "expected a number, found the end of the file");
     offset_ += count * size_of(type);
@@ -81,9 +96,9 @@ class BinaryNumbers {
   [[nodiscard]] std::size_t offset() const { return offset_; }
   [[noreturn]] static void fail_at(std::size_t offset, std::string reason) { fail_at_byte(offset, std::move(reason)); }
 
-  /// Reads records without lists, coordinate by coordinate. Returns false and reads nothing if that is impossible:
-  /// lists, too little data, coordinates that are not finite.
-  bool take_points(const PlyElementPlan& plan, std::span<Vertex> points);
+  /// Reads the records of vertices `first` and so on, property by property. Returns false and reads nothing if that is
+  /// impossible: lists, too little data, coordinates that are not finite.
+  bool take_points(const PlyElementPlan& plan, PlyStore& store, std::uint64_t first, std::uint64_t count);
   /// Reads records, at most `count`, while they are usual lists of three vertices in range. Returns how many.
   std::uint64_t take_triangles(const PlyElementPlan& plan, std::uint64_t vertex_count, std::uint64_t count,
                                FaceList& faces);

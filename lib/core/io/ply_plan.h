@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "core/io/ply_channels.h"
 #include "core/io/ply_header.h"
 
 namespace strata::io {
@@ -13,15 +15,17 @@ enum class PlyRole { none, points, faces, strips };
 struct PlyElementPlan {
   const PlyElement* element = nullptr;
   PlyRole role = PlyRole::none;
-  std::array<std::size_t, 3> axes{};  ///< of points: the properties x, y and z
-  std::size_t list = 0;               ///< of faces and strips: the property that lists the vertices
-  bool is_usual_list = false;         ///< the record is only this list: a byte for the length, integers of four bytes
+  std::vector<PlyUse> uses;    ///< per property
+  bool is_usual_list = false;  ///< the record is only a list of vertices: a byte for the length, integers of four bytes
 };
 
 /// The steps that read the data of a PLY file.
 struct PlyPlan {
   std::vector<PlyElementPlan> elements;  ///< those that have data, in order
+  std::vector<PlyChannel> channels;
+  bool has_corners = false;  ///< some channels are on corners
   std::uint64_t vertex_count = 0;
+  std::vector<std::string> notes;  ///< what is left out
 };
 
 /// Throws Malformed for elements without the properties that they need. Stores pointers into the header.

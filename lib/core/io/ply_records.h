@@ -3,12 +3,13 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "core/io/face_list.h"
 #include "core/io/ply_numbers.h"
+#include "core/io/ply_store.h"
 
 namespace strata::io {
 
@@ -16,18 +17,19 @@ namespace strata::io {
 template <class Numbers>
 class PlyRecords {
  public:
-  PlyRecords(const PlyPlan& plan, Numbers numbers) : vertex_count_(plan.vertex_count), numbers_(numbers) {}
+  PlyRecords(const PlyPlan& plan, PlyStore& store, Numbers numbers)
+      : plan_(plan), store_(store), numbers_(numbers), piece_(plan) {}
 
-  /// Reads the next records of an element. Points are stored in `vertices`, from `first` on.
-  void read(const PlyElementPlan& plan, std::uint64_t first, std::uint64_t count, std::span<Vertex> vertices) {
+  /// Reads the next records of an element, from number `first` on.
+  void read(const PlyElementPlan& plan, std::uint64_t first, std::uint64_t count) {
     switch (plan.role) {
       case PlyRole::points:
-        return read_points(plan, first, vertices.subspan(first, count));
+        return read_points(plan, first, count);
       case PlyRole::faces:
-        return read_faces(plan, count);
+        return read_faces(plan, first, count);
       case PlyRole::strips:
-        return repeat(count, [&] {
-          read_list(plan, true);
+        return repeat(first, count, [&](std::uint64_t number) {
+          read_record(plan, number);
           add_strip();
         });
       case PlyRole::none:
@@ -35,50 +37,98 @@ class PlyRecords {
     }
   }
   void skip(const PlyElement& element, std::uint64_t count) {
-    repeat(count, [&] {
+    repeat(0, count, [&](std::uint64_t) {
       for (const PlyProperty& p : element.properties) skip(p);
     });
   }
 
   [[nodiscard]] Numbers& numbers() { return numbers_; }
-  [[nodiscard]] FaceList take_faces() { return std::move(faces_); }
+  [[nodiscard]] PlyPiece take() { return std::move(piece_); }
 
  private:
   static constexpr bool is_binary = std::same_as<Numbers, BinaryNumbers>;
   static constexpr std::uint32_t restart = 0xffff'ffff;
 
   template <class Read>
-  void repeat(std::uint64_t count, const Read& read) {
+  void repeat(std::uint64_t first, std::uint64_t count, const Read& read) {
     for (std::uint64_t i = 0; i < count; ++i) {
-      read();
+      read(first + i);
       numbers_.end_record();
     }
   }
 
-  void read_points(const PlyElementPlan& plan, std::uint64_t first, std::span<Vertex> points) {
-    constexpr std::size_t block = 1024;  // stays in the cache while its coordinates are read
-    for (std::size_t i = 0; i < points.size(); i += block) {
-      const auto some = points.subspan(i, std::min(block, points.size() - i));
+  void read_points(const PlyElementPlan& plan, std::uint64_t first, std::uint64_t count) {
+    constexpr std::uint64_t block = 1024;  // stays in the cache while its properties are read
+    for (const std::uint64_t last = first + count; first < last; first += block) {
+      const std::uint64_t some = std::min(block, last - first);
       if constexpr (is_binary) {
-        if (numbers_.take_points(plan, some)) continue;
+        if (numbers_.take_points(plan, store_, first, some)) continue;
       }
-      std::uint64_t number = first + i;
-      auto point = some.begin();
-      repeat(some.size(), [&] { *point++ = read_point(plan, number++); });
+      repeat(first, some, [&](std::uint64_t number) { read_record(plan, number); });
     }
   }
 
-  Vertex read_point(const PlyElementPlan& plan, std::uint64_t number) {
-    Vertex p{};
-    const auto& properties = plan.element->properties;
-    for (std::size_t i = 0; i < properties.size(); ++i) {
-      const auto axis = std::find(plan.axes.begin(), plan.axes.end(), i);
-      if (axis == plan.axes.end())
-        skip(properties[i]);
-      else
-        p[static_cast<std::size_t>(axis - plan.axes.begin())] = read_coordinate(properties[i].type, number);
+  void read_faces(const PlyElementPlan& plan, std::uint64_t first, std::uint64_t count) {
+    piece_.faces.reserve(count);
+    for (const std::uint64_t last = first + count; first < last; ++first) {
+      if constexpr (is_binary) {
+        first += numbers_.take_triangles(plan, plan_.vertex_count, last - first, piece_.faces);
+        if (first == last) return;
+      }
+      read_record(plan, first);
+      piece_.faces.add(list_);
+      if (plan_.has_corners) keep_corners();
+      numbers_.end_record();
     }
-    return p;
+  }
+
+  void keep_corners() {
+    piece_.corners.insert(piece_.corners.end(), list_.begin(), list_.end());
+    piece_.ends.push_back(piece_.corners.size());
+  }
+
+  /// Its list of vertices is stored in list_.
+  void read_record(const PlyElementPlan& plan, std::uint64_t number) {
+    for (std::size_t i = 0; i < plan.uses.size(); ++i) {
+      const PlyProperty& property = plan.element->properties[i];
+      const PlyUse& use = plan.uses[i];
+      switch (use.kind) {
+        case PlyUse::Kind::none:
+          skip(property);
+          break;
+        case PlyUse::Kind::coordinate:
+          store_.vertices[number][use.component] = read_coordinate(property.type, number);
+          break;
+        case PlyUse::Kind::indices:
+          read_indices(property, plan.role == PlyRole::strips);
+          break;
+        case PlyUse::Kind::value:
+          std::visit([&](auto& values) { values[use.place(number)] = read_value(values, property.type); },
+                     store_.values[use.channel]);
+          break;
+        case PlyUse::Kind::corner_values:
+          read_corner_values(property, piece_.values[use.channel]);
+          break;
+      }
+    }
+  }
+
+  /// 0 for what is no number. `values` tell its type.
+  template <class T>
+  T read_value(const std::vector<T>& /*values*/, PlyScalar type) {
+    const std::optional<T> value = numbers_.template value<T>(type);
+    piece_.no_numbers += !value;
+    return value.value_or(T{0});
+  }
+
+  void read_corner_values(const PlyProperty& property, PlyCornerValues& corners) {
+    const std::uint64_t count = list_size(property);
+    std::visit(
+        [&](auto& values) {
+          for (std::uint64_t i = 0; i < count; ++i) values.push_back(read_value(values, property.type));
+          corners.ends.push_back(values.size());
+        },
+        corners.values);
   }
 
   double read_coordinate(PlyScalar type, std::uint64_t number) {
@@ -86,30 +136,6 @@ class PlyRecords {
     const double x = numbers_.next(type, "a number for a coordinate");
     if (!std::isfinite(x)) numbers_.fail_at(place, "expected a finite coordinate of vertex " + std::to_string(number));
     return x;
-  }
-
-  void read_faces(const PlyElementPlan& plan, std::uint64_t count) {
-    faces_.reserve(count);
-    while (count > 0) {
-      if constexpr (is_binary) {
-        count -= numbers_.take_triangles(plan, vertex_count_, count, faces_);
-        if (count == 0) return;
-      }
-      read_list(plan, false);
-      faces_.add(list_);
-      numbers_.end_record();
-      --count;
-    }
-  }
-
-  /// Reads a record; its list of vertices is stored in list_.
-  void read_list(const PlyElementPlan& plan, bool is_strip) {
-    const auto& properties = plan.element->properties;
-    for (std::size_t i = 0; i < properties.size(); ++i)
-      if (i == plan.list)
-        read_indices(properties[i], is_strip);
-      else
-        skip(properties[i]);
   }
 
   void read_indices(const PlyProperty& property, bool is_strip) {
@@ -120,9 +146,9 @@ class PlyRecords {
       const double value = numbers_.next(property.type, "a vertex index");
       if (is_strip && value == -1)
         list_.push_back(restart);
-      else if (!(value >= 0 && value < static_cast<double>(vertex_count_)) || value != std::floor(value))
+      else if (!(value >= 0 && value < static_cast<double>(plan_.vertex_count)) || value != std::floor(value))
         numbers_.fail_at(place, "vertex index " + shown(value) + " is out of range: the file has " +
-                                    std::to_string(vertex_count_) + " vertices, counted from 0");
+                                    std::to_string(plan_.vertex_count) + " vertices, counted from 0");
       else
         list_.push_back(static_cast<std::uint32_t>(value));
     }
@@ -151,7 +177,7 @@ class PlyRecords {
       const bool odd = (i - start) % 2 != 0;
       const Triangle t{list_[i - 2 + odd], list_[i - 1 - odd], list_[i]};
       // Strips repeat vertices on purpose, to change direction.
-      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) faces_.add(t);
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) piece_.faces.add(t);
     }
   }
 
@@ -160,9 +186,10 @@ class PlyRecords {
                                                                 : std::to_string(value);
   }
 
-  std::uint64_t vertex_count_;
+  const PlyPlan& plan_;
+  PlyStore& store_;
   Numbers numbers_;
-  FaceList faces_;
+  PlyPiece piece_;
   std::vector<std::uint32_t> list_;
 };
 

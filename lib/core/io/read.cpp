@@ -11,11 +11,12 @@ MeshFile with_emptiness_noted(MeshFile file) {
   return file;
 }
 
-std::optional<MeshFile> read_piece_by_piece(const File& file, Format format, std::size_t piece) {
+std::optional<MeshFile> read_piece_by_piece(const File& file, Format format, std::size_t piece,
+                                            const std::filesystem::path& folder) {
   if (file.size() <= piece) return {};
   if (format == Format::stl || format == Format::stl_ascii) return read_binary_stl(file, piece);
   if (format == Format::ply || format == Format::ply_ascii || format == Format::ply_big_endian)
-    return read_binary_ply(file, piece);
+    return read_binary_ply(file, piece, folder);
   return {};
 }
 
@@ -33,7 +34,7 @@ MeshFile read_bytes(const Input& input, Format format, const std::filesystem::pa
     case Format::ply:
     case Format::ply_ascii:
     case Format::ply_big_endian:
-      return read_ply(input);
+      return read_ply(input, folder);
     case Format::threemf:
       return read_3mf(input);
     case Format::glb:
@@ -64,12 +65,12 @@ MeshFile read(const Input& input, Format format, const std::filesystem::path* fo
 }
 
 MeshFile read(const File& file, Format format, std::size_t piece) {
-  if (auto mesh = read_piece_by_piece(file, format, piece)) return with_emptiness_noted(std::move(*mesh));
+  const std::filesystem::path folder = std::filesystem::absolute(file.name()).parent_path();
+  if (auto mesh = read_piece_by_piece(file, format, piece, folder)) return with_emptiness_noted(std::move(*mesh));
   // Such files may refer to others beside them, so their reader needs the path.
   if (format == Format::other && file.size() > 0)
     return with_emptiness_noted(read_other(std::filesystem::path(file.name())));
   const FileBytes bytes(file);
-  const std::filesystem::path folder = std::filesystem::absolute(file.name()).parent_path();
   return read(Input{file.name(), bytes.view(), piece}, format, &folder);
 }
 

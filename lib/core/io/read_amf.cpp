@@ -19,6 +19,7 @@ using Color = std::array<float, 4>;
 struct AmfObject {
   std::string name;
   ScenePart part;
+  bool has_mesh = false;
 };
 
 struct AmfInstance {
@@ -94,10 +95,16 @@ class AmfReader {
       if (xml_.name() == "metadata" && xml_.text_of("type") == "name")
         object.name = unescaped(xml_.content());
       else if (xml_.name() == "mesh")
-        read_mesh(object.part);
+        read_mesh_of(object);
       else
         xml_.skip();
     things_ += object.part.vertices.size() + object.part.triangles.size() + 1;
+  }
+
+  void read_mesh_of(AmfObject& object) {
+    if (object.has_mesh) xml_.fail_here("an object has two meshes");
+    object.has_mesh = true;
+    read_mesh(object.part);
   }
 
   void read_mesh(ScenePart& part) {

@@ -6,16 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "core/containers/huge_pages.h"
 #include "core/io/line_records.h"
 #include "core/io/piece_source.h"
 #include "core/io/ply_records.h"
+#include "core/io/ply_textures.h"
 #include "core/io/readers.h"
 
 namespace strata::io {
 namespace {
-
-constexpr const char* ignored_rest = "data behind the last element was ignored";
 
 template <class Numbers>
 void check_room(const PlyElement& element, Numbers& numbers) {
@@ -26,20 +24,24 @@ void check_room(const PlyElement& element, Numbers& numbers) {
                                           std::to_string(room) + " at most: truncated, or the count is wrong");
 }
 
+std::vector<std::string> notes_of(bool has_more) {
+  return has_more ? std::vector<std::string>{"data behind the last element was ignored"} : std::vector<std::string>();
+}
+
 /// Reads all data in order, without assumptions.
 template <class Numbers>
 MeshFile read_whole(const Input& input, const PlyPlan& plan, Numbers numbers) {
-  MeshFile file;
-  PlyRecords records(plan, numbers);
+  PlyStore store(plan);
+  PlyRecords records(plan, store, numbers);
   for (const PlyElementPlan& p : plan.elements) {
     check_room(*p.element, records.numbers());
-    if (p.role == PlyRole::points) resize_fresh(file.mesh.vertices, p.element->count);
-    records.read(p, 0, p.element->count, file.mesh.vertices);
+    store.make_room(p);
+    records.read(p, 0, p.element->count);
   }
-  if (records.numbers().has_more()) file.notes.emplace_back(ignored_rest);
-  const FaceList faces = records.take_faces();
-  gather_faces({&faces, 1}, file, input.name);
-  return file;
+  const auto notes = notes_of(records.numbers().has_more());
+  std::vector<PlyPiece> all;
+  all.push_back(records.take());
+  return join_ply(plan, store, all, notes, input.data.size(), input.name);
 }
 
 /// Reads a binary file in pieces. Assumes that the lists of an element have the length of those of its first record, so
@@ -47,18 +49,16 @@ MeshFile read_whole(const Input& input, const PlyPlan& plan, Numbers numbers) {
 class BinaryPieces {
  public:
   BinaryPieces(PieceSource& source, const PlyPlan& plan, const PlyHeader& header)
-      : source_(source), plan_(plan), order_(*header.order), offset_(header.data) {}
+      : source_(source), plan_(plan), order_(*header.order), offset_(header.data), store_(plan) {}
 
   MeshFile read(std::size_t size, const std::string& name) {
     for (const PlyElementPlan& p : plan_.elements) read_element(p, size);
-    if (offset_ < source_.size()) file_.notes.emplace_back(ignored_rest);
-    gather_faces(faces_, file_, name);
-    return std::move(file_);
+    return join_ply(plan_, store_, pieces_, notes_of(offset_ < source_.size()), source_.size(), name);
   }
 
  private:
   [[nodiscard]] PlyRecords<BinaryNumbers> records_of(Piece piece) {
-    return {plan_, BinaryNumbers(source_.get(piece), 0, order_)};
+    return {plan_, store_, BinaryNumbers(source_.get(piece), 0, order_)};
   }
 
   std::size_t next_size(const PlyElement& element) {
@@ -72,17 +72,17 @@ class BinaryPieces {
     const std::size_t stride = next_size(*p.element);
     const std::uint64_t count = p.element->count;
     if (count > (source_.size() - offset_) / stride) fail("fewer records, or of other sizes");
-    if (p.role == PlyRole::points) resize_fresh(file_.mesh.vertices, count);
+    store_.make_room(p);
     const std::size_t per_piece = std::max<std::size_t>(size / stride, 1);
-    const std::size_t pieces = (count + per_piece - 1) / per_piece, lists = faces_.size();
-    faces_.resize(lists + pieces);
+    const std::size_t pieces = (count + per_piece - 1) / per_piece, before = pieces_.size();
+    pieces_.resize(before + pieces, PlyPiece(plan_));
     tbb::parallel_for(std::size_t{0}, pieces, [&](std::size_t i) {
       const std::size_t first = i * per_piece, own = std::min<std::size_t>(per_piece, count - first);
       const std::size_t place = offset_ + first * stride;
       auto records = records_of({place, place + own * stride});
-      records.read(p, first, own, file_.mesh.vertices);
+      records.read(p, first, own);
       if (records.numbers().has_more()) fail("records of other sizes");
-      faces_[lists + i] = records.take_faces();
+      pieces_[before + i] = records.take();
     });
     offset_ += count * stride;
   }
@@ -91,60 +91,59 @@ class BinaryPieces {
   const PlyPlan& plan_;
   std::endian order_;
   std::size_t offset_;  ///< of the next element
-  MeshFile file_;
-  std::vector<FaceList> faces_;
+  PlyStore store_;
+  std::vector<PlyPiece> pieces_;
 };
 
 /// Reads a text in pieces. Assumes that every record is a line.
 class TextPieces {
  public:
   TextPieces(const Input& input, const PlyPlan& plan, const PlyHeader& header)
-      : input_(input), plan_(plan), offset_(header.data) {}
+      : input_(input), plan_(plan), offset_(header.data), store_(plan) {}
 
   MeshFile read(std::size_t size) {
+    const TextNumbers data(input_, {offset_, input_.data.size()}, true);
     std::uint64_t count = 0;
     for (const PlyElementPlan& p : plan_.elements) {
       // Checked before they are added up: counts may be anything.
-      if (p.element->count > input_.data.size()) fail("more records than bytes");
+      if (p.element->count > data.records(*p.element)) fail("more records than the file has room for");
       count += p.element->count;
     }
-    const auto pieces = divide_records(input_, offset_, count, {}, size);
-    if (pieces.size() == 1) fail("one piece, which may have fewer lines than records");
-    for (const PlyElementPlan& p : plan_.elements)
-      if (p.role == PlyRole::points) resize_fresh(file_.mesh.vertices, p.element->count);
-    std::vector<FaceList> faces(pieces.size());
-    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) { faces[i] = read_piece(pieces[i]); });
-    gather_faces(faces, file_, input_.name);
-    return std::move(file_);
+    const auto places = divide_records(input_, offset_, count, {}, size);
+    if (places.size() == 1) fail("one piece, which may have fewer lines than records");
+    for (const PlyElementPlan& p : plan_.elements) store_.make_room(p);
+    std::vector<PlyPiece> pieces(places.size(), PlyPiece(plan_));
+    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) { pieces[i] = read_piece(places[i]); });
+    return join_ply(plan_, store_, pieces, {}, input_.data.size(), input_.name);
   }
 
  private:
-  FaceList read_piece(const RecordPiece& piece) {
-    PlyRecords records(plan_, TextNumbers(input_, piece.piece, true));
+  PlyPiece read_piece(const RecordPiece& piece) {
+    PlyRecords records(plan_, store_, TextNumbers(input_, piece.piece, true));
     std::uint64_t first = 0;  // of the element's records in the file
     for (const PlyElementPlan& p : plan_.elements) {
       const std::uint64_t last = first + p.element->count;
       const std::uint64_t from = std::max(first, piece.first), to = std::min(last, piece.last);
-      if (from < to) records.read(p, from - first, to - from, file_.mesh.vertices);
+      if (from < to) records.read(p, from - first, to - from);
       first = last;
     }
     // Only the last piece extends beyond its records.
     if (records.numbers().has_more()) fail("data behind the last element");
-    return records.take_faces();
+    return records.take();
   }
 
   const Input& input_;
   const PlyPlan& plan_;
   std::size_t offset_;
-  MeshFile file_;
+  PlyStore store_;
 };
 
 }  // namespace
 
-MeshFile read_ply(const Input& input) {
+MeshFile read_ply(const Input& input, const std::filesystem::path* folder) {
   const PlyHeader header = read_ply_header(input);
   const PlyPlan plan = plan_ply(header);
-  return read_in_pieces(input, [&](std::size_t size) {
+  MeshFile file = read_in_pieces(input, [&](std::size_t size) {
     const bool in_pieces = size < input.data.size();
     PieceSource source(input.data);
     if (header.order)
@@ -153,16 +152,20 @@ MeshFile read_ply(const Input& input) {
     return in_pieces ? TextPieces(input, plan, header).read(size)
                      : read_whole(input, plan, TextNumbers(input, {header.data, input.data.size()}, false));
   });
+  add_textures(file, header.textures, folder);
+  return file;
 }
 
-std::optional<MeshFile> read_binary_ply(const File& file, std::size_t piece) {
+std::optional<MeshFile> read_binary_ply(const File& file, std::size_t piece, const std::filesystem::path& folder) {
   PieceSource source(file);
   try {
     const std::string start(source.get({0, std::min(file.size(), piece)}));
     const PlyHeader header = read_ply_header({file.name(), start});
     if (!header.order || header.data == start.size()) return {};
     const PlyPlan plan = plan_ply(header);
-    return BinaryPieces(source, plan, header).read(piece, file.name());
+    MeshFile mesh = BinaryPieces(source, plan, header).read(piece, file.name());
+    add_textures(mesh, header.textures, &folder);
+    return mesh;
   } catch (const Malformed&) {
     return {};
   }

@@ -56,9 +56,14 @@ void FileSink::write(std::string_view bytes) {
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) fail("cannot write", errno);
 }
 
-void FileSink::finish() {
+void FileSink::complete() {
+  if (!file_) return;
   if (std::fflush(file_.get()) != 0) fail("cannot write", errno);
   if (std::fclose(file_.release()) != 0) fail("cannot write", errno);
+}
+
+void FileSink::finish() {
+  complete();
   if (beside_.empty()) return;
   std::error_code error;
   fs::rename(beside_, target_, error);

@@ -49,6 +49,9 @@ class FileSink : public Sink {
   FileSink& operator=(const FileSink&) = delete;
 
   void write(std::string_view bytes) override;
+  /// Makes sure that all bytes are in the file. What may fail by a full disk has happened then.
+  void complete();
+  /// The same, and renames.
   void finish();
 
  private:

@@ -68,6 +68,12 @@ class TextCursor {
     while (at_ != end_ && !is_white(*at_)) ++at_;
     return {first, static_cast<std::size_t>(at_ - first)};
   }
+  /// All characters up to the end of the line, blanks and comments included.
+  std::string_view rest_of_line() {
+    const char* const first = at_;
+    at_ = find_line_end(at_, end_);
+    return {first, static_cast<std::size_t>(at_ - first)};
+  }
   /// Skips the word if it equals this one, in any case.
   bool accept(std::string_view expected);
   /// Skips the character if it is here, without skipping blanks.

@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "core/io/corner_values.h"
-#include "core/io/image_names.h"
+#include "core/io/finite_values.h"
+#include "core/io/images.h"
 #include "core/io/losses.h"
 #include "core/io/object_faces.h"
 #include "core/io/srgb.h"
@@ -62,7 +63,8 @@ class Surfaces {
     const Channel* const texcoord = attributes_.find(channel_names::texcoord);
     const bool is_textured = std::any_of(attributes_.materials.begin(), attributes_.materials.end(),
                                          [](const Material& m) { return m.image.has_value(); });
-    if (texcoord != nullptr && texcoord->components == 2 && is_textured && !material_.empty()) texcoord_ = texcoord;
+    if (texcoord != nullptr && texcoord->components == 2 && is_textured && !material_.empty())
+      (has_finite_values(*texcoord) ? texcoord_ : not_finite_) = texcoord;
     std::uint32_t bases = 0;
     for (std::size_t m = 0; m < attributes_.materials.size(); ++m) bases_.push_back(has_texture(m) ? bases : bases++);
     base_count_ = bases;
@@ -91,7 +93,8 @@ class Surfaces {
   }
 
   [[nodiscard]] bool keeps(const Channel& c) const {
-    return &c == color_ || &c == texcoord_ || c.name == channel_names::material;
+    return &c == color_ || &c == texcoord_ || &c == not_finite_ ||
+           (c.name == channel_names::material && !material_.empty());
   }
   [[nodiscard]] bool writes_images() const { return texcoord_ != nullptr; }
   [[nodiscard]] std::uint32_t first_free() const { return pair_group(attributes_.materials.size()); }
@@ -161,6 +164,7 @@ class Surfaces {
   }
 
   void note(Notes& notes) const {
+    if (not_finite_ != nullptr) note_not_finite(notes, {&not_finite_, 1}, "3MF");
     if (colors_are_rounded_) notes.emplace_back("colours were rounded to bytes: 3MF holds no others");
     std::size_t looks = 0, names = 0, rounded = 0;
     for (std::size_t i = 0; i < attributes_.materials.size(); ++i) {
@@ -227,7 +231,8 @@ class Surfaces {
   std::span<const std::int32_t> material_;
   const Channel* color_ = nullptr;
   const Channel* texcoord_ = nullptr;
-  std::vector<std::uint32_t> bases_;  ///< per material, its number among those without images
+  const Channel* not_finite_ = nullptr;  ///< texture coordinates that cannot be written
+  std::vector<std::uint32_t> bases_;     ///< per material, its number among those without images
   std::uint32_t base_count_ = 0;
   std::vector<Surface> surfaces_;
   Numbered<std::array<std::uint8_t, 4>> colors_;
@@ -326,7 +331,10 @@ Notes write_3mf(const Target& target) {
   const bool keeps_objects = are_apart || !objects.front().name.empty();
   note_losses(notes, attributes, target.unit, "3MF",
               {.materials = true, .images = surfaces.writes_images(), .objects = keeps_objects, .unit = true},
-              [&](const Channel& c) { return surfaces.keeps(c) || c.name == channel_names::object; });
+              [&](const Channel& c) {
+                return surfaces.keeps(c) ||
+                       (c.name == channel_names::object && !indices_of(attributes, c.name).empty());
+              });
   const std::vector<std::string> image_names = file_names_of(attributes.images);
   ZipWriter zip(target.sink);
   write_package(zip);

@@ -13,8 +13,9 @@
 #include "core/io/binary.h"
 #include "core/io/blocks.h"
 #include "core/io/corner_values.h"
+#include "core/io/finite_values.h"
 #include "core/io/folder_of_model.h"
-#include "core/io/image_names.h"
+#include "core/io/images.h"
 #include "core/io/losses.h"
 #include "core/io/object_faces.h"
 #include "core/io/seam_vertices.h"
@@ -95,8 +96,14 @@ class DocumentWriter {
  public:
   DocumentWriter(const Target& target, Notes& notes) : target_(target), attributes_(target.attributes), notes_(notes) {
     notes_ = note_floats(target.mesh.vertices, target.name, "glTF");
-    for (const Channel& c : attributes_.channels)
-      if (std::string attribute = attribute_of(c); !attribute.empty()) kept_.emplace_back(&c, std::move(attribute));
+    for (const Channel& c : attributes_.channels) {
+      std::string attribute = attribute_of(c);
+      if (attribute.empty()) continue;
+      if (has_finite_floats(c))
+        kept_.emplace_back(&c, std::move(attribute));
+      else
+        not_finite_.push_back(&c);
+    }
     for (const auto& [c, attribute] : kept_)
       if (c->element == Element::corner) seams_.push_back(c);
     objects_ = closed_objects(target.mesh, attributes_);
@@ -120,6 +127,7 @@ class DocumentWriter {
                   const bool is_known = c.name == channel_names::material || c.name == channel_names::object;
                   return !attribute_of(c).empty() || (is_known && !indices_of(attributes_, c.name).empty());
                 });
+    note_not_finite(notes_, not_finite_, "glTF");
     std::string rounded;
     for (const auto& [c, attribute] : kept_)
       if (const auto* values = std::get_if<std::vector<double>>(&c->values)) {
@@ -259,6 +267,7 @@ class DocumentWriter {
   const Attributes& attributes_;
   Notes& notes_;
   std::vector<std::pair<const Channel*, std::string>> kept_;
+  std::vector<const Channel*> not_finite_;
   std::vector<const Channel*> seams_;
   std::vector<ObjectFaces> objects_;
   bool is_apart_ = false;

@@ -22,14 +22,14 @@ struct Region {
 /// The channel that divides the faces into regions: groups, else objects, else materials.
 std::string_view region_channel(const Attributes& attributes) {
   for (const std::string_view name : {channel_names::group, channel_names::object, channel_names::material})
-    if (!indices_of(attributes, name).empty()) return name;
+    if (!numbers_of(attributes, name).empty()) return name;
   return {};
 }
 
 std::vector<Region> regions_of(const Target& target) {
   const Attributes& a = target.attributes;
   const std::string_view channel = region_channel(a);
-  const auto index = indices_of(a, channel);
+  const auto index = numbers_of(a, channel);
   std::map<std::int32_t, Region> by_index;
   for (std::size_t f = 0; f < target.mesh.triangles.size(); ++f)
     by_index[index.empty() ? 0 : index[f]].faces.push_back(static_cast<std::uint32_t>(f));

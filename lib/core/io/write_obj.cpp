@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "core/io/corner_values.h"
-#include "core/io/image_names.h"
+#include "core/io/finite_values.h"
+#include "core/io/images.h"
 #include "core/io/losses.h"
 #include "core/io/mtl.h"
 #include "core/io/object_faces.h"
@@ -16,14 +17,6 @@
 
 namespace strata::io {
 namespace {
-
-const Channel* fitting(const Attributes& attributes, std::string_view name, std::uint32_t components) {
-  const Channel* const c = attributes.find(name);
-  const bool fits = c != nullptr && c->element != Element::face && c->components == components &&
-                    !std::holds_alternative<std::vector<std::uint8_t>>(c->values) &&
-                    !std::holds_alternative<std::vector<std::int32_t>>(c->values);
-  return fits ? c : nullptr;
-}
 
 std::string one_line(std::string text) {
   for (char& c : text)
@@ -94,14 +87,11 @@ class ObjWriter {
   explicit ObjWriter(const Target& target)
       : target_(target),
         attributes_(target.attributes),
-        texcoords_(target.mesh, fitting(attributes_, channel_names::texcoord, 2)),
-        normals_(target.mesh, fitting(attributes_, channel_names::normal, 3)) {
-    const Channel* const color = attributes_.find(channel_names::color);
-    if (color != nullptr && color->element == Element::vertex && color->components >= 3 &&
-        !std::holds_alternative<std::vector<std::int32_t>>(color->values))
-      color_ = color;
+        texcoords_(target.mesh, numbers(channel_names::texcoord, 2)),
+        normals_(target.mesh, numbers(channel_names::normal, 3)),
+        color_(colors()) {
     add_changes("o", channel_names::object, attributes_.objects);
-    if (!attributes_.groups.empty()) add_changes("g", channel_names::group, attributes_.groups);
+    add_changes("g", channel_names::group, attributes_.groups);
     std::vector<std::string> materials;
     for (std::size_t m = 0; m < attributes_.materials.size(); ++m)
       materials.push_back(one_line(mtl_name(attributes_, m)));
@@ -110,7 +100,7 @@ class ObjWriter {
 
   Notes write() {
     Sink& sink = target_.sink;
-    const bool has_library = target_.path != nullptr && !attributes_.materials.empty();
+    const bool has_library = target_.beside != nullptr && !attributes_.materials.empty();
     if (has_library) write_library();
     write_vertices();
     texcoords_.write(sink, "vt");
@@ -123,12 +113,34 @@ class ObjWriter {
                  .objects = has(channel_names::object),
                  .groups = has(channel_names::group)},
                 [&](const Channel& c) { return keeps(c); });
+    note_not_finite(notes, not_finite_, "OBJ");
     if (color_ != nullptr && color_->components == 4)
       notes.emplace_back("opacity of colours left out: OBJ cannot keep it");
     return notes;
   }
 
  private:
+  /// A channel of the name that lines of so many numbers can hold, or null.
+  const Channel* numbers(std::string_view name, std::uint32_t components) {
+    const Channel* const c = attributes_.find(name);
+    const bool fits = c != nullptr && c->element != Element::face && c->components == components &&
+                      !std::holds_alternative<std::vector<std::uint8_t>>(c->values) &&
+                      !std::holds_alternative<std::vector<std::int32_t>>(c->values);
+    return fits ? finite(c) : nullptr;
+  }
+  /// Colours that can follow the coordinates of vertices, or null.
+  const Channel* colors() {
+    const Channel* const c = attributes_.find(channel_names::color);
+    const bool fits = c != nullptr && c->element == Element::vertex && c->components >= 3 &&
+                      !std::holds_alternative<std::vector<std::int32_t>>(c->values);
+    return fits ? finite(c) : nullptr;
+  }
+  const Channel* finite(const Channel* c) {
+    if (has_finite_values(*c)) return c;
+    not_finite_.push_back(c);
+    return nullptr;
+  }
+
   void add_changes(std::string_view keyword, std::string_view channel, std::vector<std::string> names) {
     for (std::string& name : names) name = one_line(std::move(name));
     const auto index = indices_of(attributes_, channel);
@@ -137,25 +149,21 @@ class ObjWriter {
   [[nodiscard]] bool has(std::string_view channel) const { return !indices_of(attributes_, channel).empty(); }
   [[nodiscard]] bool keeps(const Channel& c) const {
     return &c == color_ || (c.name == channel_names::texcoord && !texcoords_.empty()) ||
-           (c.name == channel_names::normal && !normals_.empty()) || c.name == channel_names::material ||
-           c.name == channel_names::object || (c.name == channel_names::group && !attributes_.groups.empty());
+           (c.name == channel_names::normal && !normals_.empty()) || has(c.name) ||
+           std::find(not_finite_.begin(), not_finite_.end(), &c) != not_finite_.end();
   }
 
   /// The library and its images stand beside the file, named after it.
   void write_library() {
-    const std::filesystem::path& path = *target_.path;
-    const std::string stem = path.stem().string();
+    FilesBeside& beside = *target_.beside;
+    const std::string stem = beside.stem();
     std::vector<std::string> names = file_names_of(attributes_.images);
     for (std::size_t i = 0; i < names.size(); ++i) {
       names[i].insert(0, stem + "-");
-      FileSink image(path.parent_path() / names[i]);
-      image.write(
-          {reinterpret_cast<const char*>(attributes_.images[i].bytes.data()), attributes_.images[i].bytes.size()});
-      image.finish();
+      const auto& bytes = attributes_.images[i].bytes;
+      beside.add(names[i]).write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     }
-    FileSink library(path.parent_path() / (stem + ".mtl"));
-    library.write(mtl_text(attributes_, names));
-    library.finish();
+    beside.add(stem + ".mtl").write(mtl_text(attributes_, names));
     target_.sink.write("mtllib " + stem + ".mtl\n");
   }
 
@@ -186,9 +194,10 @@ class ObjWriter {
 
   const Target& target_;
   const Attributes& attributes_;
+  std::vector<const Channel*> not_finite_;
   ValueLines<2> texcoords_;
   ValueLines<3> normals_;
-  const Channel* color_ = nullptr;
+  const Channel* color_;
   std::vector<Changes> changes_;
 };
 

@@ -1,9 +1,9 @@
 #pragma once
-#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/io/files_beside.h"
 #include "core/io/sink.h"
 #include "strata/io.h"
 #include "strata/mesh.h"
@@ -16,10 +16,6 @@ void check_writable(MeshView mesh, const std::string& name);
 /// The same for exact positions: of vertices that do not exist, not in order, or beyond the range of doubles.
 void check_writable(std::span<const ExactVertex> exact, std::size_t vertex_count, const std::string& name);
 
-/// Throws std::invalid_argument where a channel does not fit the mesh, or an index of a channel, a material or an image
-/// is out of range.
-void check_attributes(MeshView mesh, const Attributes& attributes);
-
 using Notes = std::vector<std::string>;
 
 /// What a writer writes, to what.
@@ -29,12 +25,12 @@ struct Target {
   const Attributes& attributes;
   Unit unit;
   Sink& sink;
-  std::string name;                             ///< of the file, for messages
-  const std::filesystem::path* path = nullptr;  ///< of the file, if other files can stand beside it
+  std::string name;               ///< of the file, for messages
+  FilesBeside* beside = nullptr;  ///< null: no other files can stand beside it
 };
 
 /// One writer per format. A mesh without faces is written as some bytes, because readers refuse empty files. Requires
-/// finite coordinates, indices in range, and attributes that fit. Returns notes: what was lost.
+/// finite coordinates, indices in range, and attributes that fit (check_attributes). Returns notes: what was lost.
 [[nodiscard]] Notes write_stl_ascii(const Target& target);
 [[nodiscard]] Notes write_obj(const Target& target);
 [[nodiscard]] Notes write_off(const Target& target);

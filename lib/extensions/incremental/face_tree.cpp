@@ -46,8 +46,8 @@ double growth(const Box& box, const Box& added) {
 
 }  // namespace
 
-WorkFace::WorkFace(std::array<IncrementalVertexPointer, 3> corners, PlanePointer plane)
-    : corners_(std::move(corners)), plane_(std::move(plane)) {
+WorkFace::WorkFace(std::array<IncrementalVertexPointer, 3> corners, PlanePointer plane, FaceOrigin origin)
+    : corners_(std::move(corners)), plane_(std::move(plane)), origin_(std::move(origin)) {
   for (const IncrementalVertexPointer& c : corners_) box_.include(c->at);
   determinant_ = dot<DoubleDouble>(place(*corners_[0]), cross<DoubleDouble>(place(*corners_[1]), place(*corners_[2])));
 }

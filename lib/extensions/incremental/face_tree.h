@@ -12,6 +12,7 @@
 #include "core/kernel/box.h"
 #include "core/kernel/input_complex.h"
 #include "core/kernel/source_plane.h"
+#include "extensions/incremental/painted_solid.h"
 
 namespace strata {
 
@@ -29,15 +30,24 @@ struct IncrementalVertex {
 };
 using IncrementalVertexPointer = std::shared_ptr<const IncrementalVertex>;
 
+/// The face of a solid with attributes that a triangle is a part of; null: of one without.
+struct FaceOrigin {
+  PaintedSolidPointer solid;
+  std::uint32_t face = 0;
+  bool is_turned = false;  ///< it has the opposite orientation, as what a difference cuts
+  friend bool operator==(const FaceOrigin&, const FaceOrigin&) = default;
+};
+
 /// A triangle of an incremental solid.
 class WorkFace {
  public:
   /// Corners counter-clockwise from outside; the source plane of the face, or null for the one through its corners,
   /// which are doubles then.
-  WorkFace(std::array<IncrementalVertexPointer, 3> corners, PlanePointer plane);
+  WorkFace(std::array<IncrementalVertexPointer, 3> corners, PlanePointer plane, FaceOrigin origin);
 
   [[nodiscard]] const std::array<IncrementalVertexPointer, 3>& corners() const { return corners_; }
   [[nodiscard]] const PlanePointer& plane() const { return plane_; }
+  [[nodiscard]] const FaceOrigin& origin() const { return origin_; }
   /// The box of the corners' doubles. Rounding is monotone: boxes of faces that meet overlap.
   [[nodiscard]] const Box& box() const { return box_; }
   /// Six times the signed volume between the face and the coordinates' origin, within bounds.
@@ -46,6 +56,7 @@ class WorkFace {
  private:
   std::array<IncrementalVertexPointer, 3> corners_;
   PlanePointer plane_;
+  FaceOrigin origin_;
   Box box_;
   DoubleDouble determinant_;
 };

@@ -31,8 +31,14 @@ double spread(const SourcePlane& p, const SourcePlane& q, const SourcePlane& r) 
 class CornerRemover {
  public:
   CornerRemover(const InputComplex& input, const PointTable& points, FacePlanes& planes,
-                const std::vector<PointId>& candidates, std::vector<ResultTriangle>& triangles)
-      : input_(input), points_(points), planes_(planes), candidates_(candidates), triangles_(triangles) {
+                const std::vector<PointId>& candidates, std::vector<ResultTriangle>& triangles,
+                const std::vector<FaceOrigin>& origins)
+      : input_(input),
+        points_(points),
+        planes_(planes),
+        candidates_(candidates),
+        triangles_(triangles),
+        origins_(origins) {
     place_.assign(points.end(), none);
     for (Index i = 0; i < candidates.size(); ++i) place_[candidates[i]] = i;
     around_.resize(candidates.size());
@@ -96,7 +102,7 @@ class CornerRemover {
   bool remove(Index corner) {
     fans_.clear();
     for (const Sheet& sheet : sheets_)
-      if (!find_fans(candidates_[corner], sheet)) return false;
+      if (!has_one_origin(sheet) || !find_fans(candidates_[corner], sheet)) return false;
     if (!split_discs() || !ends_match()) return false;
     std::vector<ResultTriangle> replacing;
     for (const Fan& fan : fans_) {
@@ -112,6 +118,18 @@ class CornerRemover {
       list(static_cast<Index>(triangles_.size() - 1));
     }
     return true;
+  }
+
+  /// True if the sheet is a part of one face of the given solids, or none of them has attributes.
+  [[nodiscard]] bool has_one_origin(const Sheet& sheet) const {
+    if (origins_.empty()) return true;
+    const auto origin = [&](Index t) {
+      FaceOrigin o = origins_[triangles_[t].face];
+      o.is_turned ^= triangles_[t].reversed;
+      return o;
+    };
+    const FaceOrigin first = origin(sheet.triangles.front());
+    return std::all_of(sheet.triangles.begin(), sheet.triangles.end(), [&](Index t) { return origin(t) == first; });
   }
 
   /// The triangles of a sheet around a corner: a whole disc, or a fan from one side to another.
@@ -206,6 +224,7 @@ class CornerRemover {
   FacePlanes& planes_;
   const std::vector<PointId>& candidates_;
   std::vector<ResultTriangle>& triangles_;
+  const std::vector<FaceOrigin>& origins_;
   std::vector<Index> place_;                                      ///< among the candidates, per point
   std::vector<boost::container::small_vector<Index, 8>> around_;  ///< triangles, per candidate
   std::vector<Sheet> sheets_;
@@ -216,8 +235,9 @@ class CornerRemover {
 
 std::vector<MeetingPlanes> remove_redundant_corners(const InputComplex& input, const PointTable& points,
                                                     FacePlanes& planes, const std::vector<PointId>& candidates,
-                                                    std::vector<ResultTriangle>& triangles) {
-  return CornerRemover(input, points, planes, candidates, triangles).remove_all();
+                                                    std::vector<ResultTriangle>& triangles,
+                                                    const std::vector<FaceOrigin>& origins) {
+  return CornerRemover(input, points, planes, candidates, triangles, origins).remove_all();
 }
 
 }  // namespace strata

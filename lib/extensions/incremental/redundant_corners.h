@@ -24,11 +24,13 @@ using MeetingPlanes = std::array<PlanePointer, 3>;
 /// set, where three of its planes meet, so the planes bound the size of their coordinates.
 ///
 /// Requires that `triangles` contains all faces around the candidates, whose numbers are below `points.end()`. A corner
-/// at which sheets meet that do not share their edges is kept. Returns the planes of the kept candidates, in their
-/// order; none where no three planes determine the point. O(k d log d) for k candidates with d triangles around them
-/// each, for bounded d; O(d^3) for one of them in the worst case.
+/// at which sheets meet that do not share their edges is kept, and so is one at which triangles of one plane are parts
+/// of faces with different attributes, which `origins` tells of the faces; empty: there are none. Returns the planes of
+/// the kept candidates, in their order; none where no three planes determine the point. O(k d log d) for k candidates
+/// with d triangles around them each, for bounded d; O(d^3) for one of them in the worst case.
 std::vector<MeetingPlanes> remove_redundant_corners(const InputComplex& input, const PointTable& points,
                                                     FacePlanes& planes, const std::vector<PointId>& candidates,
-                                                    std::vector<ResultTriangle>& triangles);
+                                                    std::vector<ResultTriangle>& triangles,
+                                                    const std::vector<FaceOrigin>& origins);
 
 }  // namespace strata

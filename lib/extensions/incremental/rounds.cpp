@@ -43,7 +43,7 @@ class Rounds {
  private:
   /// The first operand is the incremental solid.
   void begin() {
-    std::vector<Solid>& tools = waiting_.front().tools;
+    std::vector<Tool>& tools = waiting_.front().tools;
     tree_ = FaceTree(faces_of(tools.front()));
     tools.erase(tools.begin());
     if (tools.empty()) waiting_.erase(waiting_.begin());
@@ -53,7 +53,7 @@ class Rounds {
     std::vector<ToolGroup> round = chosen();
     std::size_t faces = 0;
     for (const ToolGroup& group : round)
-      for (const Solid& tool : group.tools) faces += tool.mesh().triangles.size();
+      for (const Tool& tool : group.tools) faces += tool.solid.mesh().triangles.size();
     std::vector<FaceChange> changes(round.size());
     arena_for(options_, faces).execute([&] {
       tbb::parallel_for(std::size_t{0}, round.size(), [&](std::size_t i) {

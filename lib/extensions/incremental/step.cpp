@@ -54,6 +54,7 @@ class Step {
         subdivision_(subdivide(input_, intersect(candidates_, monitor), {rule_, windings_}, monitor)),
         verdicts_(label(input_, subdivision_, {rule_, windings_}, monitor)) {
     merge_pieces(input_, subdivision_, monitor);
+    find_origins(group);
   }
 
   FaceChange change() {
@@ -63,7 +64,7 @@ class Step {
       if (patch_.face(f).plane() != nullptr) planes.know(f, patch_.face(f).plane());
     const std::vector<PointId> candidates = find_changed_points();
     const std::vector<MeetingPlanes> intersections =
-        remove_redundant_corners(input_, points(), planes, candidates, triangles_);
+        remove_redundant_corners(input_, points(), planes, candidates, triangles_, origins_);
     corners_.resize(points().end());
     for (std::size_t i = 0; i < candidates.size(); ++i)
       if (intersections[i][0] != nullptr && !points().is_input(candidates[i]))
@@ -77,9 +78,21 @@ class Step {
   static InputComplex complex_of(const Patch& patch, const ToolGroup& group) {
     InputComplex complex;
     patch.add_to(complex);
-    for (const Solid& tool : group.tools)
+    for (const auto& [tool, painted] : group.tools)
       complex.add(tool.mesh().vertices, tool.mesh().triangles, tool.exact_mesh().exact);
     return complex;
+  }
+
+  /// Nothing if no solid has attributes.
+  void find_origins(const ToolGroup& group) {
+    std::vector<FaceOrigin> origins(input_.face_count());
+    std::uint32_t f = 0;
+    for (; f < patch_.face_count(); ++f) origins[f] = patch_.face(f).origin();
+    for (const auto& [tool, painted] : group.tools)
+      for (std::uint32_t i = 0; i < tool.mesh().triangles.size(); ++i, ++f)
+        if (painted != nullptr) origins[f] = {painted, i, false};
+    const auto is_known = [](const FaceOrigin& origin) { return origin.solid != nullptr; };
+    if (std::any_of(origins.begin(), origins.end(), is_known)) origins_ = std::move(origins);
   }
 
   void gather() {
@@ -186,13 +199,23 @@ class Step {
     });
   }
 
+  [[nodiscard]] FaceOrigin origin_of(const ResultTriangle& t) const {
+    FaceOrigin origin;
+    if (!origins_.empty())
+      origin = origins_[t.face];
+    else if (t.face < patch_.face_count())
+      origin = patch_.face(t.face).origin();
+    origin.is_turned ^= t.reversed;
+    return origin;
+  }
+
   WorkFace new_face(const ResultTriangle& t, FacePlanes& planes) {
     const std::array<IncrementalVertexPointer, 3> corners{corner(t.v[0]), corner(t.v[1]), corner(t.v[2])};
     const bool are_given = std::all_of(corners.begin(), corners.end(), [](const IncrementalVertexPointer& c) {
       return c->is_given && c->has_doubles();
     });
     const bool has_plane = t.face < patch_.face_count() && patch_.face(t.face).plane() != nullptr;
-    return {corners, are_given && !has_plane ? nullptr : planes.of(t.face, t.reversed)};
+    return {corners, are_given && !has_plane ? nullptr : planes.of(t.face, t.reversed), origin_of(t)};
   }
 
   /// Checks that each side of the removed faces occurs in the new ones, equally often, or cancels with its opposite.
@@ -226,6 +249,7 @@ class Step {
   const LocalWindings windings_;
   Subdivision subdivision_;
   const std::vector<Verdict> verdicts_;  ///< of the faces that meet no other
+  std::vector<FaceOrigin> origins_;      ///< per face of the evaluation; empty: no solid has attributes
   std::vector<ResultTriangle> triangles_;
   std::vector<IncrementalVertexPointer> corners_;  ///< per point, once it is needed
 };
@@ -237,8 +261,8 @@ FaceChange change_by(const FaceTree& solid_in_steps, Operation operation, const 
   return Step(solid_in_steps, operation, group, monitor).change();
 }
 
-std::vector<WorkFace> faces_of(const Solid& solid) {
-  const ExactMesh& mesh = solid.exact_mesh();
+std::vector<WorkFace> faces_of(const Tool& tool) {
+  const ExactMesh& mesh = tool.solid.exact_mesh();
   std::vector<IncrementalVertexPointer> corners;
   corners.reserve(mesh.mesh.vertices.size());
   for (const Vertex& v : mesh.mesh.vertices) corners.push_back(given_corner(v, nullptr));
@@ -251,7 +275,8 @@ std::vector<WorkFace> faces_of(const Solid& solid) {
   for (std::uint32_t f = 0; f < input.face_count(); ++f) {
     const Triangle& t = mesh.mesh.triangles[f];
     faces.emplace_back(std::array{corners[t[0]], corners[t[1]], corners[t[2]]},
-                       input.has_doubles(t) ? nullptr : planes.of(f, false));
+                       input.has_doubles(t) ? nullptr : planes.of(f, false),
+                       tool.painted == nullptr ? FaceOrigin() : FaceOrigin{tool.painted, f, false});
   }
   return faces;
 }

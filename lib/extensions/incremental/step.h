@@ -16,6 +16,6 @@ namespace strata {
                                    const Monitor& monitor);
 
 /// The faces of a solid.
-[[nodiscard]] std::vector<WorkFace> faces_of(const Solid& solid);
+[[nodiscard]] std::vector<WorkFace> faces_of(const Tool& tool);
 
 }  // namespace strata

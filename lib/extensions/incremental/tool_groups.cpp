@@ -31,7 +31,7 @@ Box bounds_of(const Solid& solid) {
   return box;
 }
 
-std::vector<ToolGroup> group_tools(std::span<const Solid> tools) {
+std::vector<ToolGroup> group_tools(std::span<const Solid> tools, std::uint64_t first_number) {
   Box all;
   std::vector<Box> boxes;
   for (const Solid& tool : tools) {
@@ -54,7 +54,7 @@ std::vector<ToolGroup> group_tools(std::span<const Solid> tools) {
       groups.emplace_back();
       faces = 0;
     }
-    groups.back().tools.push_back(tools[i]);
+    groups.back().tools.push_back({tools[i], painted(tools[i], first_number + i)});
     groups.back().box.include(boxes[i]);
     faces += more;
   }

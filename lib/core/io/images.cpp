@@ -1,4 +1,4 @@
-#include "core/io/image_names.h"
+#include "core/io/images.h"
 
 #include <algorithm>
 #include <cctype>
@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <set>
 #include <string_view>
+
+#include "core/io/file.h"
 
 namespace strata::io {
 namespace {
@@ -43,6 +45,22 @@ std::vector<std::string> file_names_of(const std::vector<Image>& images) {
     names.push_back(name);
   }
   return names;
+}
+
+Image read_image(const std::filesystem::path& path) {
+  const File file(path);
+  const FileBytes bytes(file);
+  const auto* data = reinterpret_cast<const std::byte*>(bytes.view().data());
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const char* const type = extension == ".jpg" || extension == ".jpeg" ? "image/jpeg"
+                           : extension == ".png"                       ? "image/png"
+                                                                       : "";
+  return {path.filename().string(), type, {data, data + bytes.view().size()}};
+}
+
+std::string note_of_missing_image(const std::string& name) {
+  return "the image '" + name.substr(0, 100) + "' left out: there is no such file beneath the folder of the model";
 }
 
 }  // namespace strata::io

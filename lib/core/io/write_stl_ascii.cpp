@@ -7,20 +7,6 @@
 #include "core/io/writers.h"
 
 namespace strata::io {
-namespace {
-
-std::string count_of(std::size_t n) { return std::to_string(n); }
-
-}  // namespace
-
-Notes write_off(const Target& target) {
-  const MeshView mesh = target.mesh;
-  target.sink.write("OFF\n" + count_of(mesh.vertices.size()) + " " + count_of(mesh.triangles.size()) + " 0\n");
-  write_lines(mesh, target.sink, "", "3 ", 0);
-  Notes notes;
-  note_losses(notes, target.attributes, target.unit, "OFF");
-  return notes;
-}
 
 Notes write_stl_ascii(const Target& target) {
   const MeshView mesh = target.mesh;

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,5 +12,11 @@ namespace strata::io {
 
 /// Names of files for images: without folders, each different, with an extension.
 [[nodiscard]] std::vector<std::string> file_names_of(const std::vector<Image>& images);
+
+/// The image in a file, whose type its extension says. Throws IoError.
+[[nodiscard]] Image read_image(const std::filesystem::path& path);
+
+/// What is said where a model names an image that file_beneath does not find.
+[[nodiscard]] std::string note_of_missing_image(const std::string& name);
 
 }  // namespace strata::io
