@@ -1,5 +1,5 @@
 # Packages: `cpack` in a build folder of the preset release, or tools/packages. Two packages for Debian, `strata` (the programs) and
-# `libstrata-dev`; and a tarball of everything.
+# `libstrata-dev`; and a tarball of both, for systems with the same libraries, which its name tells.
 set(CPACK_PACKAGE_NAME strata)
 set(CPACK_PACKAGE_VENDOR "The Strata contributors")
 set(CPACK_PACKAGE_CONTACT "The Strata contributors <maintainers@strata.invalid>" CACHE STRING "Maintainer of packages")
@@ -7,6 +7,9 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact Booleans of solids given as triangl
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_STRIP_FILES ON)
+cmake_host_system_information(RESULT distribution QUERY DISTRIB_ID DISTRIB_VERSION_ID)
+list(JOIN distribution "" distribution)
+set(CPACK_PACKAGE_FILE_NAME strata-${PROJECT_VERSION}-${distribution}-${CMAKE_SYSTEM_PROCESSOR})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL tools development debian_tools debian_development)
 set(CPACK_COMPONENT_TOOLS_GROUP tools)
@@ -48,19 +51,37 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "exact Booleans of solids: C++ library 
  .
  Headers, static libraries, and files for CMake and pkg-config.")
 
-# What Debian wants in a package: its copyright and its changes.
+# What Debian wants in a package: copyright, changes, and reasons for what lintian finds. The bill of materials lies beside them.
 find_program(STRATA_GZIP gzip)
-if(STRATA_GZIP)
+find_package(Python3 QUIET COMPONENTS Interpreter)
+if(STRATA_GZIP AND Python3_FOUND)
+  set(debian ${PROJECT_BINARY_DIR}/debian)
+  set(release 1)  # of the package, within one version of Strata
+  set(CPACK_DEBIAN_PACKAGE_RELEASE ${release})
+  execute_process(COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/bill_of_materials.py
+    OUTPUT_VARIABLE bill_of_materials COMMAND_ERROR_IS_FATAL ANY)
+  # A field of several lines: each begins with a space, and an empty one is a point.
+  file(READ python/THIRD_PARTY_LICENSES.txt third_party)
+  string(REGEX REPLACE "[ \t]+\n" "\n" third_party "${third_party}")
+  string(REPLACE "\n" "\n " third_party "${third_party}")
+  string(REPLACE " \n" " .\n" third_party " ${third_party}")
+  string(STRIP "${third_party}" third_party)
+  string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
   foreach(package strata libstrata-dev)
-    set(folder ${PROJECT_BINARY_DIR}/debian/${package})
+    set(folder ${debian}/${package})
     set(component debian_tools)
     if(package STREQUAL libstrata-dev)
       set(component debian_development)
     endif()
-    configure_file(packaging/debian/copyright ${folder}/copyright COPYONLY)
+    configure_file(packaging/debian/copyright.in ${folder}/copyright @ONLY)
+    configure_file(packaging/debian/changelog.in ${folder}/changelog.Debian @ONLY)
+    configure_file(packaging/debian/lintian-overrides.in ${folder}/overrides/${package} @ONLY)
     configure_file(CHANGELOG.md ${folder}/changelog COPYONLY)
-    execute_process(COMMAND ${STRATA_GZIP} -9nf ${folder}/changelog)
-    install(FILES ${folder}/copyright ${folder}/changelog.gz DESTINATION share/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
+    execute_process(COMMAND ${STRATA_GZIP} -9nf ${folder}/changelog ${folder}/changelog.Debian)
+    file(WRITE ${folder}/strata.cdx.json "${bill_of_materials}")
+    install(FILES ${folder}/copyright ${folder}/changelog.gz ${folder}/changelog.Debian.gz ${folder}/strata.cdx.json
+      DESTINATION share/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
+    install(FILES ${folder}/overrides/${package} DESTINATION share/lintian/overrides COMPONENT ${component} EXCLUDE_FROM_ALL)
   endforeach()
 endif()
 include(CPack)

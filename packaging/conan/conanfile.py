@@ -35,6 +35,7 @@ class Strata(ConanFile):
         self.requires("boost/1.83.0", headers=True)
         self.requires("nlohmann_json/3.11.3")
         self.requires("pugixml/1.14")
+        self.requires("zlib/1.3.1")
         if self.options.gmp:
             self.requires("gmp/6.3.0")
         if self.options.assimp:
