@@ -2,38 +2,27 @@
 
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
+#include <strata/carry_attributes.h>
 #include <strata/check.h>
 #include <strata/surface.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "errors.h"
+#include "numpy.h"
+#include "text.h"
 
 namespace strata::python {
 
 namespace {
 
-nb::module_ numpy() { return nb::module_::import_("numpy"); }
-
-std::string text_of(nb::handle object) { return nb::cast<std::string>(nb::str(object)); }
-
-std::string kind_of(nb::handle array) { return nb::cast<std::string>(array.attr("dtype").attr("kind")); }
-
-[[noreturn]] void throw_type_error(const std::string& message) { throw nb::type_error(message.c_str()); }
-[[noreturn]] void throw_value_error(const std::string& message) { throw nb::value_error(message.c_str()); }
-
 /// An array of three columns.
 nb::object array_of_rows(nb::handle source, const char* role) {
-  nb::object array;
-  try {
-    array = numpy().attr("asarray")(source);
-  } catch (nb::python_error& error) {
-    if (!error.matches(PyExc_ValueError)) throw;
-    throw_value_error(std::string(role) + ": expected an array of shape (n, 3), found rows of different lengths");
-  }
+  const nb::object array = array_from(source, role, "(n, 3)");
   const auto dimensions = nb::cast<std::size_t>(array.attr("ndim"));
-  if (dimensions == 1 && nb::cast<std::size_t>(array.attr("size")) == 0) return array.attr("reshape")(0, 3);
+  if (dimensions == 1 && size_of(array) == 0) return array.attr("reshape")(0, 3);
   if (dimensions != 2 || nb::cast<std::size_t>(array.attr("shape")[1]) != 3)
     throw_value_error(std::string(role) + ": expected an array of shape (n, 3), found shape " +
                       text_of(array.attr("shape")));
@@ -47,10 +36,6 @@ nb::object converted(const nb::object& array, const char* type, const char* role
     throw_value_error(std::string(role) + ": not all numbers of type " + text_of(array.attr("dtype")) +
                       " are doubles; an array of objects is taken exactly");
   return copy;
-}
-
-nb::object contiguous(const nb::object& array, const char* type) {
-  return numpy().attr("ascontiguousarray")(array, nb::arg("dtype") = type);
 }
 
 /// Objects that are numbers, exactly.
@@ -83,17 +68,16 @@ void set_vertices(ArrayMesh& mesh, nb::handle source, const char* role) {
   }
   nb::object array = array_of_rows(source, role);
   const std::string kind = kind_of(array);
-  const auto size = nb::cast<std::size_t>(array.attr("size"));
   if (kind == "O") {
     mesh.owned = exact_points(array, role);
     mesh.view.vertices = mesh.owned.mesh.vertices;
     return;
   }
-  if (kind == "f" && nb::cast<std::size_t>(array.attr("itemsize")) > sizeof(double))
+  if (kind == "f" && item_size(array) > sizeof(double))
     array = converted(array, "float64", role);
   else if (kind == "i" || kind == "u")
     array = converted(array, "float64", role);
-  else if (kind != "f" && size != 0)
+  else if (kind != "f" && size_of(array) != 0)
     throw_type_error(std::string(role) + ": expected numbers, found type " + text_of(array.attr("dtype")));
   mesh.vertices = contiguous(array, "float64");
   look_at(mesh, nb::cast<DoubleRows>(mesh.vertices));
@@ -105,26 +89,38 @@ void set_triangles(ArrayMesh& mesh, nb::handle source) {
     return look_at(mesh, rows);
   }
   const nb::object array = array_of_rows(source, "triangles");
-  const std::string kind = kind_of(array);
-  if (nb::cast<std::size_t>(array.attr("size")) != 0) {
-    if (kind != "i" && kind != "u")
-      throw_type_error("triangles: expected integers, found type " + text_of(array.attr("dtype")));
-    if (kind == "i" && array.attr("min")() < nb::int_(0))
-      throw_value_error("triangles: index " + text_of(array.attr("min")()) + " is negative");
-    if (array.attr("max")() > nb::int_(std::numeric_limits<std::uint32_t>::max()))
-      throw_value_error("triangles: index " + text_of(array.attr("max")()) + " is beyond 32 bits");
-  }
-  mesh.triangles = contiguous(array, "uint32");
+  mesh.triangles = indices_of(array, "triangles");
   look_at(mesh, nb::cast<IndexRows>(mesh.triangles));
 }
 
-MeshHandle mesh_of(ExactMeshView view, nb::object owner) {
-  auto mesh = std::make_shared<ArrayMesh>();
+NewMesh mesh_of(ExactMeshView view, nb::object owner) {
+  const auto mesh = std::make_shared<ArrayMesh>();
   mesh->view = view.mesh;
   mesh->owned.exact.assign(view.exact.begin(), view.exact.end());
   mesh->vertices = nb::cast(rows_of(view.mesh.vertices, owner));
   mesh->triangles = nb::cast(rows_of(view.mesh.triangles, owner));
   return mesh;
+}
+
+nb::dict dict_of(const RoundingReport& rounding) {
+  nb::dict report;
+  report["rounds"] = rounding.rounds;
+  report["moved_vertices"] = rounding.moved_vertices;
+  report["largest_movement"] = rounding.largest_movement;
+  report["unit"] = rounding.unit;
+  report["far_vertices"] = rounding.far_vertices;
+  report["vanished_faces"] = rounding.vanished_faces;
+  return report;
+}
+
+/// The attribute of an object, or an invalid object where it has none. What a property raises is thrown.
+nb::object attribute(nb::handle object, const char* name) {
+  try {
+    return object.attr(name);
+  } catch (nb::python_error& error) {
+    if (!error.matches(PyExc_AttributeError) || nb::hasattr(object.type(), name)) throw;
+    return {};
+  }
 }
 
 }  // namespace
@@ -145,34 +141,45 @@ std::uint32_t add_vertex(ExactMesh& mesh, RationalPoint position) {
   return number;
 }
 
-MeshHandle mesh_of_arrays(nb::handle vertices, nb::handle triangles) {
-  auto mesh = std::make_shared<ArrayMesh>();
+NewMesh mesh_of_arrays(nb::handle vertices, nb::handle triangles) {
+  const auto mesh = std::make_shared<ArrayMesh>();
   set_vertices(*mesh, vertices, "vertices");
   set_triangles(*mesh, triangles);
   return mesh;
 }
 
-MeshHandle mesh_of(ExactMesh exact) {
-  auto mesh = std::make_shared<ArrayMesh>();
+void set_attributes(ArrayMesh& mesh, AttributesHandle attributes) {
+  if (attributes) check_attributes(*attributes, mesh.view.vertices.size(), mesh.view.triangles.size());
+  mesh.attributes = std::move(attributes);
+}
+
+Solid with_attributes_of(const ArrayMesh& mesh, Solid solid, const Options& options) {
+  if (!mesh.attributes) return solid;
+  const AttributedMesh given{mesh.exact_view(), mesh.attributes.get()};
+  return solid.with_attributes(carry_attributes({&given, 1}, solid.exact_mesh(), solid.sources(), options));
+}
+
+NewMesh mesh_of(ExactMesh exact) {
+  const auto mesh = std::make_shared<ArrayMesh>();
   mesh->owned = std::move(exact);
   mesh->view = mesh->owned.mesh;
   return mesh;
 }
 
-MeshHandle mesh_of(BooleanResult result) {
-  auto mesh = std::make_shared<ArrayMesh>();
-  mesh->owned = {std::move(result.mesh), std::move(result.exact)};
-  mesh->view = mesh->owned.mesh;
+NewMesh mesh_of(BooleanResult result) {
+  const NewMesh mesh = mesh_of(ExactMesh{std::move(result.mesh), std::move(result.exact)});
+  mesh->attributes = handle_of(std::move(result.attributes));
   mesh->sources = std::move(result.sources);
   mesh->has_sources = true;
-  mesh->notes = std::move(result.notes);
-  mesh->rounding = std::move(result.rounding);
-  mesh->seconds = std::move(result.profile.seconds);
+  mesh->notes = to_python(std::span<const Defect>(result.notes));
+  if (result.rounding) mesh->rounding = dict_of(*result.rounding);
+  for (const auto& [stage, time] : result.profile.seconds) mesh->seconds[stage.c_str()] = time;
   return mesh;
 }
 
 MeshHandle copy_of(const MeshHandle& original) {
-  const MeshHandle copied = mesh_of(original->copy());
+  const NewMesh copied = mesh_of(original->copy());
+  copied->attributes = original->attributes;
   const ArrayMesh& mesh = *copied;
   const std::size_t count = mesh.view.vertices.size();
   const bool is_readable =
@@ -188,14 +195,20 @@ MeshHandle copy_of(const MeshHandle& original) {
 
 MeshHandle MeshLike::value(const char* role) const {
   if (nb::isinstance<ArrayMesh>(object)) return nb::cast<MeshHandle>(object);
-  if (nb::isinstance<Solid>(object)) return mesh_of(ExactMeshView(nb::cast<const Solid&>(object).exact_mesh()), object);
+  if (nb::isinstance<Solid>(object)) {
+    const auto& solid = nb::cast<const Solid&>(object);
+    const NewMesh mesh = mesh_of(ExactMeshView(solid.exact_mesh()), object);
+    mesh->attributes = attributes_of(solid);
+    return mesh;
+  }
   if (nb::isinstance<Surface>(object))
     return mesh_of(ExactMeshView(nb::cast<const Surface&>(object).exact_mesh()), object);
   if (nb::isinstance<nb::tuple>(object) && nb::len(object) == 2) return mesh_of_arrays(object[0], object[1]);
-  if (nb::hasattr(object, "vertices")) {
+  if (const nb::object vertices = attribute(object, "vertices"); vertices.is_valid()) {
     // In this order: the triangles of trimesh are coordinates.
-    if (nb::hasattr(object, "faces")) return mesh_of_arrays(object.attr("vertices"), object.attr("faces"));
-    if (nb::hasattr(object, "triangles")) return mesh_of_arrays(object.attr("vertices"), object.attr("triangles"));
+    for (const char* name : {"faces", "triangles"})
+      if (const nb::object triangles = attribute(object, name); triangles.is_valid())
+        return mesh_of_arrays(vertices, triangles);
   }
   throw_type_error(std::string(role) +
                    ": expected a Mesh, a Solid, a pair (vertices, triangles), or an object with vertices and faces, "
@@ -204,7 +217,7 @@ MeshHandle MeshLike::value(const char* role) const {
 }
 
 MeshHandle points_of(nb::handle points, const char* role) {
-  if (nb::hasattr(points, "vertices")) return MeshLike{nb::borrow(points)}.value(role);
+  if (attribute(points, "vertices").is_valid()) return MeshLike{nb::borrow(points)}.value(role);
   auto mesh = std::make_shared<ArrayMesh>();
   set_vertices(*mesh, points, role);
   return mesh;

@@ -5,12 +5,14 @@
 #include <strata/combine.h>
 #include <strata/mesh.h>
 #include <strata/solid.h>
+#include <strata/unit.h>
 
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "attributes.h"
 #include "numbers.h"
 
 namespace strata::python {
@@ -21,11 +23,11 @@ struct ArrayMesh {
   nb::object vertices, triangles;  ///< arrays of Python; none where `owned` has them
   ExactMesh owned;
   MeshView view;  ///< of one or the other
+  AttributesHandle attributes;
+  Unit unit = Unit::none;
   std::vector<Source> sources;
   bool has_sources = false;
-  std::vector<Defect> notes;
-  std::optional<RoundingReport> rounding;
-  std::vector<std::pair<std::string, double>> seconds;
+  nb::object notes = nb::make_tuple(), file_notes = nb::make_tuple(), rounding = nb::none(), seconds = nb::dict();
 
   ArrayMesh() = default;
   ArrayMesh(const ArrayMesh&) = delete;
@@ -36,12 +38,20 @@ struct ArrayMesh {
 };
 
 using MeshHandle = std::shared_ptr<const ArrayMesh>;
+/// Of a mesh that is being made.
+using NewMesh = std::shared_ptr<ArrayMesh>;
 
 /// Of arrays of shapes (n, 3) and (m, 3), or of what NumPy makes such arrays of. Coordinates: floats of up to 64 bits,
 /// integers that are doubles, or objects that are numbers, which are taken exactly. Indices: integers. C-contiguous
 /// arrays of float64 and uint32 are looked at, others copied. Throws TypeError and ValueError that say what is wrong
 /// with which array.
-[[nodiscard]] MeshHandle mesh_of_arrays(nb::handle vertices, nb::handle triangles);
+[[nodiscard]] NewMesh mesh_of_arrays(nb::handle vertices, nb::handle triangles);
+
+/// Throws std::invalid_argument where they do not fit the mesh. Null: nothing.
+void set_attributes(ArrayMesh& mesh, AttributesHandle attributes);
+
+/// The solid that was made from a mesh, with what this carries.
+[[nodiscard]] Solid with_attributes_of(const ArrayMesh& mesh, Solid solid, const Options& options);
 
 /// A copy, which no other thread changes, for functions that read past arrays where indices are out of range. Throws
 /// InputError for these, and for coordinates that are not finite. O(n).
@@ -51,8 +61,8 @@ using MeshHandle = std::shared_ptr<const ArrayMesh>;
 std::uint32_t add_vertex(ExactMesh& mesh, RationalPoint position);
 
 /// A mesh that owns its arrays.
-[[nodiscard]] MeshHandle mesh_of(ExactMesh mesh);
-[[nodiscard]] MeshHandle mesh_of(BooleanResult result);
+[[nodiscard]] NewMesh mesh_of(ExactMesh mesh);
+[[nodiscard]] NewMesh mesh_of(BooleanResult result);
 
 /// Anything that is a mesh in Python: a Mesh, a Solid or a Surface of this package; a pair of arrays; an object with
 /// `vertices` and `triangles` or `faces`, such as those of trimesh.

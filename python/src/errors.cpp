@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <typeinfo>
 
+#include "text.h"
+
 namespace strata::python {
 
 namespace {
@@ -21,11 +23,6 @@ nb::tuple tuple_of(const T& values) {
   nb::list list;
   for (const auto& value : values) list.append(value);
   return nb::tuple(list);
-}
-
-/// A text, which may quote paths that are no UTF-8.
-nb::object text_of(std::string_view text) {
-  return nb::steal(PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape"));
 }
 
 nb::object record_of(const Defect& defect) {
@@ -48,12 +45,12 @@ void translate_own(const std::exception_ptr& exception) {
   } catch (const InputError& error) {
     raise("InputError", error.what(), strata::python::to_python(std::span(error.defects())), error.operand());
   } catch (const IoError& error) {
-    raise("FileError", text_of(error.what()), text_of(error.path()), error.line(), error.byte(),
-          text_of(error.reason()));
+    raise("FileError", decoded(error.what()), decoded(error.path()), error.line(), error.byte(),
+          decoded(error.reason()));
   } catch (const ParseError& error) {
-    raise("ParseError", text_of(error.what()), error.position());
+    raise("ParseError", decoded(error.what()), error.position());
   } catch (const CsgError& error) {
-    raise("FileError", text_of(error.what()), text_of(error.file()), error.line(), nb::none(), text_of(error.reason()));
+    raise("FileError", decoded(error.what()), decoded(error.file()), error.line(), nb::none(), decoded(error.reason()));
   } catch (const planar::UnboundedResult& error) {
     PyErr_SetString(PyExc_ValueError, error.what());
   } catch (const LogicError& error) {

@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "attributes.h"
 #include "module.h"
 #include "names.h"
 #include "run.h"
@@ -123,11 +124,14 @@ Fraction(7, 1)
           "The image under an affine map, as `Solid.transformed`. Maps of maps are multiplied before a vertex moves.")
       .def(
           "evaluate",
-          [](const Expression& e, unsigned threads, ProgressOption progress, std::optional<double> timeout) {
-            return run({threads, std::move(progress), timeout},
+          [](const Expression& e, const MaterialOption& cut_material, unsigned threads, ProgressOption progress,
+             std::optional<double> timeout) {
+            return run({threads, std::move(progress), timeout, cut_material.value("cut_material")},
                        [&](const Computation& c) { return e.evaluate(c.options()); });
           },
-          nb::kw_only(), STRATA_WATCH_ARGUMENTS, R"(The solid, in one arrangement.
+          nb::kw_only(), "cut_material"_a = nb::none(), STRATA_WATCH_ARGUMENTS, R"(The solid, in one arrangement.
+
+Attributes of the solids are carried; `cut_material` is for faces that come out turned over.
 
 Raises
 ------

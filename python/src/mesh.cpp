@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "arrays.h"
-#include "errors.h"
 #include "module.h"
+#include "names.h"
 
 namespace strata::python {
 
@@ -36,36 +36,64 @@ std::optional<IndexColumn> source_faces(const ArrayMesh& mesh) {
 }
 
 nb::object rounding_of(const ArrayMesh& mesh) {
-  if (!mesh.rounding) return nb::none();
-  nb::dict report;
-  report["rounds"] = mesh.rounding->rounds;
-  report["moved_vertices"] = mesh.rounding->moved_vertices;
-  report["largest_movement"] = mesh.rounding->largest_movement;
-  report["unit"] = mesh.rounding->unit;
-  report["far_vertices"] = mesh.rounding->far_vertices;
-  report["vanished_faces"] = mesh.rounding->vanished_faces;
-  return report;
-}
-
-nb::dict seconds_of(const ArrayMesh& mesh) {
-  nb::dict seconds;
-  for (const auto& [stage, time] : mesh.seconds) seconds[stage.c_str()] = time;
-  return seconds;
+  return mesh.rounding.is_none() ? mesh.rounding : mesh.rounding.attr("copy")();
 }
 
 std::string describe(const ArrayMesh& mesh) {
   std::string text = "Mesh(" + std::to_string(mesh.view.vertices.size()) + " vertices, " +
                      std::to_string(mesh.view.triangles.size()) + " triangles";
   if (!mesh.owned.exact.empty()) text += ", " + std::to_string(mesh.owned.exact.size()) + " vertices rational";
+  if (mesh.attributes) text += names_in(*mesh.attributes);
   return text + ")";
 }
+
+bool carry_the_same(const AttributesHandle& a, const AttributesHandle& b) { return a == b || (a && b && *a == *b); }
 
 bool are_equal(const ArrayMesh& a, const ArrayMesh& b) {
   return std::ranges::equal(a.view.vertices, b.view.vertices) &&
          std::ranges::equal(a.view.triangles, b.view.triangles) &&
-         std::ranges::equal(a.owned.exact, b.owned.exact, [](const ExactVertex& p, const ExactVertex& q) {
-           return p.vertex == q.vertex && p.position == q.position;
-         });
+         std::ranges::equal(a.owned.exact, b.owned.exact,
+                            [](const ExactVertex& p, const ExactVertex& q) {
+                              return p.vertex == q.vertex && p.position == q.position;
+                            }) &&
+         carry_the_same(a.attributes, b.attributes) && a.unit == b.unit;
+}
+
+MeshHandle made(const ArrayLike& vertices, const ArrayLike& triangles, const AttributesOption& attributes,
+                const UnitName& unit) {
+  const NewMesh mesh = mesh_of_arrays(vertices.object, triangles.object);
+  set_attributes(*mesh, attributes.value());
+  mesh->unit = unit.value();
+  return mesh;
+}
+
+nb::tuple reduce(const ArrayMesh& mesh) {
+  nb::dict rest;
+  rest["attributes"] = mesh.attributes;
+  rest["unit"] = name_of(mesh.unit);
+  rest["source_operands"] = source_operands(mesh);
+  rest["source_faces"] = source_faces(mesh);
+  rest["notes"] = mesh.notes;
+  rest["file_notes"] = mesh.file_notes;
+  rest["rounding"] = mesh.rounding;
+  rest["seconds"] = mesh.seconds;
+  const nb::object vertices = mesh.owned.exact.empty() ? vertices_of(mesh) : exact_rows(mesh.exact_view());
+  return nb::make_tuple(nb::module_::import_("strata_csg._pickle").attr("mesh"),
+                        nb::make_tuple(vertices, triangles_of(mesh), rest));
+}
+
+MeshHandle restored(nb::object vertices, nb::object triangles, const nb::dict& rest) {
+  const NewMesh mesh = mesh_of_arrays(vertices, triangles);
+  set_attributes(*mesh, AttributesOption{rest["attributes"]}.value());
+  mesh->unit = UnitName{rest["unit"]}.value();
+  const nb::object operands = rest["source_operands"];
+  mesh->has_sources = !operands.is_none();
+  if (mesh->has_sources) mesh->sources = sources_of(operands, nb::object(rest["source_faces"]));
+  mesh->notes = rest["notes"];
+  mesh->file_notes = rest["file_notes"];
+  mesh->rounding = rest["rounding"];
+  mesh->seconds = rest["seconds"];
+  return mesh;
 }
 
 }  // namespace
@@ -81,15 +109,20 @@ vertices : array_like, shape (n, 3)
     (int, Fraction, Decimal) is taken exactly, too.
 triangles : array_like of integers, shape (m, 3)
     Numbers of vertices, counter-clockwise seen from outside. C-contiguous uint32 is looked at, not copied.
+attributes : Attributes, optional
+    What the mesh carries: colours, texture coordinates, materials and so on.
+unit : str, optional
+    Of coordinates: "micron", "millimeter", "centimeter", "inch", "foot", "meter", or the short "um", "mm", "cm", "in",
+    "ft", "m". Nothing is converted.
 
 Raises
 ------
 TypeError, ValueError
-    For arrays of other types and shapes, and for negative indices.
+    For arrays of other types and shapes, for negative indices, and where attributes have another number of values.
 
 Notes
 -----
-Results of `boolean` are meshes, too, with the source of every triangle. Meshes are immutable, but arrays that are
+Meshes are equal where vertices, triangles, attributes and units are. Results of `boolean` are meshes, too, with the source of every triangle. Meshes are immutable, but arrays that are
 looked at are the caller's: nothing may write to them while a computation uses them.
 
 Examples
@@ -100,10 +133,8 @@ Mesh(4 vertices, 4 triangles)
 >>> Solid(mesh).volume
 Fraction(1, 6)
 )")
-      .def(nb::new_([](const ArrayLike& vertices, const ArrayLike& triangles) {
-             return mesh_of_arrays(vertices.object, triangles.object);
-           }),
-           "vertices"_a, "triangles"_a)
+      .def(nb::new_(&made), "vertices"_a, "triangles"_a, nb::kw_only(), "attributes"_a = nb::none(),
+           "unit"_a = nb::none())
       .def_prop_ro("vertices", vertices_of, nb::sig("def vertices(self) -> numpy.typing.NDArray[numpy.float64]"),
                    "Coordinates, shape (n, 3), rounded to the nearest doubles where they are not doubles.")
       .def_prop_ro("triangles", triangles_of, nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]"),
@@ -120,6 +151,12 @@ Fraction(1, 6)
               "def exact_parts(self) -> tuple[numpy.typing.NDArray[numpy.uint32], numpy.typing.NDArray[numpy.object_], "
               "numpy.typing.NDArray[numpy.object_]]"),
           "Of the vertices that are not three doubles: their numbers (k,), numerators and denominators (k, 3), ints.")
+      .def_prop_ro(
+          "attributes", [](const ArrayMesh& mesh) { return mesh.attributes; },
+          nb::sig("def attributes(self) -> Attributes | None"), "What the mesh carries; None where it is nothing.")
+      .def_prop_ro(
+          "unit", [](const ArrayMesh& mesh) { return name_of(mesh.unit); }, nb::sig("def unit(self) -> str | None"),
+          "Of coordinates, where somebody said one.")
       .def_prop_ro("source_operands", source_operands,
                    nb::sig("def source_operands(self) -> numpy.typing.NDArray[numpy.uint32] | None"),
                    "Per triangle of a result, the operand that it is part of, from 0. None for other meshes.")
@@ -127,12 +164,17 @@ Fraction(1, 6)
                    nb::sig("def source_faces(self) -> numpy.typing.NDArray[numpy.uint32] | None"),
                    "Per triangle of a result, the triangle of that operand that it is part of. None for other meshes.")
       .def_prop_ro(
-          "notes", [](const ArrayMesh& mesh) { return to_python(std::span(mesh.notes)); },
-          nb::sig("def notes(self) -> tuple[Defect, ...]"), "Of a result: what was resolved in operands on the way in.")
+          "notes", [](const ArrayMesh& mesh) { return mesh.notes; }, nb::sig("def notes(self) -> tuple[Defect, ...]"),
+          "Of a result: what was resolved in operands on the way in.")
+      .def_prop_ro(
+          "file_notes", [](const ArrayMesh& mesh) { return mesh.file_notes; },
+          nb::sig("def file_notes(self) -> tuple[str, ...]"),
+          "Of a mesh that was read: what was left out or decided, a sentence each.")
       .def_prop_ro("rounding", rounding_of, nb::sig("def rounding(self) -> dict[str, int | float] | None"),
                    "Of a rounded result: rounds, moved_vertices, largest_movement, unit, far_vertices, vanished_faces.")
-      .def_prop_ro("seconds", seconds_of, nb::sig("def seconds(self) -> dict[str, float]"),
-                   "Of a result: the time that each stage took.")
+      .def_prop_ro(
+          "seconds", [](const ArrayMesh& mesh) { return mesh.seconds.attr("copy")(); },
+          nb::sig("def seconds(self) -> dict[str, float]"), "Of a result: the time that each stage took.")
       .def("__repr__", describe)
       .def(
           "_repr_html_",
@@ -140,26 +182,10 @@ Fraction(1, 6)
           nb::sig("def _repr_html_(self) -> str"), "A viewer, for notebooks.")
       .def("__eq__", are_equal, nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
       .def("__hash__", [](const ArrayMesh& mesh) { return mesh.view.triangles.size(); })
-      .def(
-          "__reduce__",
-          [](const ArrayMesh& mesh) {
-            const nb::object vertices = mesh.owned.exact.empty() ? vertices_of(mesh) : exact_rows(mesh.exact_view());
-            return nb::make_tuple(
-                nb::module_::import_("strata_csg._pickle").attr("mesh"),
-                nb::make_tuple(vertices, triangles_of(mesh), source_operands(mesh), source_faces(mesh)));
-          },
-          nb::sig("def __reduce__(self) -> tuple[typing.Any, ...]"));
-  m.def(
-      "_mesh_of",
-      [](nb::object vertices, nb::object triangles, nb::object operands, nb::object faces) {
-        const MeshHandle mesh = mesh_of_arrays(vertices, triangles);
-        if (operands.is_none()) return mesh;
-        auto result = std::const_pointer_cast<ArrayMesh>(mesh);
-        result->sources = sources_of(operands, faces);
-        result->has_sources = true;
-        return mesh;
-      },
-      "vertices"_a, "triangles"_a, "operands"_a.none(), "faces"_a.none(), "What pickle calls for a Mesh.");
+      .def("__reduce__", reduce, nb::sig("def __reduce__(self) -> tuple[typing.Any, ...]"));
+  m.def("_mesh_of", restored, "vertices"_a, "triangles"_a, "rest"_a,
+        nb::sig("def _mesh_of(vertices: object, triangles: object, rest: dict[str, typing.Any]) -> Mesh"),
+        "What pickle calls for a Mesh.");
 }
 
 }  // namespace strata::python

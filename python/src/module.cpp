@@ -13,8 +13,12 @@ NB_MODULE(_native, m) {
   nanobind::set_leak_warnings(false);
   register_errors();
   watch_for_the_end();
+  bind_channel(m);
+  bind_attributes(m);
   bind_mesh(m);
   bind_solid(m);
+  bind_solid_copies(m);
+  bind_carry_attributes(m);
   bind_boolean(m);
   bind_check(m);
   bind_primitives(m);
@@ -29,8 +33,8 @@ NB_MODULE(_native, m) {
   bind_complex(m);
   bind_command_line(m);
   // Immutable values are their own copies.
-  for (const char* name : {"Mesh", "Surface", "Expression", "Workpiece", "Polygons", "SelectiveComplex", "Locator",
-                           "RayCaster", "Layers"}) {
+  for (const char* name : {"Attributes", "Channel", "Mesh", "Surface", "Expression", "Workpiece", "Polygons",
+                           "SelectiveComplex", "Locator", "RayCaster", "Layers"}) {
     const nanobind::object type = m.attr(name);
     nanobind::setattr(type, "__copy__",
                       nanobind::cpp_function([](nanobind::object self) { return self; }, nanobind::name("__copy__"),

@@ -4,8 +4,12 @@
 
 namespace strata::python {
 
+void bind_channel(nanobind::module_& m);
+void bind_attributes(nanobind::module_& m);
 void bind_mesh(nanobind::module_& m);
 void bind_solid(nanobind::module_& m);
+void bind_solid_copies(nanobind::module_& m);
+void bind_carry_attributes(nanobind::module_& m);
 void bind_boolean(nanobind::module_& m);
 void bind_check(nanobind::module_& m);
 void bind_primitives(nanobind::module_& m);

@@ -20,6 +20,42 @@ ClipTo ClipName::value() const {
   return named(object, "keep", all_clips, [](ClipTo c) { return name(c); });
 }
 
+Element ElementName::value() const {
+  return named(object, "element", std::array{Element::vertex, Element::corner, Element::face},
+               [](Element e) { return name_of(e); });
+}
+Interpolation InterpolationName::value() const {
+  using enum Interpolation;
+  return named(object, "interpolation", std::array{linear, spherical, nearest},
+               [](Interpolation i) { return name_of(i); });
+}
+CutFaces CutFacesName::value() const {
+  return named(object, "cut_faces", std::array{CutFaces::turned, CutFaces::of_later_operands},
+               [](CutFaces f) { return f == CutFaces::turned ? "turned" : "of-later-operands"; });
+}
+Unit UnitName::value() const {
+  if (object.is_none()) return Unit::none;
+  std::string text;
+  if (nb::try_cast(object, text))
+    if (const auto unit = unit_named(text)) return *unit;
+  using enum Unit;
+  return named(object, "unit", std::array{micron, millimeter, centimeter, inch, foot, meter},
+               [](Unit u) { return std::string(name(u)); });
+}
+
+const char* name_of(Element element) {
+  constexpr std::array names{"vertex", "corner", "face"};
+  return names[static_cast<std::size_t>(element)];
+}
+const char* name_of(Interpolation interpolation) {
+  constexpr std::array names{"linear", "spherical", "nearest"};
+  return names[static_cast<std::size_t>(interpolation)];
+}
+nb::object name_of(Unit unit) {
+  if (unit == Unit::none) return nb::none();
+  return nb::cast(std::string(name(unit)));
+}
+
 std::optional<CoordinateGrid> Grid::value() const {
   if (object.is_none()) return std::nullopt;
   if (!nb::isinstance<nb::str>(object)) {

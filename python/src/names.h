@@ -2,11 +2,14 @@
 /// Values of enumerations, planes and grids as arguments from Python.
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
+#include <strata/attributes.h>
+#include <strata/carry_attributes.h>
 #include <strata/convex.h>
 #include <strata/options.h>
 #include <strata/plane.h>
 #include <strata/solid.h>
 #include <strata/surface.h>
+#include <strata/unit.h>
 
 #include <array>
 #include <optional>
@@ -50,6 +53,28 @@ struct ClipName {
   nb::object object;
   [[nodiscard]] ClipTo value() const;
 };
+struct ElementName {
+  nb::object object;
+  [[nodiscard]] Element value() const;
+};
+struct InterpolationName {
+  nb::object object = nb::none();
+  [[nodiscard]] Interpolation value() const;
+};
+struct CutFacesName {
+  nb::object object;
+  [[nodiscard]] CutFaces value() const;
+};
+/// Also None, which is `none`, and the short names.
+struct UnitName {
+  nb::object object = nb::none();
+  [[nodiscard]] Unit value() const;
+};
+
+[[nodiscard]] const char* name_of(Element element);
+[[nodiscard]] const char* name_of(Interpolation interpolation);
+/// None for `none`.
+[[nodiscard]] nb::object name_of(Unit unit);
 
 /// None, "float64", "float32", or a step.
 struct Grid {
@@ -86,6 +111,10 @@ STRATA_ARGUMENT(strata::python::OperationName, "Operation");
 STRATA_ARGUMENT(strata::python::InputName, "InputClass");
 STRATA_ARGUMENT(strata::python::InsideName, "typing.Literal['winding', 'even-odd', 'outer']");
 STRATA_ARGUMENT(strata::python::ClipName, "typing.Literal['inside', 'outside', 'on']");
+STRATA_ARGUMENT(strata::python::ElementName, "Element");
+STRATA_ARGUMENT(strata::python::InterpolationName, "Interpolation | None");
+STRATA_ARGUMENT(strata::python::CutFacesName, "typing.Literal['turned', 'of-later-operands']");
+STRATA_ARGUMENT(strata::python::UnitName, "str");
 STRATA_ARGUMENT(strata::python::Grid, "Number | str | None");
 STRATA_ARGUMENT(strata::python::PlanePair, "PlaneLike");
 STRATA_ARGUMENT(strata::python::Matrix, "MatrixLike");

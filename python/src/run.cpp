@@ -185,8 +185,9 @@ void watch_for_the_end() {
 }
 
 struct Computation::State {
-  explicit State(const Watch& watch) : signals(token) {
+  explicit State(const Watch& watch) : cut_material(watch.cut_material), signals(token) {
     options.threads = watch.threads;
+    if (cut_material) options.cut_material = &*cut_material;
     options.cancel = &token;
     options.progress = progress_of(watch.progress.object);
     if (!watch.timeout) return;
@@ -195,6 +196,7 @@ struct Computation::State {
   }
 
   CancelToken token;
+  std::optional<Material> cut_material;
   Options options;
   SignalGuard signals;
   std::optional<Deadline> deadline;

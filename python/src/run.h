@@ -2,6 +2,7 @@
 /// How a long computation is run from Python: without the interpreter's lock, watched, and stopped by signals.
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/optional.h>
+#include <strata/attributes.h>
 #include <strata/function.h>
 #include <strata/monitor.h>
 #include <strata/options.h>
@@ -23,11 +24,12 @@ struct ProgressOption {
   nb::object object = nb::none();
 };
 
-/// The keyword arguments `threads`, `progress` and `timeout` of every long computation.
+/// The keyword arguments `threads`, `progress` and `timeout` of every long computation, and `cut_material` of some.
 struct Watch {
   unsigned threads = 0;
   ProgressOption progress;
   std::optional<double> timeout;
+  std::optional<Material> cut_material = {};
 };
 
 /// While it lives, the interpreter's lock is released. Once the interpreter ends, other threads than its own must not

@@ -3,6 +3,7 @@
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
+#include <strata/carry_attributes.h>
 #include <strata/expression.h>
 #include <strata/measure.h>
 #include <strata/primitives.h>
@@ -31,7 +32,7 @@ Solid solid_of(const MeshLike& argument, const InputName& input, std::optional<s
     Options options = computation.options();
     options.input = expected;
     options.most_hole_edges = most_hole_edges.value_or(std::numeric_limits<std::size_t>::max());
-    return Solid(mesh->copy(), options);
+    return with_attributes_of(*mesh, Solid(mesh->copy(), options), options);
   });
 }
 
@@ -41,7 +42,7 @@ std::string describe(const Solid& solid) {
                      std::to_string(solid.mesh().triangles.size()) + " triangles";
   const std::size_t rationals = solid.exact_mesh().exact.size();
   if (rationals != 0) text += ", " + std::to_string(rationals) + " vertices rational";
-  return text + ")";
+  return text + names_in(solid.attributes()) + ")";
 }
 
 Solid combined(Operation operation, const Solid& a, const Solid& b) {
@@ -60,62 +61,27 @@ nb::object bounds_of(const Solid& solid) {
 MeshHandle rounded(const Solid& solid, const Grid& to, unsigned threads, ProgressOption progress,
                    std::optional<double> timeout) {
   const CoordinateGrid grid = to.value().value_or(CoordinateGrid{});
-  RoundedMesh result = run({threads, std::move(progress), timeout}, [&](const Computation& computation) {
-    return round_to_solid(solid.exact_mesh(), grid, computation.options());
-  });
-  BooleanResult mesh;
-  mesh.mesh = std::move(result.mesh);
-  for (const std::uint32_t face : result.source_face) mesh.sources.push_back(solid.sources()[face]);
-  mesh.rounding = result.report;
-  return mesh_of(std::move(mesh));
+  return mesh_of(run({threads, std::move(progress), timeout}, [&](const Computation& computation) {
+    RoundedMesh rounded = round_to_solid(solid.exact_mesh(), grid, computation.options());
+    BooleanResult result;
+    const AttributedMesh exact{solid.exact_mesh(), &solid.attributes()};
+    if (!solid.attributes().empty()) result.attributes = carry_attributes(exact, rounded, grid, computation.options());
+    result.mesh = std::move(rounded.mesh);
+    for (const std::uint32_t face : rounded.source_face) result.sources.push_back(solid.sources()[face]);
+    result.rounding = rounded.report;
+    return result;
+  }));
 }
 
-/// Positions that are no doubles, as one text: what pickle keeps of them.
-std::string text_of(std::span<const ExactVertex> exact) {
-  std::string text;
-  for (const ExactVertex& vertex : exact) {
-    text += std::to_string(vertex.vertex);
-    for (const Rational& x : vertex.position) text += ' ' + x.str();
-    text += '\n';
-  }
-  return text;
+Solid trusted(const MeshLike& argument) {
+  const MeshHandle mesh = copy_of(argument.value());
+  const Solid solid = Solid::trusted(mesh->owned);
+  return mesh->attributes ? solid.with_attributes(*mesh->attributes) : solid;
 }
 
-std::vector<ExactVertex> exact_of(std::string_view text) {
-  std::vector<ExactVertex> exact;
-  const auto next = [&text] {
-    const std::size_t end = text.find_first_of(" \n");
-    if (end == std::string_view::npos) throw std::invalid_argument("the pickled solid is incomplete");
-    const std::string_view word = text.substr(0, end);
-    text.remove_prefix(end + 1);
-    return word;
-  };
-  while (!text.empty()) {
-    ExactVertex vertex;
-    vertex.vertex = static_cast<std::uint32_t>(Integer(next()).to_int64());
-    for (Rational& x : vertex.position) x = Rational(next());
-    exact.push_back(std::move(vertex));
-  }
-  return exact;
-}
-
-nb::tuple reduce(const Solid& solid) {
-  const nb::object owner = nb::find(solid);
-  return nb::make_tuple(nb::module_::import_("strata_csg._pickle").attr("solid"),
-                        nb::make_tuple(rows_of(solid.mesh().vertices, owner), rows_of(solid.mesh().triangles, owner),
-                                       text_of(solid.exact_mesh().exact), operands_of(solid.sources(), owner),
-                                       faces_of(solid.sources(), owner)));
-}
-
-Solid restored(nb::object vertices, nb::object triangles, const std::string& exact, nb::object operands,
-               nb::object faces) {
-  ExactMesh mesh = mesh_of_arrays(vertices, triangles)->copy();
-  mesh.exact = exact_of(exact);
-  const MeshHandle held = copy_of(mesh_of(std::move(mesh)));
-  std::vector<Source> sources = sources_of(operands, faces);
-  if (sources.size() != held->view.triangles.size())
-    throw std::invalid_argument("the pickled solid has not as many sources as triangles");
-  return Solid::trusted(held->owned, std::move(sources));
+Solid with_attributes(const Solid& solid, const AttributesOption& attributes) {
+  const AttributesHandle carried = attributes.value();
+  return solid.with_attributes(carried ? *carried : Attributes());
 }
 
 void bind_measures(nb::class_<Solid>& type) {
@@ -141,6 +107,10 @@ void bind_measures(nb::class_<Solid>& type) {
               "def exact_parts(self) -> tuple[numpy.typing.NDArray[numpy.uint32], numpy.typing.NDArray[numpy.object_], "
               "numpy.typing.NDArray[numpy.object_]]"),
           "Of the vertices that are not three doubles: their numbers (k,), numerators and denominators (k, 3), ints.")
+      .def_prop_ro(
+          "attributes", [](const Solid& s) { return attributes_of(s); },
+          nb::sig("def attributes(self) -> Attributes | None"),
+          "What the boundary carries, per vertex, corner and triangle; None where it is nothing.")
       .def_prop_ro(
           "source_operands", [](const Solid& s) { return operands_of(s.sources(), nb::find(s)); },
           nb::sig("def source_operands(self) -> numpy.typing.NDArray[numpy.uint32]"),
@@ -275,20 +245,25 @@ Fraction(1, 1)
 void bind_parts(nb::class_<Solid>& type) {
   type.def(
           "split",
-          [](const Solid& s, const PlanePair& plane, unsigned threads, ProgressOption progress,
-             std::optional<double> timeout) {
+          [](const Solid& s, const PlanePair& plane, const MaterialOption& cut_material, unsigned threads,
+             ProgressOption progress, std::optional<double> timeout) {
             const Plane p = plane.value();
-            const Solid::Halves halves = run({threads, std::move(progress), timeout},
-                                             [&](const Computation& c) { return s.split(p, c.options()); });
+            const Solid::Halves halves =
+                run({threads, std::move(progress), timeout, cut_material.value("cut_material")},
+                    [&](const Computation& c) { return s.split(p, c.options()); });
             return std::pair(halves.behind, halves.in_front);
           },
-          "plane"_a, nb::kw_only(), STRATA_WATCH_ARGUMENTS,
+          "plane"_a, nb::kw_only(), "cut_material"_a = nb::none(), STRATA_WATCH_ARGUMENTS,
           R"(What is behind a plane, and what is in front of it. Exact: volumes add up.
 
 Parameters
 ----------
 plane : (normal, offset)
     The points p with normal . p = offset; three numbers and one.
+cut_material : Material, optional
+    What the faces in the plane are made of; see `union`.
+threads, progress, timeout
+    As for Solid.
 
 Returns
 -------
@@ -364,11 +339,15 @@ void bind_solid(nb::module_& m) {
 
 Operations are exact: vertices are doubles or, where operations made them, fractions. `|` is union, `&` intersection,
 `-` difference, `^` symmetric difference; `~` is the complement, an Expression. Solids are equal when they are the same
-set of points, however they are triangulated, and may be keys of dictionaries.
+set of points, however they are triangulated and whatever they carry, and may be keys of dictionaries.
+
+What meshes carry, such as colours and materials, goes through all operations: `attributes`. Of coincident faces the
+first operand speaks; faces that a cut makes belong to the operand that cut, or are of a material of their own.
 
 Parameters
 ----------
 mesh : Mesh, pair of arrays, or an object with `vertices` and `faces`, as of trimesh; without: the empty solid
+    Attributes of a Mesh are carried; its unit is not.
 input : {"automatic", "solid", "overlapping", "repair", "soup"}
     What is expected of the mesh. "automatic": closed; what crosses itself is resolved, which `notes` say. "solid": the
     caller's promise that nothing crosses itself. "overlapping": inside is where the winding number is positive.
@@ -402,9 +381,8 @@ Fraction(37, 6)
           },
           "mesh"_a, nb::kw_only(), "input"_a = nb::str("automatic"), "most_hole_edges"_a = nb::none(),
           STRATA_WATCH_ARGUMENTS)
-      .def_static(
-          "trusted", [](const MeshLike& mesh) { return Solid::trusted(copy_of(mesh.value())->owned); }, "mesh"_a,
-          R"(Of a mesh that is known to bound a solid, such as a result: nothing is checked.
+      .def_static("trusted", trusted, "mesh"_a,
+                  R"(Of a mesh that is known to bound a solid, such as a result: nothing is checked.
 
 Results are unspecified where it does not bound one.
 
@@ -432,10 +410,6 @@ True
            [](const Solid& s) { return static_cast<std::int64_t>(run([&] { return s.canonical().hash(); }) >> 2); })
       .def("__bool__", [](const Solid& s) { return !s.is_empty(); })
       .def("__repr__", describe)
-      .def("__copy__", [](const Solid& s) { return s; })
-      .def(
-          "__deepcopy__", [](const Solid& s, nb::object) { return s; }, "memo"_a)
-      .def("__reduce__", reduce, nb::sig("def __reduce__(self) -> tuple[typing.Any, ...]"))
       .def_static(
           "from_trimesh",
           [](nb::object mesh, nb::kwargs options) {
@@ -451,11 +425,24 @@ True
           "_repr_html_",
           [](nb::object solid) { return nb::module_::import_("strata_csg._notebook").attr("html_of")(solid); },
           nb::sig("def _repr_html_(self) -> str"), "The solid in a viewer, for notebooks.");
+  type.def("with_attributes", with_attributes, "attributes"_a.none(),
+           R"(The same solid with these attributes in place of its own; None for nothing.
+
+Raises
+------
+ValueError
+    Where they do not fit the boundary, with the name of the channel.
+
+Examples
+--------
+>>> block = box((0, 0, 0), (2, 2, 2)).with_attributes(Attributes(face={"side": range(12)}))
+>>> part = block - box((1, 1, 1), (3, 3, 3))
+>>> int(part.attributes["side"].max())
+11
+)");
   bind_measures(type);
   bind_maps(type);
   bind_parts(type);
-  m.def("_solid_of", restored, "vertices"_a, "triangles"_a, "exact"_a, "operands"_a, "faces"_a,
-        "What pickle calls for a Solid.");
 }
 
 }  // namespace strata::python

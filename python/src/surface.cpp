@@ -42,10 +42,10 @@ Surface clipped(const MeshLike& surface, const Solid& solid, const ClipName& kee
              [&](const Computation& c) { return clip(whole, solid, part, c.options()); });
 }
 
-std::vector<Solid> pieces_of(const Solid& solid, const MeshList& surfaces, unsigned threads, ProgressOption progress,
-                             std::optional<double> timeout) {
+std::vector<Solid> pieces_of(const Solid& solid, const MeshList& surfaces, const MaterialOption& cut_material,
+                             unsigned threads, ProgressOption progress, std::optional<double> timeout) {
   const std::vector<Surface> dividing = surfaces_of(surfaces);
-  return run({threads, std::move(progress), timeout},
+  return run({threads, std::move(progress), timeout, cut_material.value("cut_material")},
              [&](const Computation& c) { return split(solid, dividing, c.options()); });
 }
 
@@ -152,7 +152,8 @@ Examples
 >>> clip(sheet, box((0, 0, 0), (1, 1, 1))).area
 1.0
 )");
-  m.def("split", pieces_of, "solid"_a, "surfaces"_a, nb::kw_only(), STRATA_WATCH_ARGUMENTS,
+  m.def("split", pieces_of, "solid"_a, "surfaces"_a, nb::kw_only(), "cut_material"_a = nb::none(),
+        STRATA_WATCH_ARGUMENTS,
         R"(The pieces into which surfaces divide a solid. Exact: they unite to the solid, and volumes add up.
 
 Parameters
@@ -160,6 +161,8 @@ Parameters
 solid : Solid
 surfaces : iterable of Surface or mesh
     Those that end inside the solid do not divide it there.
+cut_material : Material, optional
+    What the faces are made of that the surfaces cut.
 threads, progress, timeout
     As for Solid.
 

@@ -58,7 +58,7 @@ number of them and this solid together.
           "tool"_a, "Without a tool: one step of machining.")
       .def_prop_ro(
           "solid", [](const IncrementalSolid& w) { return run([&] { return w.solid(); }); },
-          "The solid, with exact vertices. O(n).")
+          "The solid, with exact vertices and the attributes of what it was made of. O(n).")
       .def_prop_ro("nearest_volume", &IncrementalSolid::volume,
                    "The volume to a few units in the last place, unless nearly all of the solid cancels. O(1).")
       .def_prop_ro("triangle_count", &IncrementalSolid::triangle_count, "How many triangles the boundary has.")

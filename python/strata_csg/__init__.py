@@ -12,8 +12,11 @@ thousands of operations. Volumes and coordinates of results are fractions where 
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from strata_csg._attributes import Image, Material
 from strata_csg._errors import Defect, FileError, InputError, InternalError, ParseError
 from strata_csg._native import (
+    Attributes,
+    Channel,
     Expression,
     Layers,
     Locator,
@@ -26,6 +29,7 @@ from strata_csg._native import (
     Workpiece,
     boolean,
     box,
+    carry_attributes,
     cells_of,
     check,
     clip,
@@ -37,6 +41,7 @@ from strata_csg._native import (
     difference,
     distance,
     erosion,
+    formats,
     imprint,
     intersection,
     layers,
@@ -67,10 +72,13 @@ if TYPE_CHECKING:
 
 __all__ = [
     "__version__",
+    "Attributes",
     "batch",
     "boolean",
     "box",
+    "carry_attributes",
     "cells_of",
+    "Channel",
     "check",
     "clip",
     "cone",
@@ -84,6 +92,8 @@ __all__ = [
     "erosion",
     "Expression",
     "FileError",
+    "formats",
+    "Image",
     "imprint",
     "InputError",
     "InternalError",
@@ -91,6 +101,7 @@ __all__ = [
     "layers",
     "Layers",
     "Locator",
+    "Material",
     "measure",
     "Mesh",
     "minkowski_sum",

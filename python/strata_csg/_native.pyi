@@ -1,6 +1,6 @@
 """Exact Booleans of solids: the functions beneath strata_csg."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 import fractions
 import os
 from typing import Any, Literal, overload
@@ -8,9 +8,12 @@ from typing import Any, Literal, overload
 import numpy
 import numpy.typing
 
+from strata_csg._attributes import Image, Material
 from strata_csg._errors import Defect
 from strata_csg._types import (
+    Element,
     InputClass,
+    Interpolation,
     MatrixLike,
     MeshLike,
     Number,
@@ -24,6 +27,200 @@ from strata_csg._types import (
 
 version: str = '0.1.0'
 
+class Channel:
+    """
+    Named values on all vertices, corners or faces of a mesh. Immutable.
+
+    A corner is a vertex of one triangle: corner 3 t + k is the k-th of triangle t, so that neighbours may differ, as at the
+    seams of a texture.
+
+    Parameters
+    ----------
+    name : str
+        "normal", "texcoord", "color", "material", "object" and "group" are names that files know; others are free.
+    values : array_like, shape (n,) or (n, k), k from 1 to 4
+        Copied: float32, float64, uint8, or integers that fit int32, which is what they become. float16 becomes float32.
+    element : {"vertex", "corner", "face"}
+        What the values belong to, in the order of vertices or triangles.
+    interpolation : {"linear", "spherical", "nearest"}, optional
+        How a value within a face follows from those at its corners: by barycentric coordinates; the same, scaled to length
+        1, for directions; that of the nearest corner, for identifiers. Without: "nearest" for integers, "spherical" for
+        three floats with the name "normal", else "linear".
+
+    Raises
+    ------
+    TypeError, ValueError
+        With the name of the channel: for other types and shapes, numbers beyond 32 bits, another element or interpolation
+        than those above, integers that are not "nearest", bytes that are "spherical".
+
+    Examples
+    --------
+    >>> channel = Channel("temperature", [20.0, 25.0, 22.5])
+    >>> channel
+    Channel('temperature', (3,) float64 per vertex, linear)
+    >>> channel.values.tolist()
+    [20.0, 25.0, 22.5]
+    """
+
+    def __init__(self, name: str, values: numpy.typing.ArrayLike, element: Element = 'vertex', interpolation: Interpolation | None = None) -> None: ...
+
+    @property
+    def name(self) -> str:
+        """The name by which attributes find it."""
+
+    @property
+    def values(self) -> numpy.typing.NDArray[Any]:
+        """Shape (n,) for one component, else (n, k). Read-only."""
+
+    @property
+    def element(self) -> Element:
+        """What the values belong to."""
+
+    @property
+    def interpolation(self) -> Interpolation:
+        """How values between corners follow from theirs."""
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __hash__(self) -> int: ...
+
+    def __repr__(self) -> str: ...
+
+    def __reduce__(self) -> tuple[Any, ...]: ...
+
+    def __copy__(self) -> object: ...
+
+    def __deepcopy__(self, memo: object) -> object: ...
+
+class Attributes:
+    """
+    What a mesh carries beside its shape: channels of numbers, materials, images and names.
+
+    Like a mapping of names of channels to arrays: ``attributes["color"]``. Immutable: arrays are read-only, and own their
+    memory. Equal where everything is, in the same order.
+
+    Parameters
+    ----------
+    channels : iterable of Channel
+    vertex, corner, face : mapping of str to array_like, optional
+        More channels, on these elements, with the usual interpolation; see Channel.
+    materials : iterable of Material
+        What the integers of a channel "material" on faces refer to; -1 is none.
+    images : iterable of Image
+        What materials refer to.
+    objects, groups : iterable of str
+        Names that the channels "object" and "group" on faces refer to, in the same way.
+
+    Raises
+    ------
+    TypeError, ValueError
+        With the name of the channel: where two have one name, where numbers of elements disagree, for an index beyond its
+        list, and for what Channel refuses.
+
+    Examples
+    --------
+    >>> attributes = Attributes(
+    ...     vertex={"temperature": [20.0, 25.0, 22.5, 21.0]},
+    ...     face={"material": [0, 0, 1, -1]},
+    ...     materials=[Material("steel", metallic=1), Material("paint", color=(0.8, 0, 0))],
+    ... )
+    >>> attributes
+    Attributes(temperature: (4,) float64 per vertex, material: (4,) int32 per face, 2 materials)
+    >>> attributes["material"].tolist(), attributes.materials[1].name
+    ([0, 0, 1, -1], 'paint')
+    >>> tetrahedron_of = Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+    ...                       attributes=attributes)
+    >>> part = Solid(tetrahedron_of) - box((0, 0, 0), (1, 1, 0.5))
+    >>> sorted(set(part.attributes["material"].tolist()))
+    [-1, 0, 1]
+    """
+
+    def __init__(self, channels: Iterable[Channel] = (), *, vertex: Mapping[str, numpy.typing.ArrayLike] | None = None, corner: Mapping[str, numpy.typing.ArrayLike] | None = None, face: Mapping[str, numpy.typing.ArrayLike] | None = None, materials: Iterable[Material] = (), images: Iterable[Image] = (), objects: Iterable[str] = (), groups: Iterable[str] = ()) -> None: ...
+
+    def with_channels(self, *channels: Channel) -> Attributes:
+        """
+        The same with more channels; one of a name that there is already takes its place.
+
+        Examples
+        --------
+        >>> Attributes(face={"id": [0, 1]}).with_channels(Channel("id", [5, 6], "face"), Channel("heat", [0.5, 1.5], "face"))
+        Attributes(id: (2,) int32 per face, heat: (2,) float64 per face)
+        """
+
+    def only(self, names: Iterable[str]) -> Attributes:
+        """
+        The channels with these names, and the lists that they refer to.
+
+        Examples
+        --------
+        >>> Attributes(face={"id": [0, 1], "heat": [0.5, 1.5]}).only(["heat"])
+        Attributes(heat: (2,) float64 per face)
+        """
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __hash__(self) -> int: ...
+
+    def __repr__(self) -> str: ...
+
+    def __reduce__(self) -> tuple[Any, ...]: ...
+
+    @property
+    def channels(self) -> tuple[Channel, ...]:
+        """All channels in their order, with element and interpolation."""
+
+    @property
+    def vertex(self) -> dict[str, numpy.typing.NDArray[Any]]:
+        """The arrays of the channels on vertices, by name."""
+
+    @property
+    def corner(self) -> dict[str, numpy.typing.NDArray[Any]]:
+        """
+        The arrays of the channels on corners, by name: three values per triangle.
+        """
+
+    @property
+    def face(self) -> dict[str, numpy.typing.NDArray[Any]]:
+        """The arrays of the channels on faces, by name."""
+
+    @property
+    def materials(self) -> tuple[Material, ...]:
+        """What the channel "material" refers to."""
+
+    @property
+    def images(self) -> tuple[Image, ...]:
+        """What materials refer to. O(bytes)."""
+
+    @property
+    def objects(self) -> tuple[str, ...]:
+        """Names, which the channel "object" refers to."""
+
+    @property
+    def groups(self) -> tuple[str, ...]:
+        """Names, which the channel "group" refers to."""
+
+    def __getitem__(self, name: str, /) -> numpy.typing.NDArray[Any]: ...
+
+    def __contains__(self, name: object, /) -> bool: ...
+
+    def __iter__(self) -> Iterator[str]: ...
+
+    def __len__(self) -> int: ...
+
+    def __bool__(self) -> bool: ...
+
+    def keys(self) -> list[str]:
+        """The names of the channels in their order."""
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """
+        The values of a channel, or the default where there is none of that name.
+        """
+
+    def __copy__(self) -> object: ...
+
+    def __deepcopy__(self, memo: object) -> object: ...
+
 class Mesh:
     """
     A triangle mesh: arrays of vertices and of triangles. No invariant, nothing checked.
@@ -35,15 +232,20 @@ class Mesh:
         (int, Fraction, Decimal) is taken exactly, too.
     triangles : array_like of integers, shape (m, 3)
         Numbers of vertices, counter-clockwise seen from outside. C-contiguous uint32 is looked at, not copied.
+    attributes : Attributes, optional
+        What the mesh carries: colours, texture coordinates, materials and so on.
+    unit : str, optional
+        Of coordinates: "micron", "millimeter", "centimeter", "inch", "foot", "meter", or the short "um", "mm", "cm", "in",
+        "ft", "m". Nothing is converted.
 
     Raises
     ------
     TypeError, ValueError
-        For arrays of other types and shapes, and for negative indices.
+        For arrays of other types and shapes, for negative indices, and where attributes have another number of values.
 
     Notes
     -----
-    Results of `boolean` are meshes, too, with the source of every triangle. Meshes are immutable, but arrays that are
+    Meshes are equal where vertices, triangles, attributes and units are. Results of `boolean` are meshes, too, with the source of every triangle. Meshes are immutable, but arrays that are
     looked at are the caller's: nothing may write to them while a computation uses them.
 
     Examples
@@ -55,7 +257,7 @@ class Mesh:
     Fraction(1, 6)
     """
 
-    def __init__(self, vertices: numpy.typing.ArrayLike, triangles: numpy.typing.ArrayLike) -> None: ...
+    def __init__(self, vertices: numpy.typing.ArrayLike, triangles: numpy.typing.ArrayLike, *, attributes: Attributes | None = None, unit: str | None = None) -> None: ...
 
     @property
     def vertices(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -84,6 +286,14 @@ class Mesh:
         """
 
     @property
+    def attributes(self) -> Attributes | None:
+        """What the mesh carries; None where it is nothing."""
+
+    @property
+    def unit(self) -> str | None:
+        """Of coordinates, where somebody said one."""
+
+    @property
     def source_operands(self) -> numpy.typing.NDArray[numpy.uint32] | None:
         """
         Per triangle of a result, the operand that it is part of, from 0. None for other meshes.
@@ -98,6 +308,12 @@ class Mesh:
     @property
     def notes(self) -> tuple[Defect, ...]:
         """Of a result: what was resolved in operands on the way in."""
+
+    @property
+    def file_notes(self) -> tuple[str, ...]:
+        """
+        Of a mesh that was read: what was left out or decided, a sentence each.
+        """
 
     @property
     def rounding(self) -> dict[str, int | float] | None:
@@ -124,7 +340,7 @@ class Mesh:
 
     def __deepcopy__(self, memo: object) -> object: ...
 
-def _mesh_of(vertices: object, triangles: object, operands: object | None, faces: object | None) -> Mesh:
+def _mesh_of(vertices: object, triangles: object, rest: dict[str, Any]) -> Mesh:
     """What pickle calls for a Mesh."""
 
 class Solid:
@@ -133,11 +349,15 @@ class Solid:
 
     Operations are exact: vertices are doubles or, where operations made them, fractions. `|` is union, `&` intersection,
     `-` difference, `^` symmetric difference; `~` is the complement, an Expression. Solids are equal when they are the same
-    set of points, however they are triangulated, and may be keys of dictionaries.
+    set of points, however they are triangulated and whatever they carry, and may be keys of dictionaries.
+
+    What meshes carry, such as colours and materials, goes through all operations: `attributes`. Of coincident faces the
+    first operand speaks; faces that a cut makes belong to the operand that cut, or are of a material of their own.
 
     Parameters
     ----------
     mesh : Mesh, pair of arrays, or an object with `vertices` and `faces`, as of trimesh; without: the empty solid
+        Attributes of a Mesh are carried; its unit is not.
     input : {"automatic", "solid", "overlapping", "repair", "soup"}
         What is expected of the mesh. "automatic": closed; what crosses itself is resolved, which `notes` say. "solid": the
         caller's promise that nothing crosses itself. "overlapping": inside is where the winding number is positive.
@@ -199,12 +419,6 @@ class Solid:
 
     def __repr__(self) -> str: ...
 
-    def __copy__(self) -> Solid: ...
-
-    def __deepcopy__(self, memo: object) -> Solid: ...
-
-    def __reduce__(self) -> tuple[Any, ...]: ...
-
     @staticmethod
     def from_trimesh(mesh: object, **options: object) -> Solid:
         """The solid that a trimesh.Trimesh bounds; options are those of Solid."""
@@ -214,6 +428,23 @@ class Solid:
 
     def _repr_html_(self) -> str:
         """The solid in a viewer, for notebooks."""
+
+    def with_attributes(self, attributes: Attributes | None) -> Solid:
+        """
+        The same solid with these attributes in place of its own; None for nothing.
+
+        Raises
+        ------
+        ValueError
+            Where they do not fit the boundary, with the name of the channel.
+
+        Examples
+        --------
+        >>> block = box((0, 0, 0), (2, 2, 2)).with_attributes(Attributes(face={"side": range(12)}))
+        >>> part = block - box((1, 1, 1), (3, 3, 3))
+        >>> int(part.attributes["side"].max())
+        11
+        """
 
     @property
     def vertices(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -241,6 +472,12 @@ class Solid:
     def exact_parts(self) -> tuple[numpy.typing.NDArray[numpy.uint32], numpy.typing.NDArray[numpy.object_], numpy.typing.NDArray[numpy.object_]]:
         """
         Of the vertices that are not three doubles: their numbers (k,), numerators and denominators (k, 3), ints.
+        """
+
+    @property
+    def attributes(self) -> Attributes | None:
+        """
+        What the boundary carries, per vertex, corner and triangle; None where it is nothing.
         """
 
     @property
@@ -364,7 +601,7 @@ class Solid:
         Fraction(1, 1)
         """
 
-    def split(self, plane: PlaneLike, *, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> tuple[Solid, Solid]:
+    def split(self, plane: PlaneLike, *, cut_material: Material | None = None, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> tuple[Solid, Solid]:
         """
         What is behind a plane, and what is in front of it. Exact: volumes add up.
 
@@ -372,6 +609,10 @@ class Solid:
         ----------
         plane : (normal, offset)
             The points p with normal . p = offset; three numbers and one.
+        cut_material : Material, optional
+            What the faces in the plane are made of; see `union`.
+        threads, progress, timeout
+            As for Solid.
 
         Returns
         -------
@@ -439,12 +680,64 @@ class Solid:
         0.3333333432674408
         """
 
+    def __copy__(self) -> Solid: ...
+
+    def __deepcopy__(self, memo: object) -> Solid: ...
+
+    def __reduce__(self) -> tuple[Any, ...]: ...
+
     def __invert__(self) -> Expression: ...
 
-def _solid_of(vertices: object, triangles: object, exact: str, operands: object, faces: object) -> Solid:
+def _solid_of(type: type, vertices: object, triangles: object, exact: str, operands: object, faces: object, attributes: Attributes | None) -> object:
     """What pickle calls for a Solid."""
 
-def boolean(operation: Operation, meshes: Iterable[MeshLike], *, input: InputClass = 'automatic', exact: bool = False, rounding: Number | str | None = None, engine: Literal['bsp', 'layers'] | None = None, most_hole_edges: int | None = None, threads: int = 0, progress: Progress = None, timeout: float | None = None) -> Mesh:
+def carry_attributes(operands: Iterable[MeshLike], result: MeshLike, sources: tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None = None, *, cut_material: Material | None = None, cut_faces: Literal['turned', 'of-later-operands'] = 'turned', threads: int = 0, progress: Progress = None, timeout: float | None = None) -> Attributes:
+    """
+    What a mesh carries on from those whose faces its triangles are parts of.
+
+    `boolean`, `resolve`, and all functions from solids to solids do it themselves, but for `cells_of`, `decompose`,
+    `minkowski_sum`, `erosion`, `offset` and `convex_hull`. Surfaces and the meshes of Layers carry nothing; this gives what
+    they would.
+
+    Parameters
+    ----------
+    operands : iterable of meshes
+        As for `boolean`, with attributes.
+    result : mesh
+        Every triangle of it lies in one triangle of an operand; where it does not, the nearest points speak.
+    sources : pair of arrays of integers, optional
+        Per triangle of the result, the operand and its triangle. Without: the `source_operands` and `source_faces` of the
+        result.
+    cut_material : Material, optional
+        What cut faces are made of that have no material.
+    cut_faces : {"turned", "of-later-operands"}
+        Which those are: faces that are turned over, or those of all operands but the first.
+    threads, progress, timeout
+        As for Solid.
+
+    Returns
+    -------
+    Attributes
+        For ``Solid.with_attributes``, or for ``Mesh(..., attributes=...)``. Values are rounded once; those at corners of
+        the operands are theirs, bit by bit.
+
+    Raises
+    ------
+    InputError
+        For indices out of range and coordinates that are not finite.
+    ValueError
+        For sources of no triangle, and another number of them than of triangles.
+
+    Examples
+    --------
+    >>> sheet = Mesh([[-8, -8, .5], [8, -8, .5], [0, 8, .5]], [[0, 1, 2]], attributes=Attributes(vertex={"x": [-8., 8., 0.]}))
+    >>> inside = clip(sheet, box((0, 0, 0), (1, 1, 1)))
+    >>> attributes = carry_attributes([sheet], inside)
+    >>> bool((attributes["x"] == inside.vertices[:, 0]).all())
+    True
+    """
+
+def boolean(operation: Operation, meshes: Iterable[MeshLike], *, input: InputClass = 'automatic', exact: bool = False, rounding: Number | str | None = None, engine: Literal['bsp', 'layers'] | None = None, most_hole_edges: int | None = None, cut_material: Material | None = None, threads: int = 0, progress: Progress = None, timeout: float | None = None) -> Mesh:
     """
     The regularized Boolean of any number of meshes, from arrays to arrays.
 
@@ -465,19 +758,24 @@ def boolean(operation: Operation, meshes: Iterable[MeshLike], *, input: InputCla
     rounding : "float64", "float32" or a number, optional
         Round such that the mesh bounds a solid again, where nearest doubles would cross; see `Solid.rounded`.
     engine : {"bsp", "layers"}, optional
-        Compute it by another method, as a check.
+        Compute it by another method, as a check. "bsp" carries no attributes.
+    cut_material : Material, optional
+        What cut faces are made of; see `union`.
     most_hole_edges, threads, progress, timeout
         As for Solid.
 
     Returns
     -------
     Mesh
-        With `source_operands`, `source_faces`, `notes`, `rounding` and `seconds`.
+        With `source_operands`, `source_faces`, `notes`, `rounding` and `seconds`; with the `attributes` of the operands, and
+        with the `unit` of those that have one.
 
     Raises
     ------
     InputError
         A mesh is not what was expected; `operand` says which.
+    ValueError
+        Operands have different units, or attributes cannot be carried.
 
     Examples
     --------
@@ -489,9 +787,18 @@ def boolean(operation: Operation, meshes: Iterable[MeshLike], *, input: InputCla
     Fraction(15, 1)
     """
 
-def union(solids: Iterable[Solid], *, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> Solid:
+def union(solids: Iterable[Solid], *, cut_material: Material | None = None, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> Solid:
     """
     The points in any of the solids, in one arrangement of all. Exact.
+
+    Parameters
+    ----------
+    solids : iterable of Solid
+    cut_material : Material, optional
+        What cut faces are made of where what cuts has no material. Of an intersection cut faces are those of all solids but
+        the first, else those that are turned over: what is taken away.
+    threads, progress, timeout
+        As for Solid.
 
     Examples
     --------
@@ -499,7 +806,7 @@ def union(solids: Iterable[Solid], *, threads: int = 0, progress: Progress | Non
     Fraction(11, 1)
     """
 
-def intersection(solids: Iterable[Solid], *, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> Solid:
+def intersection(solids: Iterable[Solid], *, cut_material: Material | None = None, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> Solid:
     """
     The points in all of the solids. Exact.
 
@@ -509,17 +816,21 @@ def intersection(solids: Iterable[Solid], *, threads: int = 0, progress: Progres
     Fraction(1, 1)
     """
 
-def difference(solids: Iterable[Solid], *, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> Solid:
+def difference(solids: Iterable[Solid], *, cut_material: Material | None = None, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> Solid:
     """
     The points in the first solid and in no other. Exact.
 
     Examples
     --------
+    >>> paint = Material("paint", color=(0.8, 0, 0))
+    >>> cut = difference([box((0, 0, 0), (2, 2, 2)), box((1, 1, 1), (3, 3, 3))], cut_material=paint)
+    >>> sorted(set(cut.attributes["material"].tolist())), cut.attributes.materials[0].name
+    ([-1, 0], 'paint')
     >>> difference([box((0, 0, 0), (3, 1, 1)), box((0, 0, 0), (1, 1, 1)), box((2, 0, 0), (3, 1, 1))]).volume
     Fraction(1, 1)
     """
 
-def symmetric_difference(solids: Iterable[Solid], *, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> Solid:
+def symmetric_difference(solids: Iterable[Solid], *, cut_material: Material | None = None, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> Solid:
     """
     The points in an odd number of the solids. Exact.
 
@@ -683,7 +994,7 @@ def prism(polygon: numpy.typing.ArrayLike, lower: Number, upper: Number) -> Soli
 
 def read(path: str | os.PathLike[str], format: str | None = None) -> Mesh:
     """
-    Reads a mesh: STL, OBJ, OFF, PLY, and XOFF, which keeps fractions; others where the build has assimp.
+    Reads a mesh, with what the format has beside the shape; `formats` lists the formats.
 
     Coordinates are the numbers in the file. What is read need not bound a solid: `check` and Solid tell.
 
@@ -691,7 +1002,14 @@ def read(path: str | os.PathLike[str], format: str | None = None) -> Mesh:
     ----------
     path : str or path
     format : str, optional
-        "stl", "stl-ascii", "obj", "off", "xoff", "ply", "ply-ascii"; without: by the extension.
+        "stl", "stl-ascii", "obj", "off", "xoff", "ply", "ply-ascii", "ply-big-endian", "3mf", "glb", "gltf", "amf", or
+        another extension where the build has assimp; without: by the extension of the path.
+
+    Returns
+    -------
+    Mesh
+        Its `attributes` are the colours, texture coordinates, normals, materials, images and names of the file, `unit` is
+        that of the file, and `file_notes` tell what was left out or decided.
 
     Raises
     ------
@@ -701,18 +1019,34 @@ def read(path: str | os.PathLike[str], format: str | None = None) -> Mesh:
     Examples
     --------
     >>> import os, tempfile
-    >>> path = os.path.join(tempfile.mkdtemp(), "part.off")
-    >>> write(path, box((0, 0, 0), (1, 1, 1)))
+    >>> path = os.path.join(tempfile.mkdtemp(), "part.3mf")
+    >>> red = Attributes(face={"material": [0] * 12}, materials=[Material("paint", color=(1, 0, 0))])
+    >>> write(path, box((0, 0, 0), (1, 1, 1)).with_attributes(red), unit="mm")
     []
-    >>> read(path)
-    Mesh(8 vertices, 12 triangles)
+    >>> mesh = read(path)
+    >>> mesh.unit, mesh.attributes.materials[0].name
+    ('millimeter', 'paint')
     """
 
-def write(path: str | os.PathLike[str], mesh: MeshLike, format: str | None = None) -> list[str]:
+def write(path: str | os.PathLike[str], mesh: MeshLike, format: str | None = None, *, attributes: Attributes | Literal['all'] | None = 'all', unit: str | None = None, strict: bool = False) -> list[str]:
     """
     Writes a mesh, the format by the extension. The file is complete, or not there.
 
-    Text and PLY keep every double, XOFF fractions; binary STL rounds to floats.
+    Text and PLY keep every double, XOFF fractions; binary STL and glTF round to floats. The material library and the images
+    of OBJ are files beside it.
+
+    Parameters
+    ----------
+    path : str or path
+    mesh : mesh, as for `boolean`
+    format : str, optional
+        As `formats` lists them; without: by the extension of the path.
+    attributes : "all", Attributes or None
+        Those of the mesh, others, or nothing.
+    unit : str, optional
+        Of coordinates, as for Mesh; without: that of the mesh. Nothing is converted.
+    strict : bool
+        What would not survive is a FileError, and nothing is written.
 
     Returns
     -------
@@ -723,17 +1057,23 @@ def write(path: str | os.PathLike[str], mesh: MeshLike, format: str | None = Non
     ------
     FileError
         A file that cannot be written; an OSError.
+    ValueError
+        Attributes that do not fit the mesh, with the name of the channel; an unknown format or unit.
 
     Examples
     --------
     >>> import os, tempfile
-    >>> write(os.path.join(tempfile.mkdtemp(), "part.stl"), box((0, 0, 0), (1, 1, 1)))
+    >>> hot = box((0, 0, 0), (1, 1, 1)).with_attributes(Attributes(face={"heat": range(12)}))
+    >>> folder = tempfile.mkdtemp()
+    >>> write(os.path.join(folder, "part.vtk"), hot)
     []
+    >>> len(write(os.path.join(folder, "part.stl"), hot))
+    1
     """
 
 def read_bytes(data: bytes, format: str) -> Mesh:
     """
-    Reads a mesh from bytes in memory.
+    Reads a mesh from bytes in memory, as `read` does.
 
     Examples
     --------
@@ -741,14 +1081,29 @@ def read_bytes(data: bytes, format: str) -> Mesh:
     Mesh(8 vertices, 12 triangles)
     """
 
-def write_bytes(mesh: MeshLike, format: str) -> bytes:
+def write_bytes(mesh: MeshLike, format: str, *, attributes: Attributes | Literal['all'] | None = 'all', unit: str | None = None, strict: bool = False) -> bytes:
     """
-    The bytes that `write` would write.
+    The bytes that `write` would write; of OBJ, without the files beside it.
 
     Examples
     --------
     >>> write_bytes(tetrahedron((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)), "off").split(b"\\n")[1]
     b'4 4 0'
+    """
+
+def formats() -> list[dict[str, Any]]:
+    """
+    The formats of meshes, by name.
+
+    Returns
+    -------
+    list of dict
+        ``name``; ``reads`` and ``writes``, whether that can be done; ``floats``, whether writing rounds to floats.
+
+    Examples
+    --------
+    >>> [format["name"] for format in formats() if format["writes"] and format["floats"]]
+    ['stl', 'glb', 'gltf']
     """
 
 class Expression:
@@ -841,9 +1196,11 @@ class Expression:
         The image under an affine map, as `Solid.transformed`. Maps of maps are multiplied before a vertex moves.
         """
 
-    def evaluate(self, *, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> Solid:
+    def evaluate(self, *, cut_material: Material | None = None, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> Solid:
         """
         The solid, in one arrangement.
+
+        Attributes of the solids are carried; `cut_material` is for faces that come out turned over.
 
         Raises
         ------
@@ -910,7 +1267,9 @@ class Workpiece:
 
     @property
     def solid(self) -> Solid:
-        """The solid, with exact vertices. O(n)."""
+        """
+        The solid, with exact vertices and the attributes of what it was made of. O(n).
+        """
 
     @property
     def nearest_volume(self) -> float:
@@ -1030,7 +1389,7 @@ def clip(surface: MeshLike, solid: Solid, *, keep: Literal['inside', 'outside', 
     1.0
     """
 
-def split(solid: Solid, surfaces: Iterable[MeshLike], *, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> list[Solid]:
+def split(solid: Solid, surfaces: Iterable[MeshLike], *, cut_material: Material | None = None, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> list[Solid]:
     """
     The pieces into which surfaces divide a solid. Exact: they unite to the solid, and volumes add up.
 
@@ -1039,6 +1398,8 @@ def split(solid: Solid, surfaces: Iterable[MeshLike], *, threads: int = 0, progr
     solid : Solid
     surfaces : iterable of Surface or mesh
         Those that end inside the solid do not divide it there.
+    cut_material : Material, optional
+        What the faces are made of that the surfaces cut.
     threads, progress, timeout
         As for Solid.
 

@@ -7,11 +7,15 @@ from typing import Any
 from strata_csg import _native
 
 
+def attributes(channels: Any, materials: Any, images: Any, objects: Any, groups: Any) -> _native.Attributes:
+    return _native.Attributes(channels, materials=materials, images=images, objects=objects, groups=groups)
+
+
 def mesh(*parts: Any) -> _native.Mesh:
     return _native._mesh_of(*parts)
 
 
-def solid(*parts: Any) -> _native.Solid:
+def solid(*parts: Any) -> Any:
     return _native._solid_of(*parts)
 
 

@@ -34,6 +34,8 @@ class HasFaces(Protocol):
 #: A Mesh, a Solid, a Surface, a pair (vertices, triangles) of arrays, or an object with `vertices` and `faces`.
 MeshLike = Union[HasFaces, tuple[Any, Any]]
 
+Element = Literal["vertex", "corner", "face"]
+Interpolation = Literal["linear", "spherical", "nearest"]
 InputClass = Literal["automatic", "solid", "overlapping", "repair", "soup"]
 Operation = Literal["union", "intersection", "difference", "symmetric-difference", "xor"]
 

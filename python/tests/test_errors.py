@@ -45,15 +45,18 @@ def test_indices_that_nothing_checks_later():
             st.measure(mesh)
         with pytest.raises(st.InputError):
             st.Solid.trusted(mesh)
-    make, (vertices, triangles, exact, operands, faces) = A.__reduce__()
+    make, (kind, vertices, triangles, exact, operands, faces, attributes), _ = A.__reduce__()
     for wrong in (
-        (vertices, triangles + 8, exact, operands, faces),
-        (vertices, triangles, "9 1/3 0 0\n", operands, faces),
-        (vertices, triangles, "1 1/3", operands, faces),
-        (vertices, triangles, exact, operands[:3], faces[:3]),
+        (vertices, triangles + 8, exact, operands, faces, attributes),
+        (vertices, triangles, "9 1/3 0 0\n", operands, faces, attributes),
+        (vertices, triangles, "1 1/3", operands, faces, attributes),
+        (vertices, triangles, exact, operands[:3], faces[:3], attributes),
+        (vertices, triangles, exact, operands, faces, st.Attributes(face={"id": [1]})),
     ):
         with pytest.raises(ValueError):
-            make(*wrong)
+            make(kind, *wrong)
+    with pytest.raises(TypeError):
+        make(int, vertices, triangles, exact, operands, faces, attributes)
 
 
 def test_files(tmp_path):
