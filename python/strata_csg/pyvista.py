@@ -13,6 +13,7 @@ accessor needs PyVista 0.48. Coordinates stay doubles where PyVista has doubles.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from typing import Any
 
@@ -22,7 +23,7 @@ from numpy.typing import NDArray
 
 from strata_csg import _native
 from strata_csg._errors import Defect
-from strata_csg._interop import SOURCE_FACE, SOURCE_OPERAND, arrays_of, sources_of
+from strata_csg._interop import SOURCE_FACE, SOURCE_OPERAND, arrays_of, attributes_from
 from strata_csg._types import MeshLike, Operation
 
 __all__ = ["StrataAccessor", "from_pyvista", "to_pyvista"]
@@ -33,7 +34,8 @@ def from_pyvista(mesh: pyvista.PolyData, **options: Any) -> _native.Solid:
     The solid that a pyvista.PolyData bounds.
 
     Points are taken exactly. Triangles are taken as they are; VTK divides other polygons and strips into triangles.
-    Vertex and line cells are left out, and data of points, cells and fields is lost.
+    Vertex and line cells are left out. Data of points and cells becomes attributes, up to four numbers each; other data
+    is left out with a warning. Where both have a name, that of cells gets the suffix ``_cell``.
 
     Parameters
     ----------
@@ -54,25 +56,28 @@ def from_pyvista(mesh: pyvista.PolyData, **options: Any) -> _native.Solid:
     >>> from_pyvista(pyvista.Cube(x_length=3)).volume
     Fraction(3, 1)
     """
-    points, triangles, _ = _triangles_of(mesh)
-    return _native.Solid((points, triangles), **options)
+    return _native.Solid(_mesh_of(mesh)[0], **options)
 
 
-def to_pyvista(mesh: MeshLike) -> pyvista.PolyData:
+def to_pyvista(mesh: MeshLike, *, split: bool | None = None) -> pyvista.PolyData:
     """
     The boundary of a solid, or a result of `boolean`, as a pyvista.PolyData.
 
-    Coordinates are the nearest doubles; exact positions that are not doubles are lost. The arrays are copies.
+    Coordinates are the nearest doubles; exact positions that are not doubles are lost, and so are materials, images and
+    names. The arrays are copies.
 
     Parameters
     ----------
     mesh : Solid, Mesh or Surface
+    split : bool, optional
+        Where the corners at a vertex have different values: True gives each value a point of its own, False takes the
+        values of the first triangle. Without: True where there are texture coordinates.
 
     Returns
     -------
     pyvista.PolyData
-        With the cell data ``strata_source_operand`` and ``strata_source_face``, where the mesh is a result: every
-        triangle is part of that face of that operand.
+        With attributes as point data and cell data. With the cell data ``strata_source_operand`` and
+        ``strata_source_face``, where the mesh is a result: every triangle is part of that face of that operand.
 
     Examples
     --------
@@ -81,11 +86,13 @@ def to_pyvista(mesh: MeshLike) -> pyvista.PolyData:
     >>> mesh.n_cells, mesh.points.dtype.name
     (12, 'float64')
     """
-    points, triangles = arrays_of(mesh)
-    faces: Any = triangles.astype(np.int64)
-    result: pyvista.PolyData = pyvista.PolyData.from_regular_faces(points, faces)
-    for name, numbers in sources_of(mesh).items():
-        result.cell_data[name] = numbers
+    arrays = arrays_of(mesh, split)
+    faces: Any = arrays.triangles.astype(np.int64)
+    result: pyvista.PolyData = pyvista.PolyData.from_regular_faces(arrays.vertices, faces)
+    for data, given in ((result.point_data, arrays.vertex), (result.cell_data, arrays.face)):
+        for name, values in given.items():
+            if values.size or values.ndim == 1:  # PyVista refuses other empty arrays
+                data[name] = values
     return result
 
 
@@ -93,9 +100,10 @@ class StrataAccessor:
     """
     What ``mesh.strata`` offers, for every pyvista.PolyData.
 
-    Operands are PolyData, or other meshes that `strata_csg.boolean` takes. Results are PolyData with the cell data
-    ``strata_source_operand``, 0 for this mesh, and ``strata_source_face``, the number of the cell of that operand. They
-    have no other data: ``operand.cell_data[name][faces]`` looks it up. Options are those of `strata_csg.boolean`.
+    Operands are PolyData, or other meshes that `strata_csg.boolean` takes. Results are PolyData with the data of points
+    and cells of the operands, as `from_pyvista` and `to_pyvista` carry it; data that an operand does not have is 0
+    there, or -1 for integers. The cell data ``strata_source_operand`` is 0 for this mesh, and ``strata_source_face``
+    the number of the cell of that operand. Options are those of `strata_csg.boolean`.
 
     Examples
     --------
@@ -106,6 +114,9 @@ class StrataAccessor:
     1.5
     >>> int(result.cell_data["strata_source_face"].max())  # cubes have six faces
     5
+    >>> a.cell_data["side"], b.cell_data["side"] = range(6), range(6, 12)
+    >>> sorted(set(a.strata.union(b).cell_data["side"].tolist()))
+    [0, 2, 3, 4, 5, 7, 8, 9, 10, 11]
     """
 
     def __init__(self, mesh: pyvista.PolyData) -> None:
@@ -191,8 +202,8 @@ class StrataAccessor:
         operands: list[Any] = []
         cells: list[NDArray[np.int64] | None] = []
         for mesh in (self._mesh, *others):
-            pair, numbers = _operand(mesh)
-            operands.append(pair)
+            operand, numbers = _operand(mesh)
+            operands.append(operand)
             cells.append(numbers)
         options.setdefault("rounding", "float64")  # the result is to be an operand again
         result = to_pyvista(_native.boolean(operation, operands, **options))
@@ -204,8 +215,19 @@ def _operand(mesh: Any) -> tuple[Any, NDArray[np.int64] | None]:
     """A mesh for `boolean`, and the cells that its triangles are part of, where they are not the same."""
     if not isinstance(mesh, pyvista.PolyData):
         return mesh, None
+    return _mesh_of(mesh)
+
+
+def _mesh_of(mesh: Any) -> tuple[_native.Mesh, NDArray[np.int64]]:
+    """The triangles of a PolyData with its data, and the number of the cell that each is part of."""
     points, triangles, cells = _triangles_of(mesh)
-    return (points, triangles), cells
+    cell_data: dict[str, Any] = {}
+    for name, values in mesh.cell_data.items():
+        if len(values) == mesh.n_cells:
+            cell_data[name] = np.asarray(values)[cells]
+        else:
+            warnings.warn(f"not carried: {name!r} has {len(values)} values for {mesh.n_cells} cells", stacklevel=2)
+    return _native.Mesh(points, triangles, attributes=attributes_from(mesh.point_data, cell_data)), cells
 
 
 def _triangles_of(mesh: Any) -> tuple[NDArray[Any], NDArray[Any], NDArray[np.int64]]:

@@ -15,11 +15,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+import numpy as np
 import trimesh  # type: ignore[import-not-found,import-untyped,unused-ignore]
 
 from strata_csg import _native
 from strata_csg._errors import Defect, InputError
-from strata_csg._interop import arrays_of, sources_of
+from strata_csg._interop import arrays_of
+from strata_csg._trimesh_visuals import attributes_of, visual_of
 from strata_csg._types import MeshLike, Operation
 
 __all__ = ["boolean", "from_trimesh", "register", "to_trimesh", "unregister"]
@@ -35,8 +37,8 @@ def from_trimesh(mesh: Any, **options: Any) -> _native.Solid:
     """
     The solid that a trimesh.Trimesh bounds.
 
-    Vertices are taken exactly. Colours, texture, normals, attributes and metadata are not: `Solid.source_faces` says
-    where to look them up.
+    Vertices are taken exactly. Colours of vertices or faces, texture coordinates with their materials, and attributes
+    of vertices and faces become attributes, of up to four numbers each; others are left out with a warning. Normals, which trimesh computes itself, and metadata are not taken.
 
     Parameters
     ----------
@@ -56,10 +58,10 @@ def from_trimesh(mesh: Any, **options: Any) -> _native.Solid:
     >>> from_trimesh(trimesh.creation.box((1, 2, 3))).volume
     Fraction(6, 1)
     """
-    return _native.Solid(_pair(mesh), **options)
+    return _native.Solid(_mesh_of(mesh), **options)
 
 
-def to_trimesh(mesh: MeshLike) -> trimesh.Trimesh:
+def to_trimesh(mesh: MeshLike, *, split: bool | None = None) -> trimesh.Trimesh:
     """
     The boundary of a solid, or a result of `boolean`, as a trimesh.Trimesh.
 
@@ -69,13 +71,19 @@ def to_trimesh(mesh: MeshLike) -> trimesh.Trimesh:
     Parameters
     ----------
     mesh : Solid, Mesh or Surface
+    split : bool, optional
+        Where the corners at a vertex have different values, as at the seams of textures: True gives each value a vertex
+        of its own, so that ``is_watertight`` is no longer True; False takes the values of the first triangle. Without:
+        True where there are texture coordinates.
 
     Returns
     -------
     trimesh.Trimesh
-        With the face attributes ``strata_source_operand`` and ``strata_source_face``, where the mesh is a result:
-        every triangle is part of that face of that operand. ``metadata["strata_notes"]`` is a list of sentences that
-        tell what was resolved in operands, where something was.
+        Texture coordinates with materials, or else colours, or else the colours of materials are its ``visual``; images
+        need Pillow. Other attributes are vertex attributes and face attributes. With the face attributes
+        ``strata_source_operand`` and ``strata_source_face``, where the mesh is a result: every triangle is part of that
+        face of that operand. ``metadata["strata_notes"]`` is a list of sentences that tell what was resolved in
+        operands, where something was.
 
     Examples
     --------
@@ -86,12 +94,15 @@ def to_trimesh(mesh: MeshLike) -> trimesh.Trimesh:
     >>> sorted(set(mesh.face_attributes["strata_source_operand"].tolist()))
     [0, 1]
     """
-    vertices, triangles = arrays_of(mesh)
+    arrays = arrays_of(mesh, split)
+    visual = visual_of(arrays)
     notes: tuple[Defect, ...] = getattr(mesh, "notes", ())
     return trimesh.Trimesh(
-        vertices=vertices,
-        faces=triangles,
-        face_attributes=dict(sources_of(mesh)),
+        vertices=arrays.vertices,
+        faces=arrays.triangles,
+        visual=visual,
+        vertex_attributes=arrays.vertex,
+        face_attributes=arrays.face,
         metadata={"strata_notes": [str(note) for note in notes]} if notes else None,
         process=False,
         validate=False,
@@ -107,8 +118,8 @@ def boolean(
     """
     The Boolean of any number of trimesh meshes, with the signature of the engines of ``trimesh.boolean``.
 
-    All operands are computed in one arrangement, on the doubles of the meshes. Colours, texture, normals and attributes
-    of the operands are not carried over; the face attributes of the result say where to look them up.
+    All operands are computed in one arrangement, on the doubles of the meshes. Colours, textures and attributes are
+    carried, as `from_trimesh` and `to_trimesh` say. An operand without colours is white where others have some.
 
     Parameters
     ----------
@@ -116,9 +127,10 @@ def boolean(
     operation : {"difference", "union", "intersection", "symmetric-difference"}
         Difference: the first mesh without all others.
     check_volume : bool
-        Refuse meshes for which ``Trimesh.is_volume`` is False, as the engines of trimesh do. Without, Strata's own rule
-        remains: what is not closed, or inside out, is refused; empty meshes, and edges with more than two faces, are
-        not. ``input="repair"`` and ``input="soup"`` accept the others, too.
+        Refuse meshes for which ``Trimesh.is_volume`` is False, as the engines of trimesh do, even if vertices at one
+        place, as at the seams of textures, are joined. Without, Strata's own rule remains: what is not closed, or
+        inside out, is refused; empty meshes, and edges with more than two faces, are not. ``input="repair"`` and
+        ``input="soup"`` accept the others, too.
     **kwargs
         Those of `strata_csg.boolean`: ``input``, ``rounding``, ``threads``, ``progress``, ``timeout`` and so on.
         Unless told, ``rounding`` is "float64": the result bounds a solid, so that it can be the next operand.
@@ -139,16 +151,13 @@ def boolean(
     --------
     Faces of a result have the colours of the faces that they are part of:
 
-    >>> import numpy as np, trimesh
+    >>> import trimesh
     >>> meshes = [trimesh.creation.box((2, 2, 2)), trimesh.creation.box((1, 1, 4))]
     >>> meshes[1].visual.face_colors = [255, 0, 0, 255]
     >>> result = boolean(meshes, "difference")
-    >>> colors = np.vstack([mesh.visual.face_colors for mesh in meshes])
-    >>> first = np.cumsum([0] + [len(mesh.faces) for mesh in meshes])
-    >>> source = result.face_attributes
-    >>> result.visual.face_colors = colors[first[source["strata_source_operand"]] + source["strata_source_face"]]
-    >>> result.visual.face_colors[source["strata_source_operand"] == 1][0].tolist()
-    [255, 0, 0, 255]
+    >>> drilled = result.face_attributes["strata_source_operand"] == 1
+    >>> set(map(tuple, result.visual.face_colors[drilled].tolist()))
+    {(255, 0, 0, 255)}
     """
     operands = list(meshes)
     if operation == "difference" and len(operands) < 2:
@@ -157,7 +166,7 @@ def boolean(
         _refuse_non_volumes(operands)
     if not kwargs.get("exact"):
         kwargs.setdefault("rounding", "float64")
-    return to_trimesh(_native.boolean(operation, [_pair(mesh) for mesh in operands], **kwargs))
+    return to_trimesh(_native.boolean(operation, [_mesh_of(mesh) for mesh in operands], **kwargs))
 
 
 def register(*, default: bool = False) -> None:
@@ -221,9 +230,22 @@ def _pair(mesh: Any) -> tuple[Any, Any]:
         raise TypeError(f"expected a trimesh.Trimesh, found {type(mesh).__name__}") from None
 
 
+def _mesh_of(mesh: Any) -> _native.Mesh:
+    vertices, faces = _pair(mesh)
+    return _native.Mesh(vertices, faces, attributes=attributes_of(mesh))
+
+
+def _is_volume(mesh: Any) -> bool:
+    """Also of a mesh that is one once vertices at one place are joined."""
+    if mesh.is_volume or mesh.is_empty:
+        return bool(mesh.is_volume)
+    places, numbers = np.unique(mesh.vertices, axis=0, return_inverse=True)
+    return bool(trimesh.Trimesh(places, numbers.reshape(-1)[mesh.faces], process=False).is_volume)
+
+
 def _refuse_non_volumes(meshes: list[Any]) -> None:
     for number, mesh in enumerate(meshes):
-        if not mesh.is_volume:
+        if not _is_volume(mesh):
             defects = tuple(defect for defect in _native.check(_pair(mesh)) if defect.severity == "error")
             reasons = [_reason(mesh), *map(str, defects[:1])]
             raise InputError(f"Not all meshes are volumes! Mesh {number} {'; '.join(reasons)}", defects, number)

@@ -11,7 +11,12 @@ import strata_csg as st
 from strata_csg import _native
 
 #: Modules that need a package that may be missing.
-OPTIONAL = {"strata_csg.trimesh": "trimesh", "strata_csg.pyvista": "pyvista", "strata_csg.meshio": "meshio"}
+OPTIONAL = {
+    "strata_csg.trimesh": "trimesh",
+    "strata_csg._trimesh_visuals": "trimesh",
+    "strata_csg.pyvista": "pyvista",
+    "strata_csg.meshio": "meshio",
+}
 
 
 def documented(name: str, thing: object) -> list[tuple[str, str]]:

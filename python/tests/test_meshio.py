@@ -67,6 +67,35 @@ def test_results_have_their_sources() -> None:
     assert np.array_equal(mesh.cell_data["strata_source_face"][0], result.source_faces)
 
 
+def test_data_survives_there_and_back() -> None:
+    blocks = [("triangle", FACES[:1]), ("line", [[0, 1]]), ("triangle", FACES[1:])]
+    data = {"id": [np.array([5]), np.array([0]), np.array([6, 7, 8])]}
+    mesh = interop.from_meshio(meshio.Mesh(POINTS, blocks, point_data={"place": np.array(POINTS)}, cell_data=data))
+    assert mesh.attributes is not None and mesh.attributes["id"].tolist() == [5, 6, 7, 8]
+    back = interop.to_meshio(mesh)
+    assert back.point_data["place"].tolist() == POINTS and back.cell_data["id"][0].tolist() == [5, 6, 7, 8]
+
+
+def test_data_of_results_is_that_of_operands() -> None:
+    solid = st.Solid(interop.from_meshio(meshio.Mesh(POINTS, [("triangle", FACES)], point_data={"place": np.array(POINTS)})))
+    part = solid - st.box((0, 0, 0), (1, 1, 0.25))
+    joined, split = interop.to_meshio(part), interop.to_meshio(part, split=True)
+    assert len(joined.points) == len(part.vertices) < len(split.points)
+    own = part.source_operands == 0
+    corners = split.cells[0].data[own]
+    assert np.array_equal(split.point_data["place"][corners], split.points[corners])
+    assert not split.point_data["place"][split.cells[0].data[~own]].any()
+
+
+@pytest.mark.parametrize("name", ["part.vtk", "part.vtu"])
+def test_files_hold_data(tmp_path: Path, name: str) -> None:
+    solid = st.box((0, 0, 0), (1, 1, 1)).with_attributes(st.Attributes(vertex={"heat": np.arange(8.0)}, face={"id": range(12)}))
+    interop.to_meshio(solid).write(tmp_path / name)
+    back = interop.from_meshio(meshio.read(tmp_path / name))
+    assert back.attributes is not None and back.attributes["heat"].tolist() == list(range(8))
+    assert back.attributes["id"].tolist() == list(range(12))
+
+
 def test_meshes_that_are_no_result_have_no_sources() -> None:
     assert interop.to_meshio(st.Mesh(POINTS, FACES)).cell_data == {}
 

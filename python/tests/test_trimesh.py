@@ -122,6 +122,112 @@ def test_functions_of_the_package_take_trimesh_meshes(mesh: Any) -> None:
     assert len(st.boolean("union", [mesh, mesh]).triangles) == len(mesh.faces)
 
 
+# What meshes carry
+
+
+def test_face_colours_are_carried() -> None:
+    mesh = cube()
+    mesh.visual.face_colors = np.arange(48).reshape(12, 4)
+    solid = st.Solid.from_trimesh(mesh)
+    assert solid.attributes is not None and np.array_equal(solid.attributes.face["color"], mesh.visual.face_colors)
+    assert np.array_equal(solid.to_trimesh().visual.face_colors, mesh.visual.face_colors)
+    below, _ = solid.split(((0, 0, 1), Fraction(1, 2)))
+    kept = below.source_operands == 0
+    faces = below.to_trimesh().visual.face_colors[kept]
+    assert np.array_equal(faces, np.asarray(mesh.visual.face_colors)[below.source_faces[kept]])
+
+
+def test_vertex_colours_are_carried() -> None:
+    mesh = cube()
+    colors = np.arange(32, dtype=np.uint8).reshape(8, 4)
+    mesh.visual.vertex_colors = colors
+    back = interop.to_trimesh(interop.from_trimesh(mesh))
+    assert back.visual.kind == "vertex" and np.array_equal(back.visual.vertex_colors, colors)
+    assert back.is_volume
+
+
+def test_operands_without_colours_are_white() -> None:
+    first, second = cube(), cube((0.5, 0.5, 0.5))
+    first.visual.face_colors = [9, 8, 7, 6]
+    result = interop.boolean([first, second], "union")
+    operand = result.face_attributes["strata_source_operand"]
+    assert set(map(tuple, result.visual.face_colors[operand == 0].tolist())) == {(9, 8, 7, 6)}
+    assert set(map(tuple, result.visual.face_colors[operand == 1].tolist())) == {(255, 255, 255, 255)}
+
+
+def test_seams_are_split_on_request_only() -> None:
+    first, second = cube(), cube((0.5, 0.5, 0.5))
+    first.visual.vertex_colors, second.visual.vertex_colors = [10, 0, 0, 255], [20, 0, 0, 255]
+    solid = interop.from_trimesh(first) | interop.from_trimesh(second)
+    joined, split = interop.to_trimesh(solid), interop.to_trimesh(solid, split=True)
+    assert joined.is_volume and not split.is_watertight
+    first = [np.flatnonzero(solid.triangles.reshape(-1) == v)[0] for v in range(len(solid.vertices))]
+    assert solid.attributes is not None
+    assert np.array_equal(joined.visual.vertex_colors, solid.attributes.corner["color"][first])
+    assert np.array_equal(split.vertices[: len(joined.vertices)], joined.vertices)
+    assert np.array_equal(split.triangles, joined.triangles)
+    red = split.visual.vertex_colors[split.faces][:, :, 0]
+    assert np.array_equal(red, np.repeat(10 + 10 * solid.source_operands[:, None], 3, axis=1))
+    assert interop.boolean([split, cube((9, 9, 9))], "union").volume == pytest.approx(joined.volume + 1)
+
+
+def textured(at: Any, picture: Any, name: str) -> Any:
+    mesh = cube(at)
+    uv = np.column_stack([mesh.vertices[:, 0] - at[0], mesh.vertices[:, 1] - at[1]])
+    material = trimesh.visual.material.PBRMaterial(name=name, baseColorTexture=picture, metallicFactor=0.25)
+    mesh.visual = trimesh.visual.TextureVisuals(uv=uv, material=material)
+    return mesh
+
+
+def test_textures_are_carried_with_their_pictures() -> None:
+    pictures = pytest.importorskip("PIL.Image")
+    red, blue = (pictures.new("RGB", (2, 3), color) for color in ("red", "blue"))
+    meshes = [textured((0, 0, 0), red, "red"), textured((0.5, 0.5, 0.5), blue, "blue")]
+    back = interop.to_trimesh(interop.from_trimesh(meshes[0]))
+    assert back.visual.kind == "texture" and back.visual.material.name == "red"
+    assert back.visual.material.baseColorTexture.getpixel((0, 0)) == (255, 0, 0)
+    assert back.visual.material.metallicFactor == 0.25
+    assert np.array_equal(back.visual.uv, meshes[0].visual.uv)
+    result = interop.boolean(meshes, "difference")
+    operand = result.face_attributes["strata_source_operand"]
+    places = np.array([[0, 0, 0], [0.5, 0.5, 0.5]])[operand][:, None, :2]
+    assert np.allclose(result.visual.uv[result.faces], result.triangles[:, :, :2] - places)
+    names = [material.name for material in result.visual.material.materials]
+    assert names == ["red", "blue"] and np.array_equal(result.visual.face_materials, operand)
+    again = interop.from_trimesh(result)
+    assert again.attributes is not None and [m.name for m in again.attributes.materials] == ["red", "blue"]
+    assert np.array_equal(again.attributes["material"], operand)
+
+
+def test_textures_without_pillow_have_no_pictures(monkeypatch: Any) -> None:
+    pictures = pytest.importorskip("PIL.Image")
+    solid = interop.from_trimesh(textured((0, 0, 0), pictures.new("RGB", (2, 3)), "wood"))
+    monkeypatch.setitem(__import__("sys").modules, "PIL.Image", None)
+    material = solid.to_trimesh().visual.material
+    assert material.name == "wood" and material.baseColorTexture is None
+
+
+def test_materials_without_texture_coordinates_are_colours() -> None:
+    cut = st.difference([st.box((0, 0, 0), (1, 1, 1)), st.box((0, 0, 0.5), (1, 1, 2))], cut_material=st.Material("m", (1, 0, 0)))
+    mesh = cut.to_trimesh()
+    assert set(map(tuple, mesh.visual.face_colors.tolist())) == {(255, 0, 0, 255), (255, 255, 255, 255)}
+    assert set(mesh.face_attributes["material"].tolist()) == {-1, 0}
+
+
+def test_attributes_of_vertices_and_faces_are_carried() -> None:
+    mesh = trimesh.Trimesh(
+        *(cube().vertices, cube().faces),
+        vertex_attributes={"heat": np.arange(8.0)},
+        face_attributes={"heat": np.arange(12), "name": np.array(["a"] * 12)},
+        process=False,
+    )
+    with pytest.warns(UserWarning, match='not carried: channel "name": expected floats'):
+        solid = interop.from_trimesh(mesh)
+    back = solid.to_trimesh()
+    assert back.vertex_attributes["heat"].tolist() == list(range(8))
+    assert back.face_attributes["heat"].tolist() == list(range(12))
+
+
 # The engine
 
 
