@@ -123,7 +123,8 @@ def show(things: Any, *, colors: Any = None) -> Viewer:
         The parts of a list have different colours, and a slider moves them apart. So have layers, and a slider says how
         many are shown, from the first on.
     colors : str, or sequence of one per part, optional
-        Such as ``"#80a0ff"``, or three numbers from 0 to 1.
+        Such as ``"#80a0ff"``, or three numbers from 0 to 1. Without, parts that carry colours or materials have these;
+        textures are not shown.
 
     Returns
     -------
@@ -148,7 +149,7 @@ def show(things: Any, *, colors: Any = None) -> Viewer:
     """
     kind, meshes = _meshes_of(things)
     shades = _colors_of(colors, len(meshes), kind)
-    parts = [part_of(mesh) for mesh in meshes]
+    parts = [part_of(mesh, colored=colors is None) for mesh in meshes]
     frame = Frame.around(parts)
     facts = [_counts(parts), *_sizes(meshes, parts), *_places(parts, frame)]
     drawn = sum(len(part.triangles) for part in parts)
@@ -305,7 +306,7 @@ def _places(parts: Sequence[Part], frame: Frame | None) -> list[str]:
 
 def _data(parts: Sequence[Part], colors: Sequence[Color], slider: Kind) -> str:
     """What the script reads, as JSON that may stand in HTML."""
-    arrays = packed(parts)
+    arrays = packed(parts, colors)
     listed = [
         {"ends": ends, "color": color, "away": _away(part) if slider == "explode" else [0, 0, 0]}
         for part, color, ends in zip(parts, colors, arrays.pop("ends"))

@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from strata_csg._colors import Bytes, of_corners
+
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
@@ -29,6 +31,10 @@ class Part:
         How many triangles cannot be drawn: numbers out of range, coordinates that are not finite.
     edges : pairs of vertices
         Those that are drawn.
+    colors : bytes, or None
+        What the mesh carries, at the corners of triangles, shape (n, 3, 3).
+    vertex_colors : bytes, or None
+        The same at the vertices of a placed part, shape (n, 3).
     """
 
     vertices: Floats
@@ -36,20 +42,23 @@ class Part:
     mesh: Any = None
     omitted: int = 0
     edges: Indices = field(default_factory=lambda: np.empty((0, 2), np.int64))
+    colors: Bytes | None = None
+    vertex_colors: Bytes | None = None
 
     def corners(self) -> Indices:
         """The numbers of the vertices that triangles have."""
         return np.unique(self.triangles)
 
 
-def part_of(mesh: Any) -> Part:
-    """Of a mesh: anything with `vertices` and `faces`."""
+def part_of(mesh: Any, *, colored: bool = True) -> Part:
+    """Of a mesh: anything with `vertices` and `faces`; with its own colours, or without."""
     vertices = np.asarray(mesh.vertices, np.float64).reshape(-1, 3)
     triangles = np.asarray(mesh.faces).astype(np.int64).reshape(-1, 3)
     drawn = np.asarray(((triangles >= 0) & (triangles < len(vertices))).all(axis=1))
     finite = np.asarray(np.isfinite(vertices).all(axis=1))
     drawn[drawn] = finite[triangles[drawn]].all(axis=1)
-    return Part(vertices, triangles[drawn], mesh=mesh, omitted=len(drawn) - int(drawn.sum()))
+    colors = of_corners(mesh, triangles[drawn], drawn) if colored else None
+    return Part(vertices, triangles[drawn], mesh=mesh, omitted=len(drawn) - int(drawn.sum()), colors=colors)
 
 
 class Frame:
@@ -106,7 +115,7 @@ class Frame:
 
 
 def placed_parts(parts: Sequence[Part], frame: Frame) -> list[Part]:
-    """The parts in the frame, with their edges. Vertices of a part at one place are joined."""
+    """The parts in the frame, with their edges. Vertices of a part at one place and of one colour are joined."""
     places = [frame.placed(part.vertices[part.corners()]) for part in parts]
     noise = frame.noise
     if frame.is_narrow:
@@ -121,7 +130,17 @@ def _joined(part: Part, places: Floats, noise: float) -> Part:
     _, triangles = np.unique(part.triangles, return_inverse=True)
     vertices, numbers = np.unique(places, axis=0, return_inverse=True)
     joined = numbers.reshape(-1)[triangles.reshape(-1)].reshape(-1, 3)
-    return Part(vertices, joined, edges=drawn_edges(vertices, joined, noise))
+    edges = drawn_edges(vertices, joined, noise)
+    return Part(vertices, joined, edges=edges) if part.colors is None else _colored(vertices, joined, edges, part.colors)
+
+
+def _colored(vertices: Floats, triangles: Indices, edges: Indices, colors: Bytes) -> Part:
+    """A part with a vertex for each colour at a place."""
+    corners = np.hstack([triangles.reshape(-1, 1), colors.reshape(-1, 3)])
+    rows, numbers = np.unique(corners, axis=0, return_inverse=True)
+    first = np.searchsorted(rows[:, 0], np.arange(len(vertices)))
+    tints = rows[:, 1:].astype(np.uint8)
+    return Part(vertices[rows[:, 0]], numbers.reshape(-1, 3), edges=first[edges], vertex_colors=tints)
 
 
 def _exactly_placed(parts: Sequence[Part]) -> list[Floats] | None:
@@ -182,19 +201,33 @@ def _coplanar(vertices: Floats, edges: Indices, first: Indices, second: Indices,
     return np.asarray((height <= noise * np.maximum(length_a, length_b)) & beyond)
 
 
-def packed(parts: Sequence[Part]) -> dict[str, Any]:
-    """The arrays of placed parts one after the other, as base64 of little-endian numbers, and where each part ends."""
+def packed(parts: Sequence[Part], colors: Sequence[Any]) -> dict[str, Any]:
+    """
+    The arrays of placed parts one after the other, as base64 of little-endian numbers, and where each part ends.
+
+    Colours of vertices are listed where a part has some; others have that of their part.
+    """
     first = np.cumsum([0] + [len(part.vertices) for part in parts])
     vertices = np.concatenate([part.vertices for part in parts])
     triangles = np.concatenate([part.triangles + start for part, start in zip(parts, first)])
     edges = np.concatenate([part.edges + start for part, start in zip(parts, first)])
     counts = [(len(part.vertices), len(part.triangles), len(part.edges)) for part in parts]
-    return {
+    arrays: dict[str, Any] = {
         "positions": _base64(vertices.astype("<f4")),
         "triangles": _base64(triangles.astype("<u4")),
         "edges": _base64(edges.astype("<u4")),
         "ends": np.cumsum(counts, axis=0).tolist(),
     }
+    if any(part.vertex_colors is not None for part in parts):
+        arrays["colors"] = _base64(np.concatenate([_tints(part, color) for part, color in zip(parts, colors)]))
+    return arrays
+
+
+def _tints(part: Part, color: Any) -> Bytes:
+    """A colour per vertex."""
+    if part.vertex_colors is not None:
+        return part.vertex_colors
+    return np.tile(np.array(color, np.uint8), (len(part.vertices), 1))
 
 
 def _base64(array: NDArray[Any]) -> str:

@@ -33,7 +33,7 @@
     return result;
   }
 
-  const colors = spread((part) => part.color, Uint8Array);
+  const colors = data.colors ? decoded(data.colors, Uint8Array) : spread((part) => part.color, Uint8Array);
   const aways = spread((part) => part.away, Float32Array);
 
   // ---- camera --------------------------------------------------------------------------------------------------

@@ -216,6 +216,73 @@ def test_colors_that_are_none(colors):
         show(CUBE, colors=colors)
 
 
+def colors_of(data: dict) -> np.ndarray:
+    return np.frombuffer(base64.b64decode(data["colors"]), np.uint8).reshape(-1, 3)
+
+
+def corner_colors(data: dict) -> np.ndarray:
+    triangles = np.frombuffer(base64.b64decode(data["triangles"]), "<u4")
+    return colors_of(data)[triangles].reshape(-1, 3, 3)
+
+
+def edge_places(data: dict) -> set:
+    ends = positions_of(data)[edges_of(data)]
+    return {frozenset(map(tuple, pair)) for pair in ends.tolist()}
+
+
+@pytest.mark.parametrize("dtype", [np.uint8, np.float32])
+def test_colors_of_faces_corners_and_vertices(dtype):
+    scale = 1 if dtype == np.uint8 else 1 / 255
+    faces = np.arange(36).reshape(12, 3)
+    corners = np.arange(108).reshape(36, 3)
+    vertices = np.arange(200, 224).reshape(8, 3)
+    for element, values, expected in [
+        ("face", faces, np.repeat(faces[:, None], 3, axis=1)),
+        ("corner", corners, corners.reshape(12, 3, 3)),
+        ("vertex", vertices, vertices[CUBE.triangles]),
+    ]:
+        channel = st.Channel("color", (values * scale).astype(dtype), element)
+        data = data_of(html_of(CUBE.with_attributes(st.Attributes([channel]))))
+        assert np.array_equal(corner_colors(data), expected)
+        assert edge_places(data) == edge_places(data_of(html_of(CUBE)))
+        assert len(positions_of(data)) == len(colors_of(data)) == data["parts"][0]["ends"][0]
+
+
+def test_colors_of_materials():
+    red = st.Material("red", color=(1, 0, 0.2158605))
+    cut = st.difference([CUBE, CUBE.translated((0, 0, 0.5))], cut_material=red)
+    found = corner_colors(data_of(html_of(cut)))
+    assert np.array_equal(found[:, 0], np.where(cut.source_operands[:, None] == 1, [255, 0, 128], [255, 255, 255]))
+
+
+def test_colors_that_are_given_come_before_those_carried():
+    painted = CUBE.with_attributes(st.Attributes(face={"color": np.zeros((12, 3), np.uint8)}))
+    assert "colors" not in data_of(show(painted, colors="#ff8000")._repr_html_())
+    assert "colors" not in data_of(html_of(CUBE))
+
+
+def test_parts_with_and_without_colors():
+    painted = CUBE.with_attributes(st.Attributes(face={"color": np.full((12, 3), 7, np.uint8)}))
+    data = data_of(html_of([CUBE, painted]))
+    first, second = data["parts"]
+    assert set(map(tuple, colors_of(data)[: first["ends"][0]].tolist())) == {tuple(first["color"])}
+    assert set(map(tuple, colors_of(data)[first["ends"][0] :].tolist())) == {(7, 7, 7)}
+    assert second["ends"][0] == len(positions_of(data))
+
+
+def test_colors_of_what_is_not_drawn_are_not_needed():
+    points, triangles = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [math.nan, 0, 0]], [[0, 1, 3], [0, 1, 2], [0, 1, 7]]
+    faces, corners = (np.arange(3 * n, dtype=np.uint8).reshape(n, 3) for n in (3, 9))
+    vertices = np.arange(12, dtype=np.uint8).reshape(4, 3)
+    for attributes, expected in [
+        (st.Attributes(face={"color": faces}), [faces[1]] * 3),
+        (st.Attributes(corner={"color": corners}), corners[3:6]),
+        (st.Attributes(vertex={"color": vertices}), vertices[:3]),
+    ]:
+        mesh = st.Mesh(points, triangles, attributes=attributes)
+        assert np.array_equal(corner_colors(data_of(html_of(mesh))), [expected])
+
+
 @pytest.mark.parametrize("things", [3, None, "cube", [3], object()])
 def test_things_that_are_no_meshes(things):
     with pytest.raises(TypeError, match="expected solids, meshes"):
