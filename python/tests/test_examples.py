@@ -29,7 +29,7 @@ def environment() -> dict[str, str]:
     return {**os.environ, "PYTHONPATH": os.pathsep.join(paths)}
 
 
-@pytest.mark.parametrize("name", ["first_solid", "contacts", "probe"])
+@pytest.mark.parametrize("name", ["first_solid", "contacts", "probe", "attributes"])
 def test_small_example(name, environment, tmp_path):
     """Those of examples/python, which the site shows."""
     script = FOLDER.parents[1] / "examples/python" / f"{name}.py"
