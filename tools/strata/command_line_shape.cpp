@@ -17,7 +17,7 @@ void add_decompose(CommandLine& line) {
   verb->add_option(
           "-o,--output", settings.output,
           "A folder for the pieces, a file each, and decomposition.json with their walls; or one file, in which "
-          "they are groups (.msh, .vtk, .obj, ...); or a picture (.glb)")
+          "they are groups (.obj, .ply, .vtk, .msh); or a picture (.glb)")
       ->type_name("DIR|OUT");
   verb->add_option("--format", settings.output_format,
                    "Of the files of a folder: off, obj, stl, ply, ...; xoff, which keeps rationals, unless told")

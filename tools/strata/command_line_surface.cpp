@@ -17,7 +17,7 @@ void add_folder(CLI::App& verb, Settings& settings, const char* meshes, const ch
   verb.add_option(
           "-o,--output", settings.output,
           fmt::format("A folder for the {0}, a file each, and {1}, which lists them; or one file, in which they are "
-                      "groups (.msh, .vtk, .obj, ...)",
+                      "groups (.obj, .ply, .vtk, .msh)",
                       meshes, document))
       ->type_name("DIR|OUT");
   verb.add_option("--format", settings.output_format,

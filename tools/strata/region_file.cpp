@@ -1,17 +1,34 @@
 #include "region_file.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "files.h"
 #include "rounded_output.h"
-#include "strata/io.h"
+
+namespace {
+
+bool has_groups(strata::Format format) {
+  using strata::Format;
+  constexpr std::array formats{Format::obj, Format::ply,       Format::ply_ascii, Format::ply_big_endian,
+                               Format::vtk, Format::vtk_ascii, Format::msh};
+  return std::find(formats.begin(), formats.end(), format) != formats.end();
+}
+
+}  // namespace
 
 bool RegionFile::is_named(const Settings& settings) {
   std::error_code unknown;
-  return strata::can_write(strata::format_of(settings.output)) &&
-         !std::filesystem::is_directory(settings.output, unknown);
+  if (!strata::can_write(strata::format_of(settings.output)) || std::filesystem::is_directory(settings.output, unknown))
+    return false;
+  if (!has_groups(output_format(settings)))
+    throw UsageError(settings.output +
+                     ": the format has no groups to keep several meshes apart; -o names a folder here, or a file .obj, "
+                     ".ply, .vtk or .msh");
+  return true;
 }
 
 RegionFile::RegionFile(const Settings& settings) : settings_(settings), format_(output_format(settings)) {}

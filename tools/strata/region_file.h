@@ -5,20 +5,19 @@
 #include <vector>
 
 #include "settings.h"
-#include "strata/attributes.h"
+#include "strata/io.h"
 #include "strata/mesh.h"
 
 /// What a mesh of several is: solids are rounded as --rounding says.
 enum class MeshContent { solid, surface };
 
 /// Several meshes in the one file that -o names: the faces of each are a group with its name. Formats for simulation
-/// have a number for each face (VTK) or a physical surface for each group (MSH). Equal vertices are one.
+/// have a number for each face (VTK, PLY) or a physical surface for each group (MSH). Equal vertices are one.
 class RegionFile {
  public:
-  /// False where -o names no file that a mesh can be written to, but a folder.
+  /// False where -o names a folder. Throws UsageError for a file of a format that has no groups.
   [[nodiscard]] static bool is_named(const Settings& settings);
 
-  /// Throws UsageError for a format that cannot be written.
   explicit RegionFile(const Settings& settings);
 
   void add(const strata::ExactMesh& mesh, std::string name, MeshContent content);
