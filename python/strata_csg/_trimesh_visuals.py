@@ -120,7 +120,7 @@ def _material_of(material: Material, images: Sequence[Image]) -> Any:
 def _decoded(image: Image) -> Any:
     """A picture of Pillow; None where that is absent, or knows no such picture."""
     try:
-        import PIL.Image
+        import PIL.Image  # type: ignore[import-not-found, unused-ignore]
     except ImportError:
         return None
     try:
