@@ -24,14 +24,14 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME strata)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "librsvg2-bin, libstrata-dev")
-set(CPACK_DEBIAN_TOOLS_DESCRIPTION "exact Booleans of solids given as triangle meshes
- Unions, intersections, differences and symmetric differences of solids, computed
- exactly on the doubles in the files. Coplanar faces, touching edges and all
- other degenerate cases are ordinary input. There is no tolerance, and nothing
- is moved.
- .
- The command line also slices, splits, draws, offsets and compares solids, finds
- contacts in assemblies, combines polygons, and tests other engines.")
+# cpack puts the summary before descriptions, and a space before each line.
+set(CPACK_DEBIAN_TOOLS_DESCRIPTION "Unions, intersections, differences and symmetric differences of solids,
+computed exactly on the doubles in the files. Coplanar faces, touching edges
+and all other degenerate cases are ordinary input. There is no tolerance, and
+nothing is moved.
+
+The command line also slices, splits, draws, offsets and compares solids,
+finds contacts in assemblies, combines polygons, and tests other engines.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libstrata-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(development_needs "libtbb-dev, libboost-dev, zlib1g-dev")
@@ -45,11 +45,11 @@ if(TARGET strata_planar)
   string(APPEND development_needs ", libpugixml-dev")
 endif()
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${development_needs}")
-set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "exact Booleans of solids: C++ library and headers
- Unions, intersections, differences and symmetric differences of solids given as
- triangle meshes, computed exactly on the doubles given.
- .
- Headers, static libraries, and files for CMake and pkg-config.")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "The library for C++. Unions, intersections, differences and symmetric
+differences of solids given as triangle meshes, computed exactly on the
+doubles given.
+
+Headers, static libraries, and files for CMake and pkg-config.")
 
 # What Debian wants in a package: copyright, changes, and reasons for what lintian finds. The bill of materials lies beside them.
 find_program(STRATA_GZIP gzip)
@@ -70,8 +70,12 @@ if(STRATA_GZIP AND Python3_FOUND)
   foreach(package strata libstrata-dev)
     set(folder ${debian}/${package})
     set(component debian_tools)
+    set(more_overrides "# libgmp is linked dynamically; the program knows a message of it, by which it tells a lack of memory.
+strata: embedded-library gmp *
+")
     if(package STREQUAL libstrata-dev)
       set(component debian_development)
+      set(more_overrides "")
     endif()
     configure_file(packaging/debian/copyright.in ${folder}/copyright @ONLY)
     configure_file(packaging/debian/changelog.in ${folder}/changelog.Debian @ONLY)
