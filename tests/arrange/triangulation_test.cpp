@@ -170,7 +170,10 @@ TEST_CASE("paths of a surface that crosses a face are cut at once; rings are not
     }
     Triangulation t(plate.input, table);
     t.start(0, Triangulation::Names::lowest);
-    const bool are_paths = t.add_paths(constraints);
+    const PathPolygons* paths = t.find_paths(constraints);
+    bool are_paths = paths != nullptr;
+    for (std::size_t i = 0; are_paths && i < paths->count(); ++i) are_paths = t.fill(i);
+    if (paths != nullptr && !are_paths) t.start(0, Triangulation::Names::lowest);
     validate(plate.input, t);
     (are_paths ? cut : left) += static_cast<int>(!constraints.empty());
     std::size_t notes = 0;

@@ -53,10 +53,14 @@ class Triangulation {
   /// Starts again with one triangle: the face itself, its corners being local vertices 0, 1, 2.
   void start(std::uint32_t face, Names names);
 
-  /// Inserts all constraints at once, right after `start`, if they are simple paths through the face, as where two
-  /// surfaces only cross. Constraint i gets the number i. Otherwise returns false and changes nothing. Requires names
-  /// of the lowest features.
-  bool add_paths(std::span<const Constraint> constraints);
+  /// The polygons into which the constraints divide the face, right after `start`, if they are simple paths through it,
+  /// as where two surfaces only cross: constraint i has the number i. Then `fill` makes the triangles. Else null, and
+  /// the triangulation is as after `start`. Requires names of the lowest features.
+  const PathPolygons* find_paths(std::span<const Constraint> constraints);
+
+  /// Fills one of these polygons with triangles. Returns false where that fails, since it is large or paths cross each
+  /// other; `start` has to be called again. Paths that cross are noticed when all polygons are filled, not before.
+  bool fill(std::size_t polygon) { return cut_ears(paths_[polygon]); }
 
   /// Inserts the ends of all constraints, then those that are segments: constraint i gets the number i.
   void add_constraints(std::span<const Constraint> constraints);

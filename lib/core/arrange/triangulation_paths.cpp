@@ -14,25 +14,20 @@ namespace {
 constexpr std::size_t many_sides = 24;
 }  // namespace
 
-bool Triangulation::add_paths(std::span<const Constraint> constraints) {
-  if (constraints.size() > many_sides) return false;
-  if (paths_.find(constraints)) {
-    triangles_.clear();
-    at_.assign(at(points_.size()), -1);
-    halves_.assign(2 * constraints.size(), {});
-    crossed_planes_.clear();
-    if (input_.has_planes())
-      for (const Constraint& c : constraints)
-        crossed_planes_.push_back(c.line.edge ? nullptr : input_.source_plane(c.line.a));
-    bool simple = true;
-    for (std::size_t i = 0; i < paths_.count() && simple; ++i) simple = cut_ears(paths_[i]);
-    if (simple) {
-      for (const Constraint& c : constraints) lines_.push_back(c.line);
-      return true;
-    }
+const PathPolygons* Triangulation::find_paths(std::span<const Constraint> constraints) {
+  if (constraints.size() > many_sides || !paths_.find(constraints)) {
+    start(face(), given_names_);
+    return nullptr;
   }
-  start(face(), given_names_);
-  return false;
+  triangles_.clear();
+  at_.assign(at(points_.size()), -1);
+  halves_.assign(2 * constraints.size(), {});
+  crossed_planes_.clear();
+  for (const Constraint& c : constraints) lines_.push_back(c.line);
+  if (input_.has_planes())
+    for (const Constraint& c : constraints)
+      crossed_planes_.push_back(c.line.edge ? nullptr : input_.source_plane(c.line.a));
+  return &paths_;
 }
 
 /// Fills a polygon with counter-clockwise triangles, or returns false. Counter-clockwise triangles that share every

@@ -10,6 +10,7 @@
 #include "core/mesh/gathered_mesh.h"
 #include "core/mesh/prepare.h"
 #include "core/overlap/embedded_stars.h"
+#include "core/overlap/starlike.h"
 
 namespace strata {
 namespace {
@@ -92,6 +93,7 @@ bool are_usable(MeshView mesh) {
 
 bool is_plainly_solid(MeshView mesh, const Monitor& monitor) {
   if (mesh.triangles.empty()) return false;
+  if (is_found_starlike(mesh, monitor)) return true;
   if (is_scattered(mesh) && are_usable(mesh)) return bounds_plainly(gathered(mesh, monitor), monitor);
   return bounds_plainly(mesh, monitor);
 }

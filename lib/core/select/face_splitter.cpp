@@ -58,14 +58,70 @@ SubdividedFace FaceSplitter::split(std::span<const Constraint> constraints, NewP
 }
 
 void FaceSplitter::collect_pieces(const std::optional<FreeCorner>& corner, NewPoints& found) {
-  const bool simple = triangulate();
-  if (triangulation_.triangles().size() <= most_validated)
-    ensure("subdivide", [&] { return validate(triangulation_, constraints_); });
-  spread(corner ? Start{triangle_at_corner(corner->index), {corner->windings, {}}} : start_inside());
+  triangulation_.start(face_, Triangulation::Names::lowest);
+  const PathPolygons* polygons = triangulation_.find_paths(constraints_);
+  bool are_paths = polygons != nullptr;
+  if (!are_paths || !corner || !is_crossed_by_one_solid() || !fill_kept(*polygons, *corner)) {
+    are_paths = triangulate(polygons);
+    if (triangulation_.triangles().size() <= most_validated)
+      ensure("subdivide", [&] { return validate(triangulation_, constraints_); });
+    spread(corner ? Start{triangle_at_corner(corner->index), {corner->windings, {}}} : start_inside());
+    judge();
+  }
   remember_corners();
-  judge();
   collect();
-  if (rule_.looks_around() && !kept_.triangles.empty()) connect_names(simple, found);
+  if (rule_.looks_around() && !kept_.triangles.empty()) connect_names(are_paths, found);
+}
+
+/// True when all constraints are of one other operand, which is a solid, so that they do not cross each other, and no
+/// point has names that only a complete triangulation shows.
+bool FaceSplitter::is_crossed_by_one_solid() const {
+  return !self_ && met_.size() == 2 && rule_.looks_around() && !(input_.operand_count() > 2 && input_.has_identified());
+}
+
+/// Fills the polygons of the regions that are kept. False where that fails.
+bool FaceSplitter::fill_kept(const PathPolygons& polygons, const FreeCorner& corner) {
+  spread_over(polygons, corner);
+  judge();
+  region_of_.clear();
+  for (std::size_t i = 0; i < polygons.count(); ++i) {
+    const std::int32_t region = region_of_polygon_[i];
+    if (verdicts_[at(region)] == Verdict::drop) continue;
+    if (!triangulation_.fill(i)) return false;
+    region_of_.resize(triangulation_.triangles().size(), region);
+  }
+  return true;
+}
+
+/// Traverses the polygons from that of a corner. Each is a region.
+void FaceSplitter::spread_over(const PathPolygons& polygons, const FreeCorner& corner) {
+  sides_.assign(constraints_.size(), {});
+  region_of_polygon_.assign(polygons.count(), -1);
+  regions_.clear();
+  polygon_queue_.clear();
+  std::array<std::size_t, 3> at_corner{};
+  for (std::size_t i = 0; i < polygons.count(); ++i)
+    for (const PathPolygons::Side& side : polygons[i]) {
+      if (side.carrier >= 0) (side.forward ? sides_[at(side.carrier)].left : sides_[at(side.carrier)].right) = i;
+      if (side.from < 3) at_corner[at(side.from)] = i;
+    }
+  const auto enter = [&](std::size_t polygon, Region region) {
+    region_of_polygon_[polygon] = static_cast<std::int32_t>(regions_.size());
+    regions_.push_back(std::move(region));
+    polygon_queue_.push_back(polygon);
+  };
+  enter(at_corner[corner.index], {corner.windings, {}});
+  for (std::size_t i = 0; i < polygon_queue_.size(); ++i)
+    for (const PathPolygons::Side& side : polygons[polygon_queue_[i]]) {
+      if (side.carrier < 0) continue;
+      const auto c = at(side.carrier);
+      const std::size_t other = side.forward ? sides_[c].right : sides_[c].left;
+      if (region_of_polygon_[other] >= 0) continue;
+      Region region = regions_[i];
+      cross(region, c, side.forward);
+      enter(other, std::move(region));
+    }
+  for (std::size_t i = 0; i < 3; ++i) region_at_corner_[i] = region_of_polygon_[at_corner[i]];
 }
 
 /// Lists other names of the points that bound the result. `simple`: the constraints are simple paths.
@@ -121,10 +177,14 @@ void FaceSplitter::keep_covers(const Region& region) {
     kept_.covers.push_back({static_cast<std::uint32_t>(kept_.triangles.size()), g});
 }
 
-/// True when the constraints are simple paths.
-bool FaceSplitter::triangulate() {
-  triangulation_.start(face_, Triangulation::Names::lowest);
-  if (triangulation_.add_paths(constraints_)) return true;
+/// Triangulates all of the face, after a search for polygons that may have been filled in part. True when these served.
+bool FaceSplitter::triangulate(const PathPolygons* polygons) {
+  if (polygons != nullptr) {
+    bool is_filled = triangulation_.triangles().empty();
+    for (std::size_t i = 0; is_filled && i < polygons->count(); ++i) is_filled = triangulation_.fill(i);
+    if (is_filled) return true;
+    triangulation_.start(face_, Triangulation::Names::lowest);
+  }
   triangulation_.add_constraints(constraints_);
   return false;
 }
@@ -156,7 +216,7 @@ std::optional<FaceSplitter::FreeCorner> FaceSplitter::ask_free_corner() const {
 
 void FaceSplitter::remember_corners() {
   for (const std::size_t i : free_corners_) {
-    const Windings& w = regions_[at(region_of_[at(triangle_at_corner(i))])].above;
+    const Windings& w = regions_[at(region_at_corner_[i])].above;
     known_corners_.remember(corners_[i], w);
     early_out_.tell(corners_[i], w);
   }
@@ -223,32 +283,36 @@ void FaceSplitter::spread(Start from) {
   for (std::size_t i = 0; i < crossings_.size(); ++i) {
     const auto [t, side] = crossings_[i];
     const std::int32_t n = triangles[at(t)].n[at(side)];
-    if (region_of_[at(n)] < 0) enter(n, across(regions_[at(region_of_[at(t)])], triangles[at(t)].c[at(side)]));
+    if (region_of_[at(n)] < 0) enter(n, across_notes(regions_[at(region_of_[at(t)])], triangles[at(t)].c[at(side)]));
   }
+  for (std::size_t i = 0; i < 3; ++i) region_at_corner_[i] = region_of_[at(triangle_at_corner(i))];
 }
 
 /// The region on the right of a side from the one on its left.
-FaceSplitter::Region FaceSplitter::across(Region region, std::int32_t first_note) const {
-  for (std::int32_t n = first_note; n >= 0; n = triangulation_.note(n).next) {
-    const auto& note = triangulation_.note(n);
-    const Constraint& c = constraints_[at(note.constraint)];
-    switch (c.kind) {
-      case ConstraintKind::crossing:
-        if (rule_.looks_around()) region.above.add(input_.operand_of_face(c.other), note.forward ? -1 : 1);
-        break;
-      case ConstraintKind::cover_left:
-        cover(region, c.other, !note.forward);
-        break;
-      case ConstraintKind::cover_right:
-        cover(region, c.other, note.forward);
-        break;
-      case ConstraintKind::point:
-      case ConstraintKind::touch:
-      case ConstraintKind::coplanar:
-        break;
-    }
-  }
+FaceSplitter::Region FaceSplitter::across_notes(Region region, std::int32_t first_note) const {
+  for (std::int32_t n = first_note; n >= 0; n = triangulation_.note(n).next)
+    cross(region, at(triangulation_.note(n).constraint), triangulation_.note(n).forward);
   return region;
+}
+
+/// Moves from the left of a constraint, or of its reverse, to the right.
+void FaceSplitter::cross(Region& region, std::size_t constraint, bool forward) const {
+  const Constraint& c = constraints_[constraint];
+  switch (c.kind) {
+    case ConstraintKind::crossing:
+      if (rule_.looks_around()) region.above.add(input_.operand_of_face(c.other), forward ? -1 : 1);
+      break;
+    case ConstraintKind::cover_left:
+      cover(region, c.other, !forward);
+      break;
+    case ConstraintKind::cover_right:
+      cover(region, c.other, forward);
+      break;
+    case ConstraintKind::point:
+    case ConstraintKind::touch:
+    case ConstraintKind::coplanar:
+      break;
+  }
 }
 
 void FaceSplitter::cover(Region& region, std::uint32_t g, bool enters) {

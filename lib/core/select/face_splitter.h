@@ -52,6 +52,10 @@ class FaceSplitter {
     std::int32_t triangle;
     int side;
   };
+  /// The polygons beside a constraint.
+  struct Sides {
+    std::size_t left = 0, right = 0;
+  };
   /// The kept pieces while they are collected.
   struct Kept {
     std::vector<PointId> points;
@@ -74,9 +78,13 @@ class FaceSplitter {
   void collect_pieces(const std::optional<FreeCorner>& corner, NewPoints& found);
   void connect_names(bool simple, NewPoints& found);
 
-  bool triangulate();
+  [[nodiscard]] bool is_crossed_by_one_solid() const;
+  [[nodiscard]] bool fill_kept(const PathPolygons& polygons, const FreeCorner& corner);
+  void spread_over(const PathPolygons& polygons, const FreeCorner& corner);
+  bool triangulate(const PathPolygons* polygons);
   void spread(Start from);
-  [[nodiscard]] Region across(Region region, std::int32_t first_note) const;
+  [[nodiscard]] Region across_notes(Region region, std::int32_t first_note) const;
+  void cross(Region& region, std::size_t constraint, bool forward) const;
   static void cover(Region& region, std::uint32_t g, bool enters);
   void keep_covers(const Region& region);
   void judge();
@@ -106,8 +114,12 @@ class FaceSplitter {
   std::span<const Constraint> constraints_;
   std::vector<std::uint32_t> met_;  ///< operands
   boost::container::static_vector<std::size_t, 3> free_corners_;
-  std::vector<std::int32_t> region_of_;
+  std::vector<std::int32_t> region_of_;  ///< per triangle
   std::vector<Region> regions_;
+  std::array<std::int32_t, 3> region_at_corner_{};
+  std::vector<std::int32_t> region_of_polygon_;  ///< if polygons were spread over
+  std::vector<std::size_t> polygon_queue_;
+  std::vector<Sides> sides_;         ///< per constraint
   std::vector<Crossing> crossings_;  ///< in the order in which they were reached
   std::vector<std::int32_t> inner_;
   std::vector<Verdict> verdicts_;
