@@ -24,6 +24,7 @@
 #include "strata/rounding.h"
 #include "strata/shared.h"
 #include "strata/solid.h"
+#include "strata/srgb.h"
 #include "strata/transform.h"
 #include "strata/unit.h"
 #include "strata/version.h"

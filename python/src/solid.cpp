@@ -121,7 +121,8 @@ void bind_measures(nb::class_<Solid>& type) {
           "Per triangle the triangle of that operand that it is part of.")
       .def_prop_ro(
           "notes", [](const Solid& s) { return to_python(std::span(s.notes())); },
-          nb::sig("def notes(self) -> tuple[Defect, ...]"), "What was resolved when the solid was made.")
+          nb::sig("def notes(self) -> tuple[Defect, ...]"),
+          "What was resolved when the solid was made; nothing, if it comes from a pickle.")
       .def_prop_ro(
           "volume", [](const Solid& s) { return run([&] { return s.volume(); }); }, "The exact volume. O(n).")
       .def_prop_ro(

@@ -2,6 +2,7 @@
 #include <nanobind/stl/vector.h>
 #include <strata/incremental.h>
 
+#include "attributes.h"
 #include "module.h"
 #include "names.h"
 #include "run.h"
@@ -59,6 +60,29 @@ number of them and this solid together.
       .def_prop_ro(
           "solid", [](const IncrementalSolid& w) { return run([&] { return w.solid(); }); },
           "The solid, with exact vertices and the attributes of what it was made of. O(n).")
+      .def(
+          "finished",
+          [](const IncrementalSolid& w, const MaterialOption& cut_material, unsigned threads, ProgressOption progress,
+             std::optional<double> timeout) {
+            return run({threads, std::move(progress), timeout, cut_material.value("cut_material")},
+                       [&](const Computation& c) { return w.solid(c.options()); });
+          },
+          nb::kw_only(), "cut_material"_a = nb::none(), STRATA_WATCH_ARGUMENTS,
+          R"(`solid`, with cut faces made of a material.
+
+Parameters
+----------
+cut_material : Material, optional
+    What the faces that tools left are made of, where the tool has no material.
+threads, progress, timeout
+    As for Solid.
+
+Examples
+--------
+>>> work = Workpiece(box((0, 0, 0), (2, 2, 2))).cut(box((1, 1, 1), (3, 3, 3)))
+>>> sorted(set(work.finished(cut_material=Material("steel")).attributes["material"].tolist()))
+[-1, 0]
+)")
       .def_prop_ro("nearest_volume", &IncrementalSolid::volume,
                    "The volume to a few units in the last place, unless nearly all of the solid cancels. O(1).")
       .def_prop_ro("triangle_count", &IncrementalSolid::triangle_count, "How many triangles the boundary has.")

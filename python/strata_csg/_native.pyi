@@ -492,7 +492,9 @@ class Solid:
 
     @property
     def notes(self) -> tuple[Defect, ...]:
-        """What was resolved when the solid was made."""
+        """
+        What was resolved when the solid was made; nothing, if it comes from a pickle.
+        """
 
     @property
     def volume(self) -> fractions.Fraction:
@@ -1269,6 +1271,24 @@ class Workpiece:
     def solid(self) -> Solid:
         """
         The solid, with exact vertices and the attributes of what it was made of. O(n).
+        """
+
+    def finished(self, *, cut_material: Material | None = None, threads: int = 0, progress: Progress | None = None, timeout: float | None = None) -> Solid:
+        """
+        `solid`, with cut faces made of a material.
+
+        Parameters
+        ----------
+        cut_material : Material, optional
+            What the faces that tools left are made of, where the tool has no material.
+        threads, progress, timeout
+            As for Solid.
+
+        Examples
+        --------
+        >>> work = Workpiece(box((0, 0, 0), (2, 2, 2))).cut(box((1, 1, 1), (3, 3, 3)))
+        >>> sorted(set(work.finished(cut_material=Material("steel")).attributes["material"].tolist()))
+        [-1, 0]
         """
 
     @property

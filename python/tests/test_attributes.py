@@ -430,6 +430,16 @@ def test_cut_faces_are_of_a_material(make):
     assert make(None).attributes is None
 
 
+def test_cut_faces_of_a_workpiece_are_of_a_material():
+    work = st.Workpiece(numbered(A)).cut(B)
+    material = work.finished(cut_material=PAINT).attributes["material"]
+    cut = np.asarray(st.difference([A, B]).source_operands) == 1
+    assert set(material.tolist()) == {-1, 0} and (material == 0).sum() == cut.sum()
+    assert "material" not in work.finished().attributes
+    with pytest.raises(TypeError, match="cut_material: expected Material, found str"):
+        work.finished(cut_material="red")
+
+
 def test_cut_faces_of_intersections():
     result = st.intersection([A, B], cut_material=PAINT)
     assert np.array_equal(result.attributes["material"] == 0, result.source_operands == 1)

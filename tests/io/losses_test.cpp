@@ -10,6 +10,25 @@
 using namespace strata;
 using namespace strata::test;
 
+TEST_CASE("colours that are no numbers are left out of 3MF, and nothing else is", "[io]") {
+  MeshFile file = two_objects();
+  std::vector<float> colors(24, 0.5F);
+  colors[7] = std::numeric_limits<float>::quiet_NaN();
+  file.attributes.channels[1] = {"color", Element::vertex, Interpolation::linear, 3, colors};
+  WriteOptions options;
+  options.format = Format::threemf;
+  options.attributes = &file.attributes;
+  std::ostringstream stream;
+  const auto notes = write_mesh(stream, ExactMesh{file.mesh, {}}, options);
+  CHECK(std::any_of(notes.begin(), notes.end(),
+                    [](const std::string& note) { return note.starts_with("channel color left out: there are "); }));
+  const std::string bytes = stream.str();
+  const MeshFile again = read_mesh(std::string_view(bytes), Format::threemf, "test");
+  CHECK(again.mesh == file.mesh);
+  CHECK(again.attributes.find("color") == nullptr);
+  CHECK(again.attributes.find("texcoord") != nullptr);
+}
+
 TEST_CASE("channels with numbers that a format has no way to keep are left out, and this is told", "[io]") {
   const Format format = GENERATE(Format::gltf, Format::glb, Format::obj, Format::threemf);
   const double value =

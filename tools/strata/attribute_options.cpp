@@ -5,20 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 #include "common/usage_error.h"
 #include "settings.h"
 #include "strata/carry_attributes.h"
 #include "strata/combine.h"
+#include "strata/srgb.h"
 
 namespace {
-
-/// A color of a screen as light: IEC 61966-2-1.
-double linear(unsigned byte) {
-  const double x = byte / 255.0;
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
 
 /// Of #rrggbb or #rrggbbaa.
 std::array<double, 4> color_of(const std::string& text) {
@@ -29,7 +23,7 @@ std::array<double, 4> color_of(const std::string& text) {
     unsigned byte = 0;
     const char* const first = text.data() + 1 + 2 * i;
     is_color = std::from_chars(first, first + 2, byte, 16).ptr == first + 2;
-    color[i] = i < 3 ? linear(byte) : byte / 255.0;
+    color[i] = i < 3 ? strata::light_of_srgb(byte / 255.0) : byte / 255.0;
   }
   if (!is_color) throw UsageError("--cut-material " + text + ": a color is #rrggbb or #rrggbbaa");
   return color;

@@ -5,16 +5,12 @@
 #include <type_traits>
 #include <variant>
 
+#include "strata/srgb.h"
+
 namespace {
 
 using strata::Channel;
 using strata::Element;
-
-/// Light as a screen shows it: IEC 61966-2-1.
-double on_screen(double light) {
-  const double x = std::clamp(light, 0.0, 1.0);
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-}
 
 double value_of(const Channel& c, std::size_t element, std::size_t component) {
   const auto value = [&]<class T>(const std::vector<T>& values) {
@@ -54,6 +50,6 @@ std::optional<ScreenColor> FaceColors::of(std::uint32_t face) const {
   ScreenColor color{1, 1, 1};
   if (color_ != nullptr) color = painted(face);
   if (has_material)
-    for (std::size_t i = 0; i < 3; ++i) color[i] *= on_screen(materials[number].color[i]);
+    for (std::size_t i = 0; i < 3; ++i) color[i] *= strata::srgb_of_light(materials[number].color[i]);
   return color;
 }

@@ -58,13 +58,12 @@ class Surfaces {
  public:
   Surfaces(const Target& target, Notes& notes) : target_(target), attributes_(target.attributes) {
     material_ = indices_of(attributes_, channel_names::material);
-    const Channel* const color = attributes_.find(channel_names::color);
-    if (is_colors(color)) color_ = color;
+    if (const Channel* const color = attributes_.find(channel_names::color); is_colors(color)) keep(*color, color_);
     const Channel* const texcoord = attributes_.find(channel_names::texcoord);
     const bool is_textured = std::any_of(attributes_.materials.begin(), attributes_.materials.end(),
                                          [](const Material& m) { return m.image.has_value(); });
     if (texcoord != nullptr && texcoord->components == 2 && is_textured && !material_.empty())
-      (has_finite_values(*texcoord) ? texcoord_ : not_finite_) = texcoord;
+      keep(*texcoord, texcoord_);
     std::uint32_t bases = 0;
     for (std::size_t m = 0; m < attributes_.materials.size(); ++m) bases_.push_back(has_texture(m) ? bases : bases++);
     base_count_ = bases;
@@ -93,7 +92,7 @@ class Surfaces {
   }
 
   [[nodiscard]] bool keeps(const Channel& c) const {
-    return &c == color_ || &c == texcoord_ || &c == not_finite_ ||
+    return &c == color_ || &c == texcoord_ || std::ranges::find(not_finite_, &c) != not_finite_.end() ||
            (c.name == channel_names::material && !material_.empty());
   }
   [[nodiscard]] bool writes_images() const { return texcoord_ != nullptr; }
@@ -111,6 +110,14 @@ class Surfaces {
   }
   [[nodiscard]] bool has_texture(std::size_t material) const {
     return texcoord_ != nullptr && attributes_.materials[material].image.has_value();
+  }
+
+  /// Keeps a channel if the format can.
+  void keep(const Channel& channel, const Channel*& as) {
+    if (has_finite_values(channel))
+      as = &channel;
+    else
+      not_finite_.push_back(&channel);
   }
 
   void number_surfaces() {
@@ -164,7 +171,7 @@ class Surfaces {
   }
 
   void note(Notes& notes) const {
-    if (not_finite_ != nullptr) note_not_finite(notes, {&not_finite_, 1}, "3MF");
+    note_not_finite(notes, not_finite_, "3MF");
     if (colors_are_rounded_) notes.emplace_back("colours were rounded to bytes: 3MF holds no others");
     std::size_t looks = 0, names = 0, rounded = 0;
     for (std::size_t i = 0; i < attributes_.materials.size(); ++i) {
@@ -231,8 +238,8 @@ class Surfaces {
   std::span<const std::int32_t> material_;
   const Channel* color_ = nullptr;
   const Channel* texcoord_ = nullptr;
-  const Channel* not_finite_ = nullptr;  ///< texture coordinates that cannot be written
-  std::vector<std::uint32_t> bases_;     ///< per material, its number among those without images
+  std::vector<const Channel*> not_finite_;  ///< channels that cannot be written
+  std::vector<std::uint32_t> bases_;        ///< per material, its number among those without images
   std::uint32_t base_count_ = 0;
   std::vector<Surface> surfaces_;
   Numbered<std::array<std::uint8_t, 4>> colors_;
