@@ -292,6 +292,36 @@ TEST_CASE("PLY: textures are materials, if they are beneath the folder of the mo
   std::filesystem::remove_all(folder);
 }
 
+TEST_CASE("PLY: materials with images are written as textures beside the file", "[io][ply]") {
+  const Format format = GENERATE(Format::ply, Format::ply_ascii);
+  const auto folder = std::filesystem::temp_directory_path() / "strata-ply-written";
+  std::filesystem::create_directories(folder);
+  MeshFile file = two_objects();
+  file.attributes.materials[1].name = "wood";
+  WriteOptions options;
+  options.format = format;
+  options.attributes = &file.attributes;
+  const std::vector<std::string> notes = write_mesh(folder / "a b.ply", ExactMesh{file.mesh, {}}, options);
+  CHECK(notes == std::vector<std::string>{"names of objects left out: PLY cannot keep them",
+                                          "materials without textures left out: PLY cannot keep them",
+                                          "names and looks of materials with textures left out: PLY cannot keep them"});
+  const MeshFile again = read_mesh(folder / "a b.ply");
+  CHECK(again.mesh == file.mesh);
+  REQUIRE(again.attributes.images.size() == 1);
+  CHECK(again.attributes.images[0].bytes == file.attributes.images[0].bytes);
+  REQUIRE(again.attributes.materials.size() == 1);
+  CHECK(again.attributes.materials[0].image == 0U);
+  CHECK(values<std::int32_t>(again, "material") == std::vector<std::int32_t>{-1, -1, -1, -1, 0, 0, 0, 0});
+  CHECK(*again.attributes.find("texcoord") == *file.attributes.find("texcoord"));
+  // A channel that has the name of their numbers keeps it.
+  file.attributes.channels.push_back(
+      {"texnumber", Element::face, Interpolation::nearest, 1, std::vector<std::int32_t>(8, 7)});
+  (void)write_mesh(folder / "c.ply", ExactMesh{file.mesh, {}}, options);
+  CHECK(values<std::int32_t>(read_mesh(folder / "c.ply"), "texnumber") == std::vector<std::int32_t>(8, 7));
+  CHECK_FALSE(std::filesystem::exists(folder / "c-wood.png"));
+  std::filesystem::remove_all(folder);
+}
+
 TEST_CASE("PLY: a polygon with many corners and many values costs memory in proportion to the file", "[io][ply]") {
   // Catches values that are repeated on every triangle of a large polygon without a bound.
   constexpr std::size_t corners = 6000, channels = 1000;

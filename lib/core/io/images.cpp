@@ -47,6 +47,15 @@ std::vector<std::string> file_names_of(const std::vector<Image>& images) {
   return names;
 }
 
+std::vector<std::string> write_beside(const std::vector<Image>& images, FilesBeside& beside) {
+  std::vector<std::string> names = file_names_of(images);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    names[i].insert(0, beside.stem() + "-");
+    beside.add(names[i]).write({reinterpret_cast<const char*>(images[i].bytes.data()), images[i].bytes.size()});
+  }
+  return names;
+}
+
 Image read_image(const std::filesystem::path& path) {
   const File file(path);
   const FileBytes bytes(file);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/files_beside.h"
 #include "strata/attributes.h"
 
 namespace strata::io {
@@ -12,6 +13,9 @@ namespace strata::io {
 
 /// Names of files for images: without folders, each different, with an extension.
 [[nodiscard]] std::vector<std::string> file_names_of(const std::vector<Image>& images);
+
+/// Writes images to files of their own, and returns the names of these.
+std::vector<std::string> write_beside(const std::vector<Image>& images, FilesBeside& beside);
 
 /// The image in a file, whose type its extension says. Throws IoError.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);

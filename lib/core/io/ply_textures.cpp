@@ -6,11 +6,10 @@
 
 #include "core/io/folder_of_model.h"
 #include "core/io/images.h"
+#include "core/io/object_faces.h"
 
 namespace strata::io {
 namespace {
-
-constexpr std::string_view texture_numbers = "texnumber";
 
 /// A material for each texture, and the images that there are. Returns false, and adds no materials, if there are none.
 bool add_materials(MeshFile& file, const std::vector<std::string>& names, const std::filesystem::path* folder) {
@@ -37,7 +36,7 @@ bool add_materials(MeshFile& file, const std::vector<std::string>& names, const 
 std::vector<std::int32_t> take_texture_numbers(MeshFile& file, std::size_t count) {
   auto& channels = file.attributes.channels;
   const auto numbers =
-      std::find_if(channels.begin(), channels.end(), [](const Channel& c) { return c.name == texture_numbers; });
+      std::find_if(channels.begin(), channels.end(), [](const Channel& c) { return c.name == ply_texture_numbers; });
   auto* const values = numbers == channels.end() || numbers->element != Element::face || numbers->components != 1
                            ? nullptr
                            : std::get_if<std::vector<std::int32_t>>(&numbers->values);
@@ -50,6 +49,41 @@ std::vector<std::int32_t> take_texture_numbers(MeshFile& file, std::size_t count
 }
 
 }  // namespace
+
+PlyTextures::PlyTextures(const Attributes& attributes, FilesBeside* beside) : attributes_(attributes), beside_(beside) {
+  const std::span<const std::int32_t> material_of = indices_of(attributes, channel_names::material);
+  if (beside == nullptr || material_of.empty() || attributes.find(channel_names::texcoord) == nullptr ||
+      attributes.find(ply_texture_numbers) != nullptr)
+    return;
+  std::vector<std::int32_t> texture_of;  // per material
+  for (const Material& m : attributes.materials) {
+    texture_of.push_back(m.image ? static_cast<std::int32_t>(images_.size()) : -1);
+    if (m.image) images_.push_back(*m.image);
+  }
+  std::vector<std::int32_t> numbers;
+  for (const std::int32_t m : material_of) numbers.push_back(m < 0 ? -1 : texture_of[static_cast<std::size_t>(m)]);
+  numbers_ = {std::string(ply_texture_numbers), Element::face, Interpolation::nearest, 1, std::move(numbers)};
+}
+
+std::string PlyTextures::write() const {
+  if (empty()) return {};
+  const std::vector<std::string> names = write_beside(attributes_.images, *beside_);
+  std::string lines;
+  for (const std::uint32_t image : images_) lines += "comment TextureFile " + names[image] + "\n";
+  return lines;
+}
+
+void PlyTextures::note(std::vector<std::string>& notes) const {
+  if (images_.size() < attributes_.materials.size())
+    notes.emplace_back("materials without textures left out: PLY cannot keep them");
+  const auto is_more_than_an_image = [](const Material& m) {
+    Material plain;
+    plain.image = m.image;
+    return m.image && m != plain;
+  };
+  if (std::ranges::any_of(attributes_.materials, is_more_than_an_image))
+    notes.emplace_back("names and looks of materials with textures left out: PLY cannot keep them");
+}
 
 void add_textures(MeshFile& file, const std::vector<std::string>& names, const std::filesystem::path* folder) {
   if (names.empty() || folder == nullptr) return;

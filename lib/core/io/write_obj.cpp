@@ -157,13 +157,7 @@ class ObjWriter {
   void write_library() {
     FilesBeside& beside = *target_.beside;
     const std::string stem = beside.stem();
-    std::vector<std::string> names = file_names_of(attributes_.images);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      names[i].insert(0, stem + "-");
-      const auto& bytes = attributes_.images[i].bytes;
-      beside.add(names[i]).write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    }
-    beside.add(stem + ".mtl").write(mtl_text(attributes_, names));
+    beside.add(stem + ".mtl").write(mtl_text(attributes_, write_beside(attributes_.images, beside)));
     target_.sink.write("mtllib " + stem + ".mtl\n");
   }
 

@@ -10,6 +10,7 @@
 #include "core/io/blocks.h"
 #include "core/io/losses.h"
 #include "core/io/ply_names.h"
+#include "core/io/ply_textures.h"
 #include "core/io/text_lines.h"
 #include "core/io/writers.h"
 
@@ -70,9 +71,12 @@ std::string announcement(const Channel& c) {
 /// The channels that are written behind the vertices or the lists of vertices.
 class Columns {
  public:
-  Columns(const Attributes& attributes, bool are_of_vertices) {
-    for (const Channel& c : attributes.channels)
-      if ((c.element == Element::vertex) == are_of_vertices && has_line(c.name)) channels_.push_back(&c);
+  Columns(const Attributes& attributes, const PlyTextures& textures, bool are_of_vertices) {
+    for (const Channel& c : attributes.channels) {
+      const bool is_replaced = !textures.empty() && c.name == channel_names::material;
+      const Channel& written = is_replaced ? textures.numbers() : c;
+      if ((written.element == Element::vertex) == are_of_vertices && has_line(c.name)) channels_.push_back(&written);
+    }
   }
 
   /// The lines of the header. `used` are names of properties before.
@@ -156,8 +160,11 @@ class PlyWriter {
   explicit PlyWriter(const Target& target)
       : mesh_(target.mesh),
         sink_(target.sink),
-        of_vertices_(target.attributes, true),
-        of_faces_(target.attributes, false) {}
+        textures_(target.attributes, target.beside),
+        of_vertices_(target.attributes, textures_, true),
+        of_faces_(target.attributes, textures_, false) {}
+
+  [[nodiscard]] const PlyTextures& textures() const { return textures_; }
 
   void write_text() {
     write_header("ascii");
@@ -184,11 +191,11 @@ class PlyWriter {
   void write_header(const std::string& format) {
     // Many readers support signed indices only.
     const bool is_signed = mesh_.vertices.size() <= std::size_t{1} << 31;
-    sink_.write("ply\nformat " + format + " 1.0\nelement vertex " + std::to_string(mesh_.vertices.size()) +
-                "\nproperty double x\nproperty double y\nproperty double z\n" + of_vertices_.header({"x", "y", "z"}) +
-                "element face " + std::to_string(mesh_.triangles.size()) + "\nproperty list uchar " +
-                (is_signed ? "int" : "uint") + " vertex_indices\n" + of_faces_.header({"vertex_indices"}) +
-                "end_header\n");
+    sink_.write("ply\nformat " + format + " 1.0\n" + textures_.write() + "element vertex " +
+                std::to_string(mesh_.vertices.size()) + "\nproperty double x\nproperty double y\nproperty double z\n" +
+                of_vertices_.header({"x", "y", "z"}) + "element face " + std::to_string(mesh_.triangles.size()) +
+                "\nproperty list uchar " + (is_signed ? "int" : "uint") + " vertex_indices\n" +
+                of_faces_.header({"vertex_indices"}) + "end_header\n");
   }
 
   template <class Numbers>
@@ -201,6 +208,7 @@ class PlyWriter {
 
   MeshView mesh_;
   Sink& sink_;
+  PlyTextures textures_;
   Columns of_vertices_, of_faces_;
 };
 
@@ -213,7 +221,10 @@ Notes write_ply(const Target& target, Format format) {
   else
     writer.write_binary(format == Format::ply_big_endian ? std::endian::big : std::endian::little);
   Notes notes;
-  note_losses(notes, target.attributes, target.unit, "PLY", {}, [](const Channel& c) { return has_line(c.name); });
+  const bool has_textures = !writer.textures().empty();
+  note_losses(notes, target.attributes, target.unit, "PLY", {.materials = has_textures, .images = has_textures},
+              [](const Channel& c) { return has_line(c.name); });
+  if (has_textures) writer.textures().note(notes);
   return notes;
 }
 
