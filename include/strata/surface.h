@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "strata/attributes.h"
 #include "strata/mesh.h"
 #include "strata/options.h"
 #include "strata/plane.h"
@@ -31,7 +32,7 @@ class Surface {
   explicit Surface(const Mesh& mesh);
   /// The same with rational vertices. Throws std::invalid_argument where the doubles are not the nearest ones.
   explicit Surface(const ExactMesh& mesh);
-  /// The boundary of a solid.
+  /// The boundary of a solid, with its attributes.
   explicit Surface(const Solid& solid);
   /// A rectangle of a plane that reaches beyond a box on all sides, seen counter-clockwise from in front: what cuts the
   /// plane out of anything within the box. Throws std::invalid_argument for a normal 0, std::overflow_error where the
@@ -44,8 +45,14 @@ class Surface {
   /// made from a mesh operand 0 and the face's own number.
   [[nodiscard]] const std::vector<Source>& sources() const;
   [[nodiscard]] const std::vector<Defect>& notes() const;  ///< what was left out when it was made
-  [[nodiscard]] bool is_empty() const;                     ///< O(1)
-  [[nodiscard]] double area() const;                       ///< of all triangles, to a few units in the last place; O(n)
+  /// What the surface carries. What is made from surfaces here carries on what these do, as carry_attributes.h says.
+  [[nodiscard]] const Attributes& attributes() const;
+  /// The same surface with these attributes in place of its own. Throws std::invalid_argument where they do not fit
+  /// mesh(), as `check_attributes` says. Attributes of the mesh that the surface was made from are led here by
+  /// `carry_attributes` and sources().
+  [[nodiscard]] Surface with_attributes(Attributes attributes) const;
+  [[nodiscard]] bool is_empty() const;  ///< O(1)
+  [[nodiscard]] double area() const;    ///< of all triangles, to a few units in the last place; O(n)
 
   struct Data;  ///< internal
 
@@ -81,7 +88,8 @@ struct Arrangement {
   std::uint32_t cell_count = 1;
 
   /// The bounded cells as solids: their closures. Number i is cell i + 1. Sources are those of the walls; walls inside
-  /// a cell are not in its boundary. Laws: solids have no common interior points; each is connected.
+  /// a cell are not in its boundary. They carry no attributes (`cells_of` does). Laws: solids have no common interior
+  /// points; each is connected.
   [[nodiscard]] std::vector<Solid> solids() const;
   /// Per cell, how often an operand winds around its points. Throws std::invalid_argument where the operand is not
   /// closed, so that this has no meaning: where a wall contradicts. O(walls).
@@ -94,12 +102,16 @@ struct Arrangement {
 /// The bounded cells of the arrangement of surfaces, closed or not: every volume that they enclose together, as a
 /// solid. Law: where the surfaces are boundaries of solids, these unite to the union of the solids and the cavities
 /// between them.
+/// A cell's boundary carries what the surfaces do; where several coincide, the first one speaks.
 [[nodiscard]] std::vector<Solid> cells_of(std::span<const Surface> surfaces, const Options& options = {});
+/// The same of their arrangement, if it is there already.
+[[nodiscard]] std::vector<Solid> cells_of(const Arrangement& arrangement, std::span<const Surface> surfaces,
+                                          const Options& options = {});
 
 /// The pieces into which surfaces divide a solid. Surfaces that end inside it, or leave a way around them, do not
 /// divide it there. Sources: operand 0 is the solid, operand k surface k - 1. Laws: the pieces unite to the solid;
 /// their volumes add up to its own; each is connected. Without surfaces: the components. Of the empty solid: none.
-/// The solid's attributes are carried; faces that the surfaces cut are cut faces (Options::cut_material).
+/// The attributes of all are carried; faces that the surfaces cut are cut faces (Options::cut_material).
 [[nodiscard]] std::vector<Solid> split(const Solid& solid, std::span<const Surface> surfaces,
                                        const Options& options = {});
 

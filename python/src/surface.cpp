@@ -2,9 +2,11 @@
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
+#include <strata/carry_attributes.h>
 #include <strata/surface.h>
 
 #include "arrays.h"
+#include "attributes.h"
 #include "errors.h"
 #include "module.h"
 #include "names.h"
@@ -20,7 +22,12 @@ using namespace nb::literals;
 Surface surface_of(nb::handle object, const char* role) {
   if (nb::isinstance<Surface>(object)) return nb::cast<Surface>(object);
   const MeshHandle mesh = MeshLike{nb::borrow(object)}.value(role);
-  return run([&] { return Surface(mesh->copy()); });
+  return run([&] {
+    const Surface surface(mesh->copy());
+    if (!mesh->attributes) return surface;
+    const AttributedMesh given{mesh->exact_view(), mesh->attributes.get()};
+    return surface.with_attributes(carry_attributes({&given, 1}, surface.exact_mesh(), surface.sources()));
+  });
 }
 
 std::vector<Surface> surfaces_of(const MeshList& objects) {
@@ -31,7 +38,14 @@ std::vector<Surface> surfaces_of(const MeshList& objects) {
 
 std::string describe(const Surface& surface) {
   return "Surface(" + std::to_string(surface.mesh().vertices.size()) + " vertices, " +
-         std::to_string(surface.mesh().triangles.size()) + " triangles)";
+         std::to_string(surface.mesh().triangles.size()) + " triangles" + names_in(surface.attributes()) + ")";
+}
+
+/// What a surface carries, as long as it lives; null: nothing.
+AttributesHandle attributes_of(const Surface& surface) {
+  if (surface.attributes().empty()) return nullptr;
+  const auto kept = std::make_shared<const Surface>(surface);
+  return {kept, &kept->attributes()};
 }
 
 Surface clipped(const MeshLike& surface, const Solid& solid, const ClipName& keep, unsigned threads,
@@ -127,6 +141,33 @@ Examples
       .def_prop_ro(
           "notes", [](const Surface& s) { return to_python(std::span(s.notes())); },
           nb::sig("def notes(self) -> tuple[Defect, ...]"), "What was left out when the surface was made.")
+      .def_prop_ro(
+          "attributes", [](const Surface& s) { return attributes_of(s); },
+          nb::sig("def attributes(self) -> Attributes | None"),
+          "What the surface carries, per vertex, corner and triangle; None where it is nothing.")
+      .def(
+          "with_attributes",
+          [](const Surface& s, const AttributesOption& attributes) {
+            const AttributesHandle carried = attributes.value();
+            return s.with_attributes(carried ? *carried : Attributes());
+          },
+          "attributes"_a.none(),
+          R"(The same surface with these attributes in place of its own; None for nothing.
+
+Clips, imprints, cells and splits carry on what surfaces carry; a mesh with attributes makes a surface with them.
+
+Raises
+------
+ValueError
+    Where they do not fit the surface, with the name of the channel.
+
+Examples
+--------
+>>> sheet = Surface(([[0, 0, 0.5], [4, 0, 0.5], [0, 4, 0.5]], [[0, 1, 2]]))
+>>> map_of_it = sheet.with_attributes(Attributes(vertex={"texcoord": [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]}))
+>>> float(clip(map_of_it, box((0, 0, 0), (1, 1, 1))).attributes["texcoord"].max())
+0.25
+)")
       .def_prop_ro("area", &Surface::area, "Of all triangles, to a few units in the last place.")
       .def("__bool__", [](const Surface& s) { return !s.is_empty(); })
       .def(

@@ -1376,6 +1376,31 @@ class Surface:
         """What was left out when the surface was made."""
 
     @property
+    def attributes(self) -> Attributes | None:
+        """
+        What the surface carries, per vertex, corner and triangle; None where it is nothing.
+        """
+
+    def with_attributes(self, attributes: Attributes | None) -> Surface:
+        """
+        The same surface with these attributes in place of its own; None for nothing.
+
+        Clips, imprints, cells and splits carry on what surfaces carry; a mesh with attributes makes a surface with them.
+
+        Raises
+        ------
+        ValueError
+            Where they do not fit the surface, with the name of the channel.
+
+        Examples
+        --------
+        >>> sheet = Surface(([[0, 0, 0.5], [4, 0, 0.5], [0, 4, 0.5]], [[0, 1, 2]]))
+        >>> map_of_it = sheet.with_attributes(Attributes(vertex={"texcoord": [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]}))
+        >>> float(clip(map_of_it, box((0, 0, 0), (1, 1, 1))).attributes["texcoord"].max())
+        0.25
+        """
+
+    @property
     def area(self) -> float:
         """Of all triangles, to a few units in the last place."""
 

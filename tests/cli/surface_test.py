@@ -42,6 +42,35 @@ class Surfaces(ToolTest):
         self.run_tool("clip", self.file("top.off", sheet(1)), solid, "--keep", "on", "-o", "-", "--format", "off")
         self.run_tool("clip", surface, solid, "--keep", "some", "-o", "out.off", expect=USAGE)
 
+    def test_what_surfaces_carry_goes_into_the_files(self):
+        self.file("photo.png", "no picture")
+        self.file("terrain.mtl", "newmtl photo\nmap_Kd photo.png\n")
+        terrain = self.file("terrain.obj", "mtllib terrain.mtl\nusemtl photo\n"
+                            "v -1 -1 .5\nv 3 -1 .5\nv 3 3 .5\nv -1 3 .5\n"
+                            "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
+        solid = self.file("a.off", cube())
+        self.run_tool("clip", terrain, solid, "-o", "part.obj")
+        text = self.path("part.obj").read_text()
+        self.assertIn("usemtl photo\n", text)
+        self.assertIn("vt 0.25 0.25\n", text)
+        self.assertTrue(self.path("part-photo.png").exists())
+        self.run_tool("clip", terrain, solid, "-o", "bare.obj", "--attributes", "none")
+        self.assertNotIn("vt", self.path("bare.obj").read_text())
+        run = self.run_tool("clip", terrain, solid, "-o", "part.off")
+        self.assertIn(b"note: materials left out: OFF cannot keep them", run.stderr)
+        self.run_tool("clip", terrain, solid, "-o", "part.off", "--strict", expect=FILE)
+        self.run_tool("imprint", terrain, solid, "-o", "all.obj")
+        text = self.path("all.obj").read_text()
+        self.assertIn("g surface 0", text)
+        self.assertIn("vt 0.25 0.25\n", text)
+        # Several files: what the format cannot keep is told once.
+        run = self.run_tool("split", solid, terrain, "-o", "halves", "--format", "off", "--cut-material", "photo")
+        self.assertEqual(run.stderr.count(b"materials left out"), 1)
+        self.run_tool("split", solid, "--plane", "0,0,1,1/3", "-o", "cut", "--format", "3mf", "--cut-material", "#ff0000")
+        self.assertEqual(self.report("info", self.path("cut/piece-0.3mf"))["operands"][0]["materials"], ["#ff0000"])
+        run = self.run_tool("decompose", terrain, "--input", "soup", "-o", "pieces.obj")
+        self.assertIn(b"left out: the result carries no attributes", run.stderr)
+
     def test_imprinted_surfaces_have_common_edges(self):
         a, b = self.file("a.off", cube()), self.file("b.off", cube(1, 0.5, 0.5))
         self.run_tool("imprint", a, b, "-o", "out", "--format", "off")

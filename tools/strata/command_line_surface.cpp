@@ -23,6 +23,7 @@ void add_folder(CLI::App& verb, Settings& settings, const char* meshes, const ch
   verb.add_option("--format", settings.output_format,
                   "Of the files: off, obj, stl, ply, ...; xoff, which keeps rationals, unless told")
       ->type_name("FORMAT");
+  add_strict_option(verb, settings);
 }
 
 void add_clip(CommandLine& line, const Shared& surface) {
@@ -41,6 +42,8 @@ void add_clip(CommandLine& line, const Shared& surface) {
       ->required();
   verb->add_option("--format", settings.output_format, "Format of the part, instead of the extension of OUT")
       ->type_name("FORMAT");
+  add_attributes_option(*verb, settings);
+  add_strict_option(*verb, settings);
   verb->footer(fmt::format(R"(The first mesh is the surface, open or not, oriented or not; the second one is the solid.
 
 Examples:
@@ -64,6 +67,7 @@ void add_split(CommandLine& line, const Shared& surface) {
       ->allow_extra_args(false)
       ->take_all();
   add_folder(*verb, settings, "pieces", "split.json");
+  add_attribute_options(*verb, settings);
   add_rounding_options(*verb, settings);
   verb->footer(fmt::format(
       R"(The first mesh is the solid, the others are surfaces, open or not. Where a surface ends inside the solid it divides
@@ -84,6 +88,7 @@ void add_imprint(CommandLine& line) {
       line.app.add_subcommand("imprint", "Surfaces with one another's traces as edges; nothing is removed");
   add_common_options(*verb, settings, 1, 0);
   add_folder(*verb, settings, "surfaces", "imprint.json");
+  add_attributes_option(*verb, settings);
   verb->footer(fmt::format(R"(Example:
   strata imprint fluid.stl housing.stl -o conformal
 
@@ -97,6 +102,7 @@ void add_cells(CommandLine& line, const Shared& surface) {
   CLI::App* verb = line.app.add_subcommand("cells", "Every volume that surfaces enclose together, closed or not");
   add_common_options(*verb, settings, 1, 0);
   add_folder(*verb, settings, "cells", "cells.json");
+  add_attributes_option(*verb, settings);
   add_rounding_options(*verb, settings);
   verb->add_flag("--walls", surface->walls,
                  "Also the walls between cells, and walls.csv: the cells in front and behind, the faces of operands. "

@@ -98,8 +98,9 @@ void write_folder(const Decomposition& d, const Settings& settings) {
   Json list = Json::array();
   for (std::uint32_t p = 0; p < d.pieces.size(); ++p) {
     const strata::ExactMesh mesh = mesh_of(d.polytope(p));
-    list.push_back(
-        {{"file", folder.write(p, mesh)}, {"facets", d.pieces[p].size()}, {"volume_exact", volume(mesh).str()}});
+    list.push_back({{"file", folder.write(p, mesh, {}, MeshContent::solid)},
+                    {"facets", d.pieces[p].size()},
+                    {"volume_exact", volume(mesh).str()}});
   }
   Json document = {{"pieces", std::move(list)}, {"walls", walls(d)}};
   write_text(folder.path("decomposition.json"), document.dump(1) + "\n");
@@ -109,7 +110,7 @@ void write_folder(const Decomposition& d, const Settings& settings) {
 void write_file(const Decomposition& d, const Settings& settings) {
   RegionFile file(settings);
   for (std::uint32_t p = 0; p < d.pieces.size(); ++p)
-    file.add(mesh_of(d.polytope(p)), fmt::format("piece {}", p), MeshContent::solid);
+    file.add(mesh_of(d.polytope(p)), {}, fmt::format("piece {}", p), MeshContent::solid);
   file.write();
 }
 
@@ -152,7 +153,10 @@ ExitCode run_decompose(const Settings& settings) {
 
   watch.on_stop(OnStop::finish);
   stopwatch.lap();
-  if (!settings.output.empty()) write_pieces(d, settings);
+  if (!settings.output.empty()) {
+    tell_what_is_not_carried(operands, settings);
+    write_pieces(d, settings);
+  }
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.quiet && settings.report != "-")
     for (const auto& [key, value] : report["result"].items())

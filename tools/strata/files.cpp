@@ -34,6 +34,10 @@ void print_notes(const std::string& path, const std::vector<std::string>& notes,
   for (const std::string& note : notes) fmt::print(stderr, "strata: {}: note: {}\n", path, note);
 }
 
+void print_losses(const std::string& path, const std::vector<std::string>& notes, const Settings& settings) {
+  if (settings.tells_losses) print_notes(path, notes, settings);
+}
+
 std::string read_all(std::istream& stream, const std::string& name) {
   constexpr std::size_t block = 1 << 20;
   std::string bytes;
@@ -119,11 +123,21 @@ void write_output(const Settings& settings, Format format, const strata::ExactMe
   options.strict = settings.strict;
   if (settings.output == "-") {
     const auto write = [&] { return strata::write_mesh(std::cout, mesh, options, "standard output"); };
-    print_notes("standard output", on_threads(settings, write), settings);
+    print_losses("standard output", on_threads(settings, write), settings);
     if (!std::cout.flush()) throw strata::IoError("standard output", {}, std::strerror(errno));
   } else {
     const auto write = [&] { return strata::write_mesh(settings.output, mesh, options); };
-    print_notes(settings.output, on_threads(settings, write), settings);
+    print_losses(settings.output, on_threads(settings, write), settings);
+  }
+}
+
+void tell_what_is_not_carried(std::span<const LoadedMesh> operands, const Settings& settings) {
+  if (settings.quiet) return;
+  for (const LoadedMesh& operand : operands) {
+    std::string names;
+    for (const strata::Channel& c : operand.attributes.channels) names += (names.empty() ? "" : ", ") + c.name;
+    if (!names.empty())
+      fmt::print(stderr, "strata: {}: note: {} left out: the result carries no attributes\n", operand.path, names);
   }
 }
 

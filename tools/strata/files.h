@@ -36,6 +36,9 @@ struct LoadedMesh {
 [[nodiscard]] strata::Solid make_attributed_solid(std::span<const LoadedMesh> operands, std::size_t k,
                                                   const Settings& settings);
 
+/// Notes what operands have that a result does not carry.
+void tell_what_is_not_carried(std::span<const LoadedMesh> operands, const Settings& settings);
+
 /// The format that -o and --format ask for; binary STL on standard output unless told. Throws UsageError.
 [[nodiscard]] strata::Format output_format(const Settings& settings);
 

@@ -84,5 +84,6 @@ ExitCode run_hull(const Settings& settings) {
   const strata::ExactMesh result = mesh_of(hull);
   report["seconds"]["evaluate"] = stopwatch.lap();
   report["peak_bytes"] = peak_bytes();
+  tell_what_is_not_carried(operands, settings);
   return write_result(result, {}, format, std::move(report), settings, watch, "hull", [&] { return asked(result); });
 }

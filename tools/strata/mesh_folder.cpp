@@ -31,16 +31,18 @@ MeshFolder::MeshFolder(const Settings& settings, std::string stem, std::size_t c
   if (error) throw strata::IoError(settings.output, {}, fmt::format("cannot make the folder: {}", error.message()));
 }
 
-std::string MeshFolder::write(std::size_t number, const strata::ExactMesh& mesh, MeshContent content) const {
+std::string MeshFolder::write(std::size_t number, const strata::ExactMesh& mesh, const strata::Attributes& attributes,
+                              MeshContent content) const {
   std::string name = fmt::format("{}-{:0{}}.{}", stem_, number, digits_, extension_);
   Settings of_mesh = settings_;
   of_mesh.output = path(name);
   of_mesh.output_format.clear();
+  of_mesh.tells_losses = number == 0;
   const strata::Format format = output_format(of_mesh);
   if (content == MeshContent::solid) {
-    write_solid(of_mesh, format, mesh);
+    write_solid(of_mesh, format, mesh, attributes);
   } else {
-    write_output(of_mesh, format, mesh);
+    write_output(of_mesh, format, mesh, attributes);
   }
   return name;
 }

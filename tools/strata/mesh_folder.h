@@ -18,9 +18,10 @@ class MeshFolder {
   /// Makes the folder. `count` meshes will be written. Throws strata::IoError.
   MeshFolder(const Settings& settings, std::string stem, std::size_t count);
 
-  /// Writes one mesh, whole or not at all; returns the name of its file. Throws strata::IoError.
+  /// Writes one mesh, whole or not at all; returns the name of its file. What the format cannot keep of attributes is
+  /// told of the first one. Throws strata::IoError.
   [[nodiscard]] std::string write(std::size_t number, const strata::ExactMesh& mesh,
-                                  MeshContent content = MeshContent::solid) const;
+                                  const strata::Attributes& attributes, MeshContent content) const;
   /// A file in the folder.
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
 

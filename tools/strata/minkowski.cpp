@@ -54,6 +54,7 @@ ExitCode run_making(const char* verb, const Settings& settings, const Make& make
   report["seconds"]["evaluate"] = stopwatch.lap();
   report["peak_bytes"] = peak_bytes();
   watch.on_stop(OnStop::leave);
+  tell_what_is_not_carried(operands, settings);
   if (!settings.report.empty()) report["operands"] = operand_reports(operands, settings);
   return write_result(solid.exact_mesh(), {}, format, std::move(report), settings, watch, verb, question);
 }

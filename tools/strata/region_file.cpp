@@ -1,5 +1,7 @@
 #include "region_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -8,6 +10,7 @@
 
 #include "files.h"
 #include "rounded_output.h"
+#include "strata/carry_attributes.h"
 
 namespace {
 
@@ -33,17 +36,22 @@ bool RegionFile::is_named(const Settings& settings) {
 
 RegionFile::RegionFile(const Settings& settings) : settings_(settings), format_(output_format(settings)) {}
 
-void RegionFile::add(const strata::ExactMesh& mesh, std::string name, MeshContent content) {
-  RoundedOutput rounded;
-  if (content == MeshContent::solid) rounded = rounded_output(mesh, {}, format_, settings_);
-  const strata::ExactMesh& written = rounded.mesh ? *rounded.mesh : mesh;
+void RegionFile::add(const strata::ExactMesh& mesh, const strata::Attributes& attributes, std::string name,
+                     MeshContent content) {
+  RoundedOutput rounded{.attributes = attributes, .mesh = {}, .report = {}, .strays = {}};
+  if (content == MeshContent::solid) rounded = rounded_output(mesh, attributes, format_, settings_);
+  Part part{rounded.mesh ? std::move(*rounded.mesh) : mesh, std::move(rounded.attributes)};
   const auto group = static_cast<std::int32_t>(names_.size());
-  for (const strata::Triangle& t : written.mesh.triangles) {
-    all_.mesh.triangles.push_back({vertex(written, t[0]), vertex(written, t[1]), vertex(written, t[2])});
+  for (const strata::Triangle& t : part.mesh.mesh.triangles) {
+    sources_.push_back(
+        {static_cast<std::uint32_t>(parts_.size()), static_cast<std::uint32_t>(sources_.size() - first_face_of_part_)});
+    all_.mesh.triangles.push_back({vertex(part.mesh, t[0]), vertex(part.mesh, t[1]), vertex(part.mesh, t[2])});
     group_.push_back(group);
   }
+  first_face_of_part_ = sources_.size();
   if (rounded.strays) print_strays(*rounded.strays);
   names_.push_back(std::move(name));
+  parts_.push_back(std::move(part));
 }
 
 std::uint32_t RegionFile::vertex(const strata::ExactMesh& mesh, std::uint32_t v) {
@@ -61,8 +69,25 @@ std::uint32_t RegionFile::vertex(const strata::ExactMesh& mesh, std::uint32_t v)
   return number;
 }
 
+/// What all parts carry, but for groups.
+strata::Attributes RegionFile::carried() const {
+  std::vector<strata::AttributedMesh> operands;
+  bool is_empty = true;
+  for (const Part& part : parts_) {
+    operands.push_back({part.mesh, &part.attributes});
+    is_empty = is_empty && part.attributes.empty();
+  }
+  if (is_empty) return {};
+  strata::Attributes attributes = strata::carry_attributes(operands, all_, sources_);
+  const std::size_t count = attributes.channels.size();
+  std::erase_if(attributes.channels, [](const strata::Channel& c) { return c.name == strata::channel_names::group; });
+  if (attributes.channels.size() < count && !settings_.quiet)
+    fmt::print(stderr, "strata: {}: note: groups of operands left out: the meshes are groups here\n", settings_.output);
+  return attributes;
+}
+
 void RegionFile::write() {
-  strata::Attributes attributes;
+  strata::Attributes attributes = carried();
   attributes.groups = names_;
   attributes.channels.push_back(
       {std::string(strata::channel_names::group), strata::Element::face, strata::Interpolation::nearest, 1, group_});

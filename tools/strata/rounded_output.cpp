@@ -136,8 +136,9 @@ RoundedOutput rounded_output(const strata::ExactMesh& exact, const strata::Attri
   return {std::move(of_rounded), strata::ExactMesh{std::move(rounded.mesh), {}}, std::move(report), straying};
 }
 
-void write_solid(const Settings& settings, Format format, const strata::ExactMesh& exact) {
-  const RoundedOutput rounded = rounded_output(exact, {}, format, settings);
-  write_output(settings, format, rounded.mesh ? *rounded.mesh : exact);
+void write_solid(const Settings& settings, Format format, const strata::ExactMesh& exact,
+                 const strata::Attributes& attributes) {
+  const RoundedOutput rounded = rounded_output(exact, attributes, format, settings);
+  write_output(settings, format, rounded.mesh ? *rounded.mesh : exact, rounded.attributes);
   if (rounded.strays) print_strays(*rounded.strays);
 }

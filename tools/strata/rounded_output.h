@@ -41,6 +41,7 @@ struct RoundedOutput {
                                            const strata::CancelToken* cancel = nullptr);
 
 /// Writes the boundary of a solid so, whole or not at all. Throws strata::IoError.
-void write_solid(const Settings& settings, strata::Format format, const strata::ExactMesh& exact);
+void write_solid(const Settings& settings, strata::Format format, const strata::ExactMesh& exact,
+                 const strata::Attributes& attributes = {});
 
 [[nodiscard]] Json to_json(const strata::RoundingReport& report, const strata::Mesh& mesh);

@@ -78,6 +78,10 @@ void add_output_file(CLI::App& verb, Settings& settings) {
       ->type_name("OUT");
   verb.add_option("--format", settings.output_format, "Format of the result, instead of the extension of OUT")
       ->type_name("FORMAT");
+  add_strict_option(verb, settings);
+}
+
+void add_strict_option(CLI::App& verb, Settings& settings) {
   verb.add_flag("--strict", settings.strict, "What the format cannot keep is an error, and not only told");
 }
 

@@ -31,6 +31,7 @@ struct Settings {
   std::string unit;                        ///< of operands whose files say none; empty: none
   bool objects = false;                    ///< each object of a file is an operand
   bool strict = false;                     ///< what a format cannot keep is an error
+  bool tells_losses = true;                ///< else it is not told, since it was told of a file like this one
   std::string report;                      ///< path of the JSON report; "-" is stdout; empty: none
   std::uint64_t max_defects = 100;         ///< of one kind that are printed
   bool certify = false;
@@ -86,6 +87,9 @@ void add_output_file(CLI::App& verb, Settings& settings);
 
 /// The same and what goes with making a solid.
 void add_output_options(CLI::App& verb, Settings& settings);
+
+/// --strict, which is among the options above, for verbs that have others.
+void add_strict_option(CLI::App& verb, Settings& settings);
 
 /// --attributes all|none|NAME,...
 void add_attributes_option(CLI::App& verb, Settings& settings);

@@ -13,6 +13,7 @@
 #include "files.h"
 #include "mesh_folder.h"
 #include "plane_option.h"
+#include "strata/carry_attributes.h"
 #include "strata/measure.h"
 #include "surface_verbs.h"
 #include "verb_run.h"
@@ -21,21 +22,30 @@ namespace {
 
 using strata::Surface;
 
+/// A mesh that a verb made.
+struct MadeMesh {
+  strata::ExactMesh mesh;
+  strata::Attributes attributes;
+  Json facts;
+};
+
 /// What a verb made: meshes of one kind, for a folder, or for one file.
 struct Product {
   const char* stem = "";  ///< of file names
   MeshContent content = MeshContent::solid;
-  std::vector<strata::ExactMesh> meshes;
-  std::vector<Json> facts;  ///< per mesh
+  std::vector<MadeMesh> meshes;
   Json result = Json::object();
   std::function<void(const MeshFolder&)> write_more = {};  ///< into the folder
 };
 
 Surface surface_of(VerbRun& run, std::size_t k) {
   try {
-    Surface surface(run.operands()[k].mesh);
+    const LoadedMesh& operand = run.operands()[k];
+    Surface surface(operand.mesh);
     run.note(k, surface.notes());
-    return surface;
+    if (operand.attributes.empty()) return surface;
+    const std::array given{strata::AttributedMesh{operand.mesh, &operand.attributes}};
+    return surface.with_attributes(strata::carry_attributes(given, surface.exact_mesh(), surface.sources()));
   } catch (const strata::InputError& error) {
     throw strata::InputError(error.defects(), k);
   }
@@ -61,8 +71,7 @@ Product of_solids(const char* stem, const char* counted, const std::vector<strat
     const strata::Rational volume = solid.volume();
     facts["volume_exact"] = volume.str();
     total += volume;
-    product.meshes.push_back(solid.exact_mesh());
-    product.facts.push_back(std::move(facts));
+    product.meshes.push_back({solid.exact_mesh(), solid.attributes(), std::move(facts)});
   }
   product.result = {
       {counted, solids.size()}, {"volume", strata::to_nearest_double(total)}, {"volume_exact", total.str()}};
@@ -95,8 +104,9 @@ void write_folder(const Product& product, const char* verb, const Settings& sett
   const MeshFolder folder(settings, product.stem, product.meshes.size());
   Json list = Json::array();
   for (std::size_t i = 0; i < product.meshes.size(); ++i) {
-    Json entry = {{"file", folder.write(i, product.meshes[i], product.content)}};
-    entry.update(product.facts[i]);
+    const MadeMesh& made = product.meshes[i];
+    Json entry = {{"file", folder.write(i, made.mesh, made.attributes, product.content)}};
+    entry.update(made.facts);
     list.push_back(std::move(entry));
   }
   if (product.write_more) product.write_more(folder);
@@ -106,7 +116,8 @@ void write_folder(const Product& product, const char* verb, const Settings& sett
 void write_file(const Product& product, const Settings& settings) {
   RegionFile file(settings);
   for (std::size_t i = 0; i < product.meshes.size(); ++i)
-    file.add(product.meshes[i], fmt::format("{} {}", product.stem, i), product.content);
+    file.add(product.meshes[i].mesh, product.meshes[i].attributes, fmt::format("{} {}", product.stem, i),
+             product.content);
   file.write();
 }
 
@@ -119,10 +130,11 @@ ExitCode run_to_folder(const char* verb, const Settings& settings, const Make& m
   Product product;
   run.evaluate([&](const strata::Options& options) { product = make(run, options); });
   run.begin_writing();
+  const Settings of_files = with_unit_of(run.operands(), settings);
   if (is_file)
-    write_file(product, settings);
+    write_file(product, of_files);
   else if (!settings.output.empty())
-    write_folder(product, verb, settings);
+    write_folder(product, verb, of_files);
   return run.end(std::move(product.result));
 }
 
@@ -137,7 +149,7 @@ ExitCode run_clip(const SurfaceSettings& surface, const Settings& settings) {
     part = strata::clip(surface_of(run, 0), solid, surface.keep, options);
   });
   run.begin_writing();
-  write_output(settings, format, part.exact_mesh());
+  write_output(with_unit_of(run.operands(), settings), format, part.exact_mesh(), part.attributes());
   Json result = facts_of(part.exact_mesh());
   result["keep"] = name(surface.keep);
   return run.end(std::move(result));
@@ -149,10 +161,15 @@ ExitCode run_split(const SurfaceSettings& surface, const Settings& settings) {
   if (planes.empty() && settings.operands.size() < 2)
     throw UsageError("split needs a surface or a --plane that divides the solid");
   return run_to_folder("split", settings, [&](VerbRun& run, const strata::Options& options) {
-    const strata::Solid solid = run.solid(0);
+    const strata::Solid solid = with_attributes_of(run.operands().front(), run.solid(0));
     std::vector<Surface> surfaces = surfaces_from(run, 1);
     for (const strata::Plane& plane : planes) surfaces.push_back(Surface::of_plane(plane, solid.bounding_box()));
-    return of_solids("piece", "pieces", strata::split(solid, surfaces, options));
+    std::vector<const strata::Attributes*> lists;
+    for (const LoadedMesh& operand : run.operands()) lists.push_back(&operand.attributes);
+    const auto cut_material = settings.attributes.material_among(lists);
+    strata::Options with_material = options;
+    if (cut_material) with_material.cut_material = &*cut_material;
+    return of_solids("piece", "pieces", strata::split(solid, surfaces, with_material));
   });
 }
 
@@ -162,9 +179,9 @@ ExitCode run_imprint(const Settings& settings) {
     product.stem = "surface";
     std::size_t triangles = 0;
     for (const Surface& s : strata::imprint(surfaces_from(run, 0), options)) {
-      product.facts.push_back(facts_of(s.exact_mesh()));
-      product.facts.back()["of"] = run.operands()[product.meshes.size()].path;
-      product.meshes.push_back(s.exact_mesh());
+      Json facts = facts_of(s.exact_mesh());
+      facts["of"] = run.operands()[product.meshes.size()].path;
+      product.meshes.push_back({s.exact_mesh(), s.attributes(), std::move(facts)});
       triangles += s.mesh().triangles.size();
     }
     product.content = MeshContent::surface;
@@ -179,8 +196,8 @@ ExitCode run_cells(const SurfaceSettings& surface, const Settings& settings) {
   return run_to_folder("cells", settings, [&](VerbRun& run, const strata::Options& options) {
     std::vector<Surface> surfaces = surfaces_from(run, 0);
     strata::Arrangement a = strata::arrange(surfaces, options);
-    Product product = of_solids("cell", "cells", a.solids());
-    for (std::size_t i = 0; i < product.facts.size(); ++i) product.facts[i]["cell"] = i + 1;
+    Product product = of_solids("cell", "cells", strata::cells_of(a, surfaces, options));
+    for (std::size_t i = 0; i < product.meshes.size(); ++i) product.meshes[i].facts["cell"] = i + 1;
     product.result["walls"] = a.cells.size();
     if (surface.walls)
       product.write_more = [a = std::move(a), surfaces = std::move(surfaces), &settings](const MeshFolder& folder) {

@@ -9,6 +9,7 @@
 #include "extensions/surface/parts.h"
 #include "extensions/surface/space_cells.h"
 #include "extensions/surface/walls.h"
+#include "strata/carry_attributes.h"
 #include "strata/surface.h"
 
 namespace strata {
@@ -126,7 +127,16 @@ Arrangement arrange(std::span<const Surface> surfaces, const Options& options) {
 }
 
 std::vector<Solid> cells_of(std::span<const Surface> surfaces, const Options& options) {
-  return arrange(surfaces, options).solids();
+  return cells_of(arrange(surfaces, options), surfaces, options);
+}
+
+std::vector<Solid> cells_of(const Arrangement& arrangement, std::span<const Surface> surfaces, const Options& options) {
+  std::vector<Solid> solids = arrangement.solids();
+  if (carry_nothing(surfaces)) return solids;
+  const std::vector<AttributedMesh> sources = attributed_meshes(surfaces);
+  for (Solid& solid : solids)
+    solid = solid.with_attributes(carry_attributes(sources, solid.exact_mesh(), solid.sources(), options));
+  return solids;
 }
 
 }  // namespace strata

@@ -51,7 +51,26 @@ Surface surface_of_walls(const ExactMesh& mesh, std::span<const OperandWall> wal
   return surface_of(std::move(part).mesh(), std::move(sources));
 }
 
+/// A part of one of the operands, with what that one carries.
+Surface carried(Surface part, std::span<const Surface> operands, Index operand, const Options& options) {
+  const Attributes& attributes = operands[operand].attributes();
+  if (attributes.empty()) return part;
+  std::vector<AttributedMesh> meshes(operands.size());
+  meshes[operand] = {operands[operand].exact_mesh(), &attributes};
+  return part.with_attributes(carry_attributes(meshes, part.exact_mesh(), part.sources(), options));
+}
+
 }  // namespace
+
+bool carry_nothing(std::span<const Surface> surfaces) {
+  return std::ranges::all_of(surfaces, [](const Surface& s) { return s.attributes().empty(); });
+}
+
+std::vector<AttributedMesh> attributed_meshes(std::span<const Surface> surfaces) {
+  std::vector<AttributedMesh> meshes;
+  for (const Surface& s : surfaces) meshes.push_back({s.exact_mesh(), &s.attributes()});
+  return meshes;
+}
 
 MeshPart::~MeshPart() {
   for (const Index v : used_) number_[v] = none;
@@ -91,9 +110,8 @@ std::vector<Solid> split(const Solid& solid, std::span<const Surface> surfaces, 
   for (Index c = 1; c < a.cell_count; ++c)
     if (windings[c] > 0) inside.push_back(c);
   std::vector<Solid> pieces = solids_of(a, inside);
-  if (solid.attributes().empty() && options.cut_material == nullptr) return pieces;
-  std::vector<AttributedMesh> sources{{solid.exact_mesh(), &solid.attributes()}};
-  for (const Surface& s : surfaces) sources.push_back({s.exact_mesh()});
+  if (carry_nothing(operands) && options.cut_material == nullptr) return pieces;
+  const std::vector<AttributedMesh> sources = attributed_meshes(operands);
   for (Solid& piece : pieces)
     piece = piece.with_attributes(
         carry_attributes(sources, piece.exact_mesh(), piece.sources(), options, CutFaces::of_later_operands));
@@ -101,7 +119,7 @@ std::vector<Solid> split(const Solid& solid, std::span<const Surface> surfaces, 
 }
 
 Surface clip(const Surface& surface, const Solid& solid, ClipTo part, const Options& options) {
-  const std::array operands{surface, Surface(solid)};
+  const std::array operands{surface, Surface(solid.exact_mesh())};
   const Arrangement a = arrange(operands, options);
   const std::vector<std::int32_t> windings = a.windings(1);
   std::vector<OperandWall> kept;
@@ -112,7 +130,7 @@ Surface clip(const Surface& surface, const Solid& solid, ClipTo part, const Opti
     if (is == part) kept.push_back({w, a.sources[w], false});
   }
   std::vector<Index> number(a.mesh.mesh.vertices.size(), none);
-  return surface_of_walls(a.mesh, kept, number);
+  return carried(surface_of_walls(a.mesh, kept, number), operands, 0, options);
 }
 
 std::vector<Surface> imprint(std::span<const Surface> surfaces, const Options& options) {
@@ -128,7 +146,8 @@ std::vector<Surface> imprint(std::span<const Surface> surfaces, const Options& o
     const ExactMesh mesh = walls.mesh(monitor);
     std::vector<Index> number(mesh.mesh.vertices.size(), none);
     const auto lists = walls_of_operands(walls, result.size());
-    for (Index k = 0; k < result.size(); ++k) result[k] = surface_of_walls(mesh, lists[k], number);
+    for (Index k = 0; k < result.size(); ++k)
+      result[k] = carried(surface_of_walls(mesh, lists[k], number), surfaces, k, options);
   });
   monitor.report(1);
   return result;

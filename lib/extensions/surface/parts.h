@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "strata/carry_attributes.h"
 #include "strata/surface.h"
 
 namespace strata {
@@ -25,6 +26,11 @@ class MeshPart {
   std::vector<std::uint32_t> used_;
   ExactMesh part_;
 };
+
+/// True when none of these has attributes.
+[[nodiscard]] bool carry_nothing(std::span<const Surface> surfaces);
+/// Surfaces as what `carry_attributes` takes from.
+[[nodiscard]] std::vector<AttributedMesh> attributed_meshes(std::span<const Surface> surfaces);
 
 /// Cells of an arrangement as solids.
 [[nodiscard]] std::vector<Solid> solids_of(const Arrangement& a, std::span<const std::uint32_t> cells);

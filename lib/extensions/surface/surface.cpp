@@ -1,6 +1,6 @@
 #include "strata/surface.h"
 
-#include <numeric>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,6 +12,7 @@
 #include "core/mesh/prepare_steps.h"
 #include "core/mesh/zero_area.h"
 #include "extensions/surface/surface_data.h"
+#include "strata/carry_attributes.h"
 #include "strata/measure.h"
 
 namespace strata {
@@ -70,14 +71,19 @@ Surface::Data clean(ExactMeshView mesh) {
 }  // namespace
 
 Surface surface_of(ExactMesh mesh, std::vector<Source> sources) {
-  return Surface(Shared<Surface::Data>::make(Surface::Data{std::move(mesh), std::move(sources), {}}));
+  return Surface(Shared<Surface::Data>::make(Surface::Data{std::move(mesh), std::move(sources), {}, {}}));
 }
 
 Surface::Surface() : data_(Shared<Data>::make()) {}
 Surface::Surface(Shared<Data> data) : data_(std::move(data)) {}
 Surface::Surface(const Mesh& mesh) : data_(Shared<Data>::make(clean(ExactMeshView(mesh, {})))) {}
 Surface::Surface(const ExactMesh& mesh) : data_(Shared<Data>::make(clean(mesh))) {}
-Surface::Surface(const Solid& solid) : Surface(solid.exact_mesh()) {}
+// A solid's mesh need not be as a surface's is: sources lead to it.
+Surface::Surface(const Solid& solid) : Surface(solid.exact_mesh()) {
+  if (solid.attributes().empty()) return;
+  const std::array given{AttributedMesh{solid.exact_mesh(), &solid.attributes()}};
+  *this = with_attributes(carry_attributes(given, exact_mesh(), sources()));
+}
 
 Surface Surface::of_plane(const Plane& plane, const BoundingBox& around) {
   const std::size_t axis = main_axis(plane);
@@ -92,6 +98,15 @@ const Mesh& Surface::mesh() const { return data_->mesh.mesh; }
 const ExactMesh& Surface::exact_mesh() const { return data_->mesh; }
 const std::vector<Source>& Surface::sources() const { return data_->sources; }
 const std::vector<Defect>& Surface::notes() const { return data_->notes; }
+const Attributes& Surface::attributes() const { return data_->attributes; }
+
+Surface Surface::with_attributes(Attributes attributes) const {
+  check_attributes(attributes, mesh().vertices.size(), mesh().triangles.size());
+  Data data = *data_;
+  data.attributes = std::move(attributes);
+  return Surface(Shared<Data>::make(std::move(data)));
+}
+
 bool Surface::is_empty() const { return data_->mesh.mesh.triangles.empty(); }
 double Surface::area() const { return strata::area(data_->mesh); }
 

@@ -11,6 +11,7 @@ struct Surface::Data {
   ExactMesh mesh;
   std::vector<Source> sources;
   std::vector<Defect> notes;
+  Attributes attributes;
 };
 
 /// A surface of triangles that fulfil what Surface::Data says.
