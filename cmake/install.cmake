@@ -8,7 +8,7 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/strata)
 install(TARGETS strata ${module_targets} EXPORT strata ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 # The headers of the core, and those of the extensions that are built.
 set(public_headers strata attributes carry_attributes check combine coordinate_grid errors expression file_path formula function io measure mesh monitor options plane primitives
-  rational resolve rounding shared solid transform unit version)
+  rational resolve rounding shared solid srgb transform unit version)
 get_property(built_extensions GLOBAL PROPERTY strata_extensions)
 foreach(extension ${built_extensions})
   if(extension STREQUAL scene)

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import signal
+
 import numpy as np
 import pytest
 import strata_csg as st
+
+#: Jobs in the background ignore Ctrl-C, and what they start does, too.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 #: A tetrahedron with corners on the axes.
 CORNER_VERTICES = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]]
