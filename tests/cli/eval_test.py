@@ -1,4 +1,5 @@
 """strata eval: expressions over files."""
+import os
 import unittest
 
 from tool import FILE, INVALID, USAGE, ToolTest, cube, open_cube
@@ -74,11 +75,60 @@ class Eval(ToolTest):
         self.assertIn(b"note: ", done.stderr)
         self.assertEqual(self.report("info", "part.xoff")["operands"][0]["volume"], 7.95)
         self.assertEqual(self.report("eval", model, "-o", "part.off", "--round-transforms")["result"]["volume"], 7.95)
-        refused = self.file("bad.csg", "group() {\n  hull() { cube(1); }\n}\n")
+        refused = self.file("bad.csg", "group() {\n  roof() { square(1); }\n}\n")
         error = self.run_tool("eval", refused, "-o", "bad.off", expect=FILE).stderr.decode()
         self.assertIn("bad.csg:2", error)
-        self.assertIn("hull", error)
+        self.assertIn("roof", error)
         self.run_tool("eval", "missing.csg", "-o", "bad.off", expect=FILE)
+
+    def test_models_tell_which_nodes_took_long(self):
+        model = self.file("part.csg", "hull() { cube(1); sphere(2); }\nminkowski() { cube(1); cube(2); }\nhull() { cube(1); sphere(2); }")
+        nodes = self.report("eval", model, "-o", "part.off")["nodes"]
+        self.assertEqual(sorted((n["name"], n["line"]) for n in nodes), [("hull", 1), ("minkowski", 2)])
+        self.assertEqual([n["seconds"] for n in nodes], sorted((n["seconds"] for n in nodes), reverse=True))
+
+    def test_models_in_the_plane(self):
+        model = self.file("flat.csg", "difference() { square(4); polygon(points = [[1, 1], [3, 1], [1, 2]]); "
+                                      "polygon(points = [[0, 3], [3, 2.5], [3, 4], [0, 4]]); }")
+        report = self.report("eval", model, "-o", "flat.wkt", "--exact")
+        self.assertEqual((report["result"], report["shape"]["area_exact"]), (None, "45/4"))
+        self.assertIn("POLYGON ((", self.path("flat.wkt").read_text())
+        self.assertEqual(self.report("planar", "info", "flat.wkt")["result"]["area_exact"], "45/4")
+        self.run_tool("eval", model, "-o", "flat.svg")
+        self.assertIn("L4 -", self.path("flat.svg").read_text())  # y downwards
+        self.run_tool("eval", model, "-o", "flat.dxf")
+        self.assertIn("POLYLINE", self.path("flat.dxf").read_text())
+        again = self.file("again.csg", 'linear_extrude(height = 2) { import(file = "flat.dxf"); }')
+        self.assertEqual(self.report("eval", again, "-o", "again.off")["result"]["volume_exact"], "45/2")
+        back = self.file("back.csg", 'import(file = "flat.svg", dpi = 25.4);')
+        self.assertEqual(self.report("eval", back, "-o", "back.wkt")["shape"]["area_exact"], "45/4")
+        self.assertIn("is a shape in the plane", self.run_tool("eval", model, "-o", "flat.stl", expect=USAGE).stderr.decode())
+        self.assertIn("--exact is for WKT", self.run_tool("eval", model, "-o", "x.svg", "--exact", expect=USAGE).stderr.decode())
+        solid = self.file("solid.csg", "cube(1);")
+        self.assertIn("is a solid", self.run_tool("eval", solid, "-o", "solid.svg", expect=USAGE).stderr.decode())
+
+    def test_models_read_files_beneath_their_folder(self):
+        self.file("outside.off", cube())
+        (self.folder / "model").mkdir()
+        model = self.file("model/part.csg", 'import(file = "../outside.off");')
+        self.assertIn("--allow-path", self.run_tool("eval", model, "-o", "o.off", expect=FILE).stderr.decode())
+        self.assertEqual(self.report("eval", model, "--allow-path", "-o", "o.off")["result"]["volume"], 1)
+
+    def test_programs_of_openscad_are_given_to_openscad(self):
+        scad = self.file("part.scad", "cube(size);")
+        program = self.file("fake", """#!/bin/sh
+[ "$1" = -o ] && [ "$3" = -D ] || exit 1
+[ "$4" = size=bad ] && { echo "WARNING: no"; echo "ERROR: bad size" >&2; exit 1; }
+echo "cube(size = ${4#size=}, center = false);" > "$2"
+""")
+        os.chmod(self.folder / "fake", 0o755)
+        program = str(self.folder / "fake")
+        arguments = ("eval", scad, "--openscad", program, "-o", "part.off")
+        self.assertEqual(self.report(*arguments, "-D", "size=3")["result"]["volume"], 27)
+        self.assertIn("says: ERROR: bad size", self.run_tool(*arguments, "-D", "size=bad", expect=FILE).stderr.decode())
+        error = self.run_tool("eval", scad, "--openscad", "./no-such-program", "-o", "p.off", expect=FILE).stderr.decode()
+        self.assertIn("cannot be started: install OpenSCAD", error)
+        self.run_tool("eval", "missing.scad", "--openscad", program, "-o", "p.off", expect=FILE)
 
     def test_standard_streams(self):
         done = self.run_tool("eval", "a - b", "a=-", self.b, "--input-format", "off", "-o", "-", "--format", "off",

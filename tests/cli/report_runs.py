@@ -14,6 +14,7 @@ FILES = {
     "steps.json": '{"start": {"file": "big.off"}, "steps": [{"operation": "difference", "file": "b.off", "label": "hole"},'
                   ' {"operation": "union", "file": "beside.off"}]}',
     "model.csg": "difference() { cube(size = [2, 2, 2], center = false); sphere(r = 1, $fn = 12); }",
+    "flat.csg": "offset(delta = 1) { square(2); }", "hull.csg": "hull() { cube(1); sphere(2); }",
 }
 
 _booleans = ("union", "intersection", "difference", "symmetric-difference")
@@ -36,6 +37,8 @@ RUNS = [
     ("round", "round crossing.off -o out.off --to float32", 0),
     ("eval", "eval a-(b&c) a=a.off b=b.off c=big.off -o out.off", 0),
     ("eval", "eval model.csg -o out.off --round-transforms", 0),
+    ("eval", "eval hull.csg -o out.off", 0),
+    ("eval", "eval flat.csg -o out.svg", 0),
     ("check", "check a.off", 0),
     ("check", "check open.off", 1),
     ("check", "check crossing.off", 1),

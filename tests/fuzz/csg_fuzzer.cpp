@@ -1,5 +1,5 @@
-// The .csg reader. It makes the primitives and evaluates nothing; models that ask for much are passed over, since a
-// short text may ask for millions of corners.
+// The .csg reader, with what it evaluates when reading; models that ask for much are passed over, since a short text
+// may ask for millions of corners.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "extensions/openscad/model.h"
+#include "extensions/openscad/node_kind.h"
 #include "extensions/openscad/syntax.h"
 #include "fuzz.h"
 #include "strata/openscad.h"
@@ -22,19 +23,27 @@ bool is_costly(const openscad::Argument& a) {
   const openscad::Value& v = a.value;
   if (a.name == "$fn") return v.number > most_sides;
   if (a.name == "$fa") return v.number < 360 / most_sides;
+  if (a.name == "slices" || a.name == "segments" || a.name == "twist") return std::abs(v.number) > 8 * most_sides;
   return false;
 }
 
-/// Primitives of many corners, or very many of them, or very deep transforms: slow, as documented.
+/// Primitives of many corners, or very many of them, very deep transforms, or many operations: slow, as documented.
 bool is_costly(const std::vector<SyntaxNode>& nodes) {
-  constexpr std::ptrdiff_t most_round = 16, most_maps = 64;
-  const auto is_round = [](const SyntaxNode& n) { return n.name == "sphere" || n.name == "cylinder"; };
+  constexpr std::ptrdiff_t most_round = 16, most_maps = 64, most_operations = 4;
+  const auto is_round = [](const SyntaxNode& n) {
+    return n.name == "sphere" || n.name == "cylinder" || n.name == "circle";
+  };
   const auto is_map = [](const SyntaxNode& n) { return n.name == "multmatrix"; };
+  const auto is_operation = [](const SyntaxNode& n) {
+    const auto kind = openscad::kind_of(n.name);
+    return kind >= openscad::NodeKind::hull && kind < openscad::NodeKind::unknown;
+  };
   const auto asks_much = [](const SyntaxNode& n) {
     return std::any_of(n.arguments.begin(), n.arguments.end(), [](const auto& a) { return is_costly(a); });
   };
   return std::count_if(nodes.begin(), nodes.end(), is_round) > most_round ||
          std::count_if(nodes.begin(), nodes.end(), is_map) > most_maps ||
+         std::count_if(nodes.begin(), nodes.end(), is_operation) > most_operations ||
          std::any_of(nodes.begin(), nodes.end(), asks_much);
 }
 

@@ -76,14 +76,26 @@ Examples:
 
 void add_eval(CommandLine& line) {
   Settings& settings = line.settings;
-  CLI::App* verb = line.app.add_subcommand("eval", "An expression over meshes, or a .csg model, evaluated at once");
-  verb->add_option("EXPR", settings.expression, "The expression, or the path of a model that OpenSCAD wrote (.csg)")
+  CLI::App* verb =
+      line.app.add_subcommand("eval", "An expression over meshes, or a model of OpenSCAD, evaluated at once");
+  verb->add_option(
+          "EXPR", settings.expression,
+          "The expression, or the path of a model of OpenSCAD (.csg; .scad, if the program openscad is installed)")
       ->required();
   verb->add_option("NAME=FILE", settings.bindings, "The mesh that a name stands for; - is standard input")
       ->expected(0, CLI::detail::expected_max_vector_size);
   verb->add_flag_callback(
       "--round-transforms", [&settings] { settings.placement = strata::Placement::rounded; },
       "Round what a model transforms to doubles, once; else it is exact");
+  verb->add_flag("--allow-path", settings.any_path, "A model may read files that are not beneath its own folder");
+  verb->add_option("-D", settings.definitions, "Of a .scad model: a variable's value, as in openscad")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  verb->add_option("--openscad", settings.openscad, "Of a .scad model: the program that evaluates it")
+      ->type_name("PROGRAM")
+      ->capture_default_str();
+  verb->add_flag("--exact", settings.exact,
+                 "Of a model in the plane, as WKT: quotients where coordinates are not doubles");
   add_run_options(*verb, settings);
   add_input_class_and_holes(*verb, settings);
   add_engine(*verb, settings, formula_engines());
@@ -96,6 +108,8 @@ a | b; parentheses. Names are letters, digits, _ and dots.
 Examples:
   strata eval "(block | boss) - holes" block=block.stl boss=boss.stl holes=holes.obj -o part.stl
   strata eval bracket.csg -o bracket.stl --round-transforms
+  strata eval plate.scad -D width=40 -o plate.3mf
+  strata eval outline.csg -o outline.svg
   strata eval "a & ~(b ^ c)" a=a.off b=b.off c=c.off -o d.off --report -
 
 {})text",

@@ -1,3 +1,5 @@
+#include "eval.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,11 +69,10 @@ std::vector<std::string> names_in(const std::string& text, const std::map<std::s
 bool is_model(const Settings& settings) {
   std::string extension = std::filesystem::path(settings.expression).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".csg" && settings.bindings.empty();
+  return (extension == ".csg" || extension == ".scad") && settings.bindings.empty();
 }
 
 Input read_expression(Settings& settings) {
-  if (is_model(settings)) return {{}, {}, read_model(settings)};
   const auto paths = paths_by_name(settings.bindings);
   const std::vector<std::string> names = names_in(settings.expression, paths);
   settings.operands.clear();
@@ -131,7 +132,6 @@ strata::Solid evaluate(const strata::Expression& expression, const Settings& set
 
 /// What was asked, as a case.
 verify::NewCase asked(const Input& input, const Settings& settings) {
-  if (input.operands.empty()) throw std::runtime_error("a model is its own reproduction: " + settings.expression);
   verify::NewCase c;
   c.expression = settings.expression;
   c.input = settings.input;
@@ -141,19 +141,13 @@ verify::NewCase asked(const Input& input, const Settings& settings) {
 
 }  // namespace
 
-ExitCode run_eval(Settings& settings) {
-  Watch watch(settings.timeout);
-  Stopwatch stopwatch;
-  Json report = {{"operation", "eval"}, {"expression", nullptr}, {"operands", nullptr}, {"result", nullptr}};
+ExitCode evaluate_and_write(const strata::Expression& expression, const Json& operands, Json report, Settings& settings,
+                            Watch& watch, Stopwatch& stopwatch, const Asked& question) {
   const strata::Format format = output_format(settings);
-  const Input input = read_expression(settings);
-  report["seconds"]["read"] = stopwatch.lap();
-
   watch.on_stop(OnStop::ask);
-  const Asked question = [&] { return asked(input, settings); };
   strata::Solid solid;
   try {
-    solid = with_reproduction(question, "eval", settings, [&] { return evaluate(*input.expression, settings, watch); });
+    solid = with_reproduction(question, "eval", settings, [&] { return evaluate(expression, settings, watch); });
   } catch (const strata::Cancelled&) {
     watch.on_stop(OnStop::leave);  // says why
     throw;
@@ -161,9 +155,22 @@ ExitCode run_eval(Settings& settings) {
   report["seconds"]["evaluate"] = stopwatch.lap();
   report["peak_bytes"] = peak_bytes();
   if (!settings.report.empty()) {
-    report["expression"] = expression_report(*input.expression);
-    report["operands"] = operand_reports(input.operands, settings);
+    report["expression"] = expression_report(expression);
+    report["operands"] = operands;
   }
   return write_result(solid.exact_mesh(), solid.attributes(), format, std::move(report), settings, watch, "eval",
                       question);
+}
+
+ExitCode run_eval(Settings& settings) {
+  if (is_model(settings)) return run_model(settings);
+  Watch watch(settings.timeout);
+  Stopwatch stopwatch;
+  Json report = {{"operation", "eval"}, {"expression", nullptr}, {"operands", nullptr}, {"result", nullptr}};
+  (void)output_format(settings);
+  const Input input = read_expression(settings);
+  report["seconds"]["read"] = stopwatch.lap();
+  const Json operands = settings.report.empty() ? Json() : Json(operand_reports(input.operands, settings));
+  return evaluate_and_write(*input.expression, operands, std::move(report), settings, watch, stopwatch,
+                            [&] { return asked(input, settings); });
 }

@@ -60,11 +60,11 @@ std::vector<const strata::Engine*> locating_engines() {
 #endif
 }
 
-strata::Expression read_model([[maybe_unused]] const Settings& settings) {
+ExitCode run_model([[maybe_unused]] Settings& settings) {
 #if STRATA_HAS_OPENSCAD
-  return read_model_file(settings);
+  return run_model_file(settings);
 #else
-  refuse("a model (.csg)", "openscad");
+  refuse("a model (.csg, .scad)", "openscad");
 #endif
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "common/exit_code.h"
 #include "settings.h"
 #include "strata/expression.h"
 
@@ -11,5 +12,5 @@
 [[nodiscard]] std::vector<const strata::Engine*> formula_engines();
 [[nodiscard]] std::vector<const strata::Engine*> locating_engines();
 
-/// What OpenSCAD wrote. Throws UsageError without the extension openscad, else as `read_model_file`.
-[[nodiscard]] strata::Expression read_model(const Settings& settings);
+/// A model of OpenSCAD, evaluated. Throws UsageError without the extension openscad, else as `run_model_file`.
+[[nodiscard]] ExitCode run_model(Settings& settings);

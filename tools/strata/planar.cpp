@@ -34,41 +34,6 @@ Json to_json(const std::vector<SelfMeeting>& intersections) {
   return list;
 }
 
-/// Sums of rational vertices grow with their number: beyond this many, areas in reports are those of the rounded
-/// vertices.
-constexpr std::size_t most_exact = 20000;
-
-Json facts(const Region& region) {
-  std::uint32_t holes = 0, simple = 0, manifold = 0;
-  for (std::uint32_t p = 0; p < region.polygons(); ++p) {
-    const PolygonKind kind = kind_of(region, p);
-    holes += region.holes(p);
-    simple += kind.is_simple() ? 1 : 0;
-    manifold += kind.is_manifold ? 1 : 0;
-  }
-  const std::size_t constructed = region.loops.places.meets.size();
-  Json j = {{"polygons", region.polygons()},
-            {"holes", holes},
-            {"simple", simple},
-            {"manifold", manifold},
-            {"vertices", region.loops.vertices.size()},
-            {"constructed_points", constructed},
-            {"area", nullptr},
-            {"area_exact", nullptr}};
-  if (constructed <= most_exact) {
-    const strata::Rational exact = area(region);
-    j["area"] = strata::to_nearest_double(exact);
-    j["area_exact"] = exact.str();
-  } else {
-    Loops rounded;
-    rounded.places.place = region.loops.places.place;
-    rounded.vertices = region.loops.vertices;
-    rounded.first_vertex = region.loops.first_vertex;
-    j["area"] = strata::to_nearest_double(twice_area(rounded) / 2);
-  }
-  return j;
-}
-
 }  // namespace
 
 ExitCode run_planar(Operation operation, const char* name, const PlanarSettings& planar, const Settings& settings) {
@@ -93,7 +58,7 @@ ExitCode run_planar(Operation operation, const char* name, const PlanarSettings&
     return r;
   });
   report["seconds"]["round"] = stopwatch.lap();
-  if (!settings.report.empty() || !settings.quiet) report["result"] = facts(region);
+  if (!settings.report.empty() || !settings.quiet) report["result"] = region_facts(region);
   if (report["result"].is_object()) report["result"]["rounding_conflicts"] = written.conflicts.size();
   report["rounding_conflicts"] = to_json(written.conflicts);
   report["rounding"] = {{"rounds", written.rounded.rounds},
@@ -139,7 +104,7 @@ ExitCode run_planar_info(const PlanarSettings& planar, const Settings& settings)
     const Operand operand(file.loops, fill_rule(planar));
     return combine(std::span(&operand, 1), Operation::union_, monitor);
   });
-  Json result = facts(region);
+  Json result = region_facts(region);
   print_facts(result, settings);
   if (!settings.report.empty())
     write_report(

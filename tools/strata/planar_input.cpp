@@ -17,6 +17,10 @@ std::optional<PlanarFormat> format_asked(const std::string& name) {
   return format;
 }
 
+/// Sums of rational vertices grow with their number: beyond this many, areas in reports are those of the rounded
+/// vertices.
+constexpr std::size_t most_exact = 20000;
+
 PlanarFile read_operand(const std::string& path, const Settings& settings) {
   const auto format = format_asked(settings.input_format);
   PlanarFile file;
@@ -43,6 +47,37 @@ PlanarFormat output_format_of(const Settings& settings) {
   if (const auto format = format_asked(settings.output_format)) return *format;
   if (const auto format = planar_format_of(settings.output)) return *format;
   throw UsageError(fmt::format("{}: no known extension: give --format wkt, geojson or svg", settings.output));
+}
+
+Json region_facts(const Region& region) {
+  std::uint32_t holes = 0, simple = 0, manifold = 0;
+  for (std::uint32_t p = 0; p < region.polygons(); ++p) {
+    const PolygonKind kind = kind_of(region, p);
+    holes += region.holes(p);
+    simple += kind.is_simple() ? 1 : 0;
+    manifold += kind.is_manifold ? 1 : 0;
+  }
+  const std::size_t constructed = region.loops.places.meets.size();
+  Json j = {{"polygons", region.polygons()},
+            {"holes", holes},
+            {"simple", simple},
+            {"manifold", manifold},
+            {"vertices", region.loops.vertices.size()},
+            {"constructed_points", constructed},
+            {"area", nullptr},
+            {"area_exact", nullptr}};
+  if (constructed <= most_exact) {
+    const strata::Rational exact = area(region);
+    j["area"] = strata::to_nearest_double(exact);
+    j["area_exact"] = exact.str();
+  } else {
+    Loops rounded;
+    rounded.places.place = region.loops.places.place;
+    rounded.vertices = region.loops.vertices;
+    rounded.first_vertex = region.loops.first_vertex;
+    j["area"] = strata::to_nearest_double(twice_area(rounded) / 2);
+  }
+  return j;
 }
 
 FillRule fill_rule(const PlanarSettings& planar) {

@@ -29,6 +29,9 @@
 /// Path, loops and vertices of every operand.
 [[nodiscard]] Json operand_facts(const Settings& settings, const std::vector<strata::planar::PlanarFile>& files);
 
+/// How many polygons, holes and vertices a region has, and its area.
+[[nodiscard]] Json region_facts(const strata::planar::Region& region);
+
 /// A line per member; on standard error where standard output has the result.
 void print_facts(const Json& result, const Settings& settings);
 

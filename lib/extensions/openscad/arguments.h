@@ -21,9 +21,17 @@ class Arguments {
   /// Throws CsgError for a value of another kind.
   [[nodiscard]] double number(std::string_view parameter, double otherwise) const;
   [[nodiscard]] bool truth(std::string_view parameter, bool otherwise) const;
+  [[nodiscard]] std::string text(std::string_view parameter, const std::string& otherwise) const;
+  /// Of a vector its first numbers, of a number as many of it; missing ones are `otherwise`.
+  [[nodiscard]] std::vector<double> numbers(std::string_view parameter, std::vector<double> otherwise) const;
+  /// The points of a vector of vectors with `dimension` finite numbers each; none where there is no such argument.
+  [[nodiscard]] std::vector<std::vector<double>> points(std::string_view parameter, std::size_t dimension) const;
+  [[nodiscard]] bool is_given(std::string_view parameter) const { return find(parameter) != nullptr; }
 
   /// Throws CsgError at the argument: "the PARAMETER of NODE REASON".
   [[noreturn]] void fail(std::string_view parameter, const std::string& reason) const;
+  /// A note at the node: "NODE WHAT".
+  void note(const std::string& what) const;
 
  private:
   struct Given {
@@ -33,7 +41,7 @@ class Arguments {
   [[nodiscard]] const Given* given(std::string_view parameter) const;
 
   const SyntaxNode& node_;
-  const Report& report_;
+  Report& report_;
   std::vector<Given> given_;
 };
 

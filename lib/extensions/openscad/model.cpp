@@ -1,220 +1,126 @@
 #include "extensions/openscad/model.h"
 
-#include <array>
-#include <cmath>
-#include <optional>
-#include <set>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "extensions/openscad/arguments.h"
-#include "extensions/openscad/node_kind.h"
-#include "extensions/openscad/polyhedron.h"
-#include "extensions/openscad/primitives.h"
+#include "core/csg/arena.h"
+#include "extensions/openscad/plan.h"
 
 namespace strata::openscad {
 namespace {
 
-/// An expression, or the empty part.
-using Part = std::optional<Expression>;
-
-Part union_of(std::vector<Part> parts) {
-  std::vector<Expression> terms;
-  for (Part& p : parts)
-    if (p) terms.push_back(std::move(*p));
-  if (terms.empty()) return std::nullopt;
-  return terms.size() == 1 ? std::move(terms.front()) : Expression::any(terms);
-}
-
-Part intersection_of(const std::vector<Part>& parts) {
-  std::vector<Expression> terms;
-  for (const Part& p : parts) {
-    if (!p) return std::nullopt;
-    terms.push_back(*p);
-  }
-  if (terms.empty()) return std::nullopt;
-  return terms.size() == 1 ? terms.front() : Expression::all(terms);
-}
-
-Part difference_of(const std::vector<Part>& parts) {
-  if (parts.empty() || !parts.front()) return std::nullopt;
-  std::vector<Expression> terms{*parts.front()};
-  for (std::size_t i = 1; i < parts.size(); ++i)
-    if (parts[i]) terms.push_back(~*parts[i]);
-  return terms.size() == 1 ? terms.front() : Expression::all(terms);
-}
-
-/// Missing rows and columns are those of the identity.
-std::array<double, 16> matrix_of(const Arguments& arguments) {
-  std::array<double, 16> m{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  const Value* const rows = arguments.find("m");
-  if (rows == nullptr) return m;
-  const auto is_short = [](const Value& v) { return v.kind == Value::Kind::vector && v.items.size() <= 4; };
-  if (!is_short(*rows)) arguments.fail("m", "is no vector of up to four rows");
-  for (std::size_t i = 0; i < rows->items.size(); ++i) {
-    const Value& row = rows->items[i];
-    if (!is_short(row)) arguments.fail("m", "has a row that is no vector of up to four numbers");
-    for (std::size_t j = 0; j < row.items.size(); ++j) {
-      if (row.items[j].kind != Value::Kind::number) arguments.fail("m", "has a coefficient that is no number");
-      m[4 * i + j] = row.items[j].number;
-    }
-  }
-  return m;
-}
-
-/// Visits the nodes in order and joins the children of each node when it ends.
-class ModelBuilder {
+/// Takes the steps of a plan level by level, those of a level in parallel.
+class Evaluation {
  public:
-  ModelBuilder(const std::vector<SyntaxNode>& nodes, Placement placement, Report& report)
-      : nodes_(nodes), placement_(placement), report_(report), primitives_(report) {}
+  Evaluation(std::vector<Step> steps, const CsgOptions& options, Report& report)
+      : steps_(std::move(steps)), options_(options), report_(report), outcomes_(steps_.size()) {
+    inner_ = options.evaluation;
+    inner_.progress = {};
+  }
 
-  Expression build() {
-    const auto [first, last] = what_counts();
-    frames_.push_back({NodeKind::union_, last, {}, {}});
-    for (std::size_t n = first; n < last;) {
-      while (frames_.back().end == n) close();
-      n = n != root_ && is_dropped(nodes_[n]) ? nodes_[n].end : enter(n);
-    }
-    while (frames_.size() > 1) close();
-    Part whole = union_of(std::move(frames_.back().parts));
-    return whole ? std::move(*whole) : Expression::any({});
+  CsgModel run() {
+    arena_for(options_.evaluation).execute([&] {
+      for (const auto& level : levels()) take(level);
+    });
+    for (const Outcome& o : outcomes_)
+      if (o.notes) report_.absorb(*o.notes);
+    const Part& whole = outcomes_.front().part;
+    CsgModel model{whole.is_solid() ? whole.solid() : Expression::any({}), {}, std::nullopt, {}};
+    if (whole.is_shape()) model.shape = whole.shape();
+    for (std::size_t i = 1; i < steps_.size(); ++i)
+      if (is_worth_telling(steps_[i]))
+        model.nodes.push_back({std::string(steps_[i].node->name), steps_[i].node->place.line, outcomes_[i].seconds});
+    return model;
   }
 
  private:
-  /// A node that has not ended yet, and its children so far.
-  struct Frame {
-    NodeKind kind = NodeKind::union_;
-    std::size_t end = 0;
-    std::optional<Transform> map;  ///< of a multmatrix with an inverse
-    std::vector<Part> parts;
+  struct Outcome {
+    Part part;
+    std::optional<Report> notes;
+    double seconds = 0;
+    std::exception_ptr error;
   };
-  static constexpr std::size_t none = ~std::size_t{0};
+  using Level = std::vector<std::uint32_t>;
 
-  /// The range of nodes to evaluate: all, or the first node that is marked ! and not inside one marked *, with its
-  /// children.
-  std::pair<std::size_t, std::size_t> what_counts() {
-    for (std::size_t n = 0; n < nodes_.size();) {
-      if (nodes_[n].disabled) {
-        n = nodes_[n].end;
+  static bool is_worth_telling(const Step& s) { return s.operation && s.kind >= NodeKind::hull; }
+
+  [[nodiscard]] std::vector<Level> levels() {
+    std::vector<Level> levels;
+    for (std::uint32_t i = 0; i < steps_.size(); ++i) {
+      if (!steps_[i].operation) {
+        outcomes_[i].part = std::move(steps_[i].part);
         continue;
       }
-      if (nodes_[n].root && root_ == none) {
-        root_ = n;
-        report_.note(nodes_[n].place, "only the part marked ! counts");
-      } else if (nodes_[n].root) {
-        report_.note(nodes_[n].place, "another part is marked !, but the first one counts");
-      }
-      ++n;
+      levels.resize(std::max<std::size_t>(levels.size(), steps_[i].level + 1));
+      levels[steps_[i].level].push_back(i);
+      ++total_;
     }
-    return root_ == none ? std::pair{std::size_t{0}, nodes_.size()} : std::pair{root_, nodes_[root_].end};
+    return levels;
   }
 
-  bool is_dropped(const SyntaxNode& node) {
-    if (node.disabled) {
-      report_.note(node.place, "a part marked * is left out");
-    } else if (node.background) {
-      report_.note(node.place, "a part marked % is left out");
-    }
-    return node.disabled || node.background;
+  void take(const Level& level) {
+    Monitor(options_.evaluation.cancel).check();
+    tbb::parallel_for(std::size_t{0}, level.size(), [&](std::size_t k) { take(level[k]); });
+    for (const std::uint32_t i : level)
+      if (outcomes_[i].error) std::rethrow_exception(outcomes_[i].error);
+    for (const std::uint32_t i : level)
+      for (const std::uint32_t child : steps_[i].children)
+        if (--steps_[child].uses == 0) outcomes_[child].part = {};
   }
 
-  /// Returns the number of the next node.
-  std::size_t enter(std::size_t n) {
-    const SyntaxNode& node = nodes_[n];
-    const NodeKind kind = kind_of(node.name);
-    if (const char* const reason = refusal(kind)) report_.fail(node.place, std::string(node.name) + " " + reason);
-    Frame frame{kind, node.end, {}, {}};
-    switch (kind) {
-      case NodeKind::cube:
-        return add(n, primitives_.cube(node));
-      case NodeKind::sphere:
-        return add(n, primitives_.sphere(node));
-      case NodeKind::cylinder:
-        return add(n, primitives_.cylinder(node));
-      case NodeKind::polyhedron:
-        return add(n, polyhedron(node, report_));
-      case NodeKind::multmatrix:
-        frame.map = map_of(node);
-        break;
-      case NodeKind::decorate:
-        report_.note(node.place, std::string(node.name) + " is passed over");
-        break;
-      case NodeKind::union_:
-      case NodeKind::difference:
-      case NodeKind::intersection:
-        (void)Arguments(node, {}, report_);  // there are none
-        break;
-      case NodeKind::flat:
-      case NodeKind::file:
-      case NodeKind::other:
-      case NodeKind::unknown:
-        break;  // refused
-    }
-    frames_.push_back(std::move(frame));
-    return n + 1;
-  }
-
-  std::size_t add(std::size_t n, const std::optional<Solid>& solid) {
-    const SyntaxNode& node = nodes_[n];
-    if (node.end != n + 1) report_.fail(nodes_[n + 1].place, "nothing can be in a " + std::string(node.name));
-    frames_.back().parts.push_back(solid ? Part(Expression(*solid, name_of(node))) : Part());
-    return n + 1;
-  }
-
-  /// "cube_12", or with the column if the line has several nodes.
-  std::string name_of(const SyntaxNode& node) {
-    std::string name = std::string(node.name).append("_").append(std::to_string(node.place.line));
-    if (!names_.insert(name).second) name.append("_").append(std::to_string(node.place.column));
-    return name;
-  }
-
-  /// Nullopt where it has no inverse.
-  std::optional<Transform> map_of(const SyntaxNode& node) {
-    const Arguments arguments(node, {"m"}, report_);
-    const std::array<double, 16> m = matrix_of(arguments);
-    for (const double x : m) {
-      if (std::isfinite(x)) continue;
-      report_.note(node.place, "a multmatrix that is not finite makes nothing");
-      return std::nullopt;
-    }
-    if (m[12] != 0 || m[13] != 0 || m[14] != 0) arguments.fail("m", "has a last row that is not 0 0 0 1");
+  void take(std::uint32_t i) {
+    Outcome& outcome = outcomes_[i];
+    const auto start = std::chrono::steady_clock::now();
     try {
-      if (m[15] != 0) return Transform::from_matrix(m);
-    } catch (const std::invalid_argument&) {  // its other reasons cannot occur here
+      std::vector<Part> children;
+      for (const std::uint32_t child : steps_[i].children) children.push_back(outcomes_[child].part);
+      Report notes(report_.file());
+      outcome.part = steps_[i].operation(std::move(children), inner_, notes);
+      if (!notes.is_empty()) outcome.notes = std::move(notes);
+    } catch (const InputError& e) {
+      outcome.error = failure(steps_[i], e);
+    } catch (const std::overflow_error& e) {
+      outcome.error = failure(steps_[i], e);
+    } catch (const std::length_error& e) {
+      outcome.error = failure(steps_[i], e);
+    } catch (...) {
+      outcome.error = std::current_exception();
     }
-    report_.note(node.place, "a multmatrix without inverse makes nothing");
-    return std::nullopt;
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    if (const Progress& progress = options_.evaluation.progress)
+      progress(static_cast<double>(done_) / static_cast<double>(total_));
   }
 
-  void close() {
-    Frame frame = std::move(frames_.back());
-    frames_.pop_back();
-    frames_.back().parts.push_back(join(std::move(frame)));
+  [[nodiscard]] std::exception_ptr failure(const Step& step, const std::exception& e) const {
+    try {
+      report_.fail(step.node->place, std::string(step.node->name) + ": " + e.what());
+    } catch (...) {
+      return std::current_exception();
+    }
   }
 
-  Part join(Frame frame) const {
-    if (frame.kind == NodeKind::difference) return difference_of(frame.parts);
-    if (frame.kind == NodeKind::intersection) return intersection_of(frame.parts);
-    Part all = union_of(std::move(frame.parts));
-    if (frame.kind != NodeKind::multmatrix || !all) return all;
-    if (!frame.map) return std::nullopt;
-    return frame.map->is_identity() ? std::move(all) : all->transformed(*frame.map, placement_);
-  }
-
-  const std::vector<SyntaxNode>& nodes_;
-  Placement placement_;
+  std::vector<Step> steps_;
+  const CsgOptions& options_;
+  Options inner_;
   Report& report_;
-  Primitives primitives_;
-  std::vector<Frame> frames_;
-  std::set<std::string> names_;
-  std::size_t root_ = none;
+  std::vector<Outcome> outcomes_;
+  std::size_t total_ = 0, done_ = 0;
+  std::mutex mutex_;
 };
 
 }  // namespace
 
-Expression model_of(const std::vector<SyntaxNode>& nodes, Placement placement, Report& report) {
-  return ModelBuilder(nodes, placement, report).build();
+CsgModel model_of(const std::vector<SyntaxNode>& nodes, const CsgOptions& options, Report& report) {
+  return Evaluation(plan_of(nodes, options, report), options, report).run();
 }
 
 }  // namespace strata::openscad

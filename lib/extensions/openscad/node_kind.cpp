@@ -13,54 +13,38 @@ NodeKind kind_of(std::string_view name) {
       {"sphere", sphere},
       {"cylinder", cylinder},
       {"polyhedron", polyhedron},
+      {"square", square},
+      {"circle", circle},
+      {"polygon", polygon},
+      {"text", text},
+      {"import", import},
+      {"surface", surface},
       {"multmatrix", multmatrix},
       {"union", union_},
       {"group", union_},
-      {"color", decorate},
-      {"render", decorate},
+      {"color", color},
+      {"render", render},
       {"difference", difference},
       {"intersection", intersection},
-      {"square", flat},
-      {"circle", flat},
-      {"polygon", flat},
-      {"text", flat},
-      {"offset", flat},
-      {"fill", flat},
-      {"projection", flat},
-      {"linear_extrude", flat},
-      {"rotate_extrude", flat},
-      {"roof", flat},
-      {"import", file},
-      {"surface", file},
-      {"hull", other},
-      {"minkowski", other},
-      {"resize", other},
+      {"hull", hull},
+      {"minkowski", minkowski},
+      {"resize", resize},
+      {"offset", offset},
+      {"fill", fill},
+      {"projection", projection},
+      {"linear_extrude", linear_extrude},
+      {"rotate_extrude", rotate_extrude},
+      {"roof", roof},
   }};
   const auto* const found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.first == name; });
   return found == kinds.end() ? unknown : found->second;
 }
 
 const char* refusal(NodeKind kind) {
-  switch (kind) {
-    case NodeKind::cube:
-    case NodeKind::sphere:
-    case NodeKind::cylinder:
-    case NodeKind::polyhedron:
-    case NodeKind::multmatrix:
-    case NodeKind::union_:
-    case NodeKind::decorate:
-    case NodeKind::difference:
-    case NodeKind::intersection:
-      return nullptr;
-    case NodeKind::flat:
-      return "is not supported: no shapes in the plane, nor solids made of them";
-    case NodeKind::file:
-      return "is not supported: other files are not read";
-    case NodeKind::other:
-      return "is not supported: it is no Boolean operation";
-    case NodeKind::unknown:
-      return "is no node that OpenSCAD writes into .csg files ('openscad -o part.csg part.scad' makes one)";
-  }
+  if (kind == NodeKind::roof) return "is not supported: straight skeletons are not computed";
+  if (kind == NodeKind::text) return "is not supported: fonts are not read";
+  if (kind == NodeKind::unknown)
+    return "is no node that OpenSCAD writes into .csg files ('openscad -o part.csg part.scad' makes one)";
   return nullptr;
 }
 

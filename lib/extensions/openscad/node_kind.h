@@ -9,14 +9,27 @@ enum class NodeKind : std::uint8_t {
   sphere,
   cylinder,
   polyhedron,
+  square,
+  circle,
+  polygon,
+  text,
+  import,
+  surface,
   multmatrix,
-  union_,    ///< union, group
-  decorate,  ///< color, render: a union of its children
+  union_,  ///< union, group
+  color,   ///< a union of its children
+  render,  ///< a union of its children
   difference,
   intersection,
-  flat,   ///< a planar shape, or a node that makes a solid of one
-  file,   ///< reads another file
-  other,  ///< operations on solids that are no Booleans
+  hull,
+  minkowski,
+  resize,
+  offset,
+  fill,
+  projection,
+  linear_extrude,
+  rotate_extrude,
+  roof,
   unknown
 };
 

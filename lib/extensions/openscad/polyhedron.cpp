@@ -22,16 +22,8 @@ const std::vector<Value>& items_of(const Arguments& arguments, const char* param
 }
 
 std::vector<Vertex> points_of(const Arguments& arguments) {
-  const auto& items = items_of(arguments, "points");
   std::vector<Vertex> points;
-  points.reserve(items.size());
-  for (const Value& item : items) {
-    const auto is_coordinate = [](const Value& v) { return v.kind == Value::Kind::number && std::isfinite(v.number); };
-    if (item.kind != Value::Kind::vector || item.items.size() != 3 ||
-        !std::all_of(item.items.begin(), item.items.end(), is_coordinate))
-      arguments.fail("points", "have no three finite numbers at number " + std::to_string(points.size()));
-    points.push_back({item.items[0].number, item.items[1].number, item.items[2].number});
-  }
+  for (const auto& p : arguments.points("points", 3)) points.push_back({p[0], p[1], p[2]});
   return points;
 }
 

@@ -52,22 +52,6 @@ std::array<double, 3> size_of(const Arguments& arguments) {
   return {size->items[0].number, size->items[1].number, size->items[2].number};
 }
 
-Resolution resolution_of(const Arguments& arguments) {
-  const Resolution usual;
-  const Resolution r{arguments.number("$fn", usual.fn), arguments.number("$fa", usual.fa),
-                     arguments.number("$fs", usual.fs)};
-  if (std::isnan(r.fa)) arguments.fail("$fa", "is no number");
-  if (std::isnan(r.fs)) arguments.fail("$fs", "is no number");
-  if (arguments.number("$fe", 0) != 0) arguments.fail("$fe", "is not supported");
-  return r;
-}
-
-/// A diameter has precedence over a radius.
-double radius_of(const Arguments& arguments, std::string_view diameter, std::string_view radius, double otherwise) {
-  if (arguments.find(diameter) != nullptr) return arguments.number(diameter, 0) / 2;
-  return arguments.number(radius, otherwise);
-}
-
 bool is_too_small(double radius) { return radius != 0 && radius < least_radius; }
 
 std::string too_small() {

@@ -9,16 +9,23 @@ void Report::fail(const Place& place, const std::string& reason) const {
   throw CsgError(file_, place.line, place.column, reason);
 }
 
-void Report::note(const Place& place, const std::string& what) {
+void Report::note(const Place& place, const std::string& what) { note(what, place.line, 1); }
+
+void Report::note(const std::string& what, std::size_t line, std::size_t count) {
   constexpr std::size_t most = 100;
   if (const auto known = number_of_.find(what); known != number_of_.end()) {
-    ++notes_[known->second].count;
+    notes_[known->second].count += count;
   } else if (notes_.size() == most) {
-    ++left_out_;
+    left_out_ += count;
   } else {
     number_of_.emplace(what, notes_.size());
-    notes_.push_back({what, place.line, 1});
+    notes_.push_back({what, line, count});
   }
+}
+
+void Report::absorb(const Report& other) {
+  for (const Note& n : other.notes_) note(n.what, n.line, n.count);
+  left_out_ += other.left_out_;
 }
 
 std::vector<std::string> Report::notes() const {

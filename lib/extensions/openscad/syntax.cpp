@@ -1,6 +1,9 @@
 #include "extensions/openscad/syntax.h"
 
+#include <algorithm>
+#include <charconv>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -82,10 +85,13 @@ class Parser {
 
   void read_arguments(SyntaxNode& node) {
     lexer_.expect('(');
+    std::string_view last = lexer_.next().text;
     while (!lexer_.take(')')) {
       node.arguments.push_back(argument());
       if (!lexer_.take(',') && !lexer_.next().is(')')) lexer_.fail_expected("',' or ')'");
+      last = lexer_.next().text;
     }
+    node.text = {node.name.data(), static_cast<std::size_t>(last.data() + last.size() - node.name.data())};
   }
   Argument argument() {
     Argument a;
@@ -116,13 +122,10 @@ class Parser {
   Value unsigned_value(int depth) {
     const Token& next = lexer_.next();
     if (next.kind == Token::Kind::name) return named_value(lexer_.take());
-    if (next.kind == Token::Kind::number) return {Value::Kind::number, false, lexer_.take().number, {}};
-    if (next.kind == Token::Kind::string) {
-      lexer_.take();
-      return {Value::Kind::string, false, 0, {}};
-    }
+    if (next.kind == Token::Kind::number) return {Value::Kind::number, false, lexer_.take().number, {}, {}};
+    if (next.kind == Token::Kind::string) return {Value::Kind::string, false, 0, lexer_.take().text, {}};
     if (!lexer_.take('[')) lexer_.fail_expected("a number, a vector, a string, true, false or undef");
-    Value vector{Value::Kind::vector, false, 0, {}};
+    Value vector{Value::Kind::vector, false, 0, {}, {}};
     while (!lexer_.take(']')) {
       vector.items.push_back(value(depth + 1));
       if (!lexer_.take(',') && !lexer_.next().is(']')) lexer_.fail_expected("',' or ']'");
@@ -130,10 +133,10 @@ class Parser {
     return vector;
   }
   [[nodiscard]] Value named_value(const Token& name) const {
-    if (name.text == "true" || name.text == "false") return {Value::Kind::boolean, name.text == "true", 0, {}};
+    if (name.text == "true" || name.text == "false") return {Value::Kind::boolean, name.text == "true", 0, {}, {}};
     if (name.text == "undef") return {};
-    if (name.text == "inf") return {Value::Kind::number, false, std::numeric_limits<double>::infinity(), {}};
-    if (name.text == "nan") return {Value::Kind::number, false, std::numeric_limits<double>::quiet_NaN(), {}};
+    if (name.text == "inf") return {Value::Kind::number, false, std::numeric_limits<double>::infinity(), {}, {}};
+    if (name.text == "nan") return {Value::Kind::number, false, std::numeric_limits<double>::quiet_NaN(), {}, {}};
     report_.fail(name.place, std::string("'").append(name.text).append("' is no value: .csg files have no variables"));
   }
 
@@ -143,7 +146,48 @@ class Parser {
   std::vector<Open> open_;
 };
 
+/// The value of hexadecimal digits at a place; none where there are fewer.
+std::optional<std::uint32_t> hexadecimal(std::string_view digits) {
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+  if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+  return value;
+}
+
+void append_utf8(std::string& text, std::uint32_t code) {
+  const auto byte = [&](std::uint32_t bits) { text.push_back(static_cast<char>(bits)); };
+  if (code < 0x80) return byte(code);
+  if (code < 0x800) {
+    byte(0xc0 | code >> 6);
+  } else {
+    byte(0xe0 | code >> 12);
+    byte(0x80 | (code >> 6 & 0x3f));
+  }
+  byte(0x80 | (code & 0x3f));
+}
+
 }  // namespace
+
+std::string text_of(const Value& string) {
+  const std::string_view raw = string.text.substr(1, string.text.size() - 2);
+  std::string text;
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    if (raw[i] != '\\' || i + 1 == raw.size()) {
+      text.push_back(raw[i]);
+      continue;
+    }
+    const char c = raw[++i];
+    const std::size_t digits = c == 'x' ? 2 : c == 'u' ? 4 : 0;
+    if (const auto code = hexadecimal(raw.substr(std::min(i + 1, raw.size()), digits));
+        digits > 0 && code && i + digits < raw.size()) {
+      append_utf8(text, *code);
+      i += digits;
+    } else {
+      text.push_back(c == 'n' ? '\n' : c == 't' ? '\t' : c == 'r' ? '\r' : c);
+    }
+  }
+  return text;
+}
 
 std::vector<SyntaxNode> parse(std::string_view text, const Report& report) { return Parser(text, report).parse(); }
 

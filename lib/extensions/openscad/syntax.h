@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -8,14 +9,18 @@
 
 namespace strata::openscad {
 
-/// The value of an argument. The contents of strings are not used.
+/// The value of an argument.
 struct Value {
   enum class Kind : std::uint8_t { undefined, boolean, number, string, vector };
   Kind kind = Kind::undefined;
   bool truth = false;
-  double number = 0;  ///< may be infinite or not a number: `inf`, `nan`
+  double number = 0;      ///< may be infinite or not a number: `inf`, `nan`
+  std::string_view text;  ///< of a string, with its quotes, as in the file
   std::vector<Value> items;
 };
+
+/// What a string stands for: without quotes, with \n, \t, \r, \\, \", \xHH and \uHHHH replaced (in UTF-8).
+[[nodiscard]] std::string text_of(const Value& string);
 
 struct Argument {
   std::string_view name;  ///< empty: given by position
@@ -27,6 +32,7 @@ struct Argument {
 struct SyntaxNode {
   std::string_view name;
   Place place;              ///< of the name
+  std::string_view text;    ///< from the name to the end of the arguments, as in the file
   bool background = false;  ///< %
   bool disabled = false;    ///< *
   bool root = false;        ///< !

@@ -17,4 +17,19 @@ std::uint32_t sides_of_circle(double radius, const Resolution& resolution) {
   return static_cast<std::uint32_t>(std::min(sides, most));
 }
 
+Resolution resolution_of(const Arguments& arguments) {
+  const Resolution usual;
+  const Resolution r{arguments.number("$fn", usual.fn), arguments.number("$fa", usual.fa),
+                     arguments.number("$fs", usual.fs)};
+  if (std::isnan(r.fa)) arguments.fail("$fa", "is no number");
+  if (std::isnan(r.fs)) arguments.fail("$fs", "is no number");
+  if (arguments.number("$fe", 0) != 0) arguments.fail("$fe", "is not supported");
+  return r;
+}
+
+double radius_of(const Arguments& arguments, std::string_view diameter, std::string_view radius, double otherwise) {
+  if (arguments.find(diameter) != nullptr) return arguments.number(diameter, 0) / 2;
+  return arguments.number(radius, otherwise);
+}
+
 }  // namespace strata::openscad

@@ -1,5 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <string_view>
+
+#include "extensions/openscad/arguments.h"
 
 namespace strata::openscad {
 
@@ -14,5 +17,12 @@ struct Resolution {
 /// up, at least 3, if it is positive; otherwise the smaller of 360 / $fa and circumference / $fs, rounded up, at least
 /// 5. At most 2^31. Source: OpenSCAD User Manual, "$fa, $fs and $fn".
 [[nodiscard]] std::uint32_t sides_of_circle(double radius, const Resolution& resolution);
+
+/// The arguments $fn, $fa and $fs. Throws CsgError for $fa and $fs that are no numbers, and for $fe.
+[[nodiscard]] Resolution resolution_of(const Arguments& arguments);
+
+/// A radius, or half of a diameter, which has precedence.
+[[nodiscard]] double radius_of(const Arguments& arguments, std::string_view diameter, std::string_view radius,
+                               double otherwise);
 
 }  // namespace strata::openscad
