@@ -1,5 +1,7 @@
 // Draws triangle meshes by WebGL 2. strata_csg._notebook puts this script into a page of its own, with the elements
 // #data (JSON), #stage (the picture), #bar (#reset, #lines and, where there is one, #slider with #label) and #message.
+// `strata view` puts it into web/viewer/page.html, which has besides a #part-<n> for each part, which shows or hides it, and
+// a section plane: #axis, #cut and #place.
 // The picture is a parallel projection: the camera is two angles, a zoom and a shift.
 (function () {
   "use strict";
@@ -73,10 +75,11 @@
 
   const vertexShader = `#version 300 es
     in vec3 position; in vec3 away; in vec3 color;
-    uniform mat3 rotation; uniform vec3 scale; uniform vec2 shift; uniform float explosion; uniform float nearer;
-    out vec3 place; out vec3 tint;
+    uniform mat3 rotation; uniform vec3 scale; uniform vec2 shift; uniform float explosion; uniform float nearer; uniform vec4 cut;
+    out vec3 place; out vec3 tint; out float beyond;
     void main() {
       place = rotation * (position + explosion * away);
+      beyond = dot(position, cut.xyz) - cut.w;
       tint = color;
       gl_Position = vec4(place.xy * scale.xy + shift, -place.z * scale.z - nearer, 1.0);
     }`;
@@ -84,15 +87,20 @@
   // The normal of a face is that of the plane through neighbouring pixels, so that shading is flat.
   const fragmentShader = `#version 300 es
     precision highp float;
-    in vec3 place; in vec3 tint;
-    uniform float ink;
+    in vec3 place; in vec3 tint; in float beyond;
+    uniform float ink; uniform vec3 pen;
     out vec4 pixel;
     void main() {
-      if (ink > 0.0) { pixel = vec4(0.06, 0.08, 0.12, ink); return; }
+      if (beyond > 0.0) discard;
+      if (ink > 0.0) { pixel = vec4(pen, ink); return; }
       vec3 normal = cross(dFdx(place), dFdy(place));
       float light = abs(dot(normal, vec3(0.25, 0.45, 0.86))) / max(length(normal), 1e-30);
-      pixel = vec4(tint * (0.4 + 0.6 * light), 1.0);
+      // Behind a section plane the inside is seen.
+      pixel = vec4(tint * (0.4 + 0.6 * light) * (gl_FrontFacing ? 1.0 : 0.55), 1.0);
     }`;
+
+  // Pages with a list of parts follow the colours that the reader's system has.
+  const darkness = element("list") ? window.matchMedia("(prefers-color-scheme: dark)") : null;
 
   let gl = null, canvas = null, program = null, faceArrays = null, edgeArrays = null;
   let waiting = false;
@@ -162,7 +170,6 @@
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(1, 1);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
-    gl.clearColor(0.965, 0.97, 0.98, 1);
     say("");
     resize();
   }
@@ -191,14 +198,30 @@
     });
   }
 
+  // Where the parts that are shown begin and end in all arrays: pairs of vertices, triangles and edges.
+  function shownRuns() {
+    const isShown = (i) => data.slider === "layers" ? i < Number(element("slider").value) : !element("part-" + i) || element("part-" + i).checked;
+    const begin = (i) => i > 0 ? data.parts[i - 1].ends : [0, 0, 0];
+    return data.parts.map((part, i) => [begin(i), part.ends]).filter((_, i) => isShown(i));
+  }
+
+  // Normal and offset of the plane in front of which nothing is drawn; without one all is behind it.
+  function sectionPlane() {
+    const axis = element("axis") ? element("axis").value : "";
+    if (axis === "") return [0, 0, 0, 1];
+    const at = Number(element("cut").value);
+    return [axis === "0" ? 1 : 0, axis === "1" ? 1 : 0, axis === "2" ? 1 : 0, at];
+  }
+
   function draw() {
     if (!gl) return;
     const explosion = data.slider === "explode" ? Number(element("slider").value) / 100 : 0;
-    const shown = data.slider === "layers" ? Number(element("slider").value) : data.parts.length;
-    const ends = shown > 0 ? data.parts[shown - 1].ends : [0, 0, 0];
+    const shown = shownRuns();
     const side = Math.min(canvas.width, canvas.height);
     const wide = side / canvas.width, high = side / canvas.height, size = 0.85 * camera.zoom / (1 + 0.5 * explosion);
     const uniform = (name) => gl.getUniformLocation(program, name);
+    const isDark = darkness !== null && darkness.matches;
+    gl.clearColor(...(isDark ? [0.09, 0.102, 0.125, 1] : [0.965, 0.97, 0.98, 1]));
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.uniformMatrix3fv(uniform("rotation"), false, rotation());
@@ -206,18 +229,20 @@
     gl.uniform3f(uniform("scale"), size * wide, size * high, 0.98 / (1 + explosion));
     gl.uniform2f(uniform("shift"), camera.x * wide, camera.y * high);
     gl.uniform1f(uniform("explosion"), explosion);
+    gl.uniform4f(uniform("cut"), ...sectionPlane());
     gl.uniform1f(uniform("ink"), 0);
     gl.uniform1f(uniform("nearer"), 0);
     gl.bindVertexArray(faceArrays);
-    gl.drawElements(gl.TRIANGLES, 3 * ends[1], gl.UNSIGNED_INT, 0);
+    for (const [from, to] of shown) gl.drawElements(gl.TRIANGLES, 3 * (to[1] - from[1]), gl.UNSIGNED_INT, 12 * from[1]);
     if (data.triangles !== "" && !element("lines").checked) return;
     // Many edges in a small picture are drawn in lighter ink, so that they do not cover the faces.
     const ink = Math.min(0.85, Math.max(0.1, 0.03 * side * camera.zoom / Math.sqrt(1 + edges.length)));
     gl.uniform1f(uniform("ink"), ink);
+    gl.uniform3f(uniform("pen"), ...(isDark ? [0, 0, 0] : [0.06, 0.08, 0.12]));
     gl.uniform1f(uniform("nearer"), 0.002 / camera.zoom);
     gl.enable(gl.BLEND);
     gl.bindVertexArray(edgeArrays);
-    gl.drawElements(gl.LINES, 2 * ends[2], gl.UNSIGNED_INT, 0);
+    for (const [from, to] of shown) gl.drawElements(gl.LINES, 2 * (to[2] - from[2]), gl.UNSIGNED_INT, 8 * from[2]);
     gl.disable(gl.BLEND);
   }
 
@@ -299,6 +324,17 @@
     redraw();
   }
 
+  // The cut in coordinates of the model.
+  function cut() {
+    const axis = element("axis").value;
+    element("cutting").hidden = axis === "";
+    if (axis !== "") {
+      const { middle, unit } = data.frame, at = middle[Number(axis)] + unit * Number(element("cut").value);
+      element("place").textContent = "xyz"[Number(axis)] + " = " + Number(at.toPrecision(6));
+    }
+    redraw();
+  }
+
   stage.addEventListener("pointerdown", pressed);
   stage.addEventListener("pointermove", moved);
   stage.addEventListener("pointerup", (event) => pointers.delete(event.pointerId));
@@ -307,6 +343,12 @@
   stage.addEventListener("keydown", typed);
   element("reset").addEventListener("click", reset);
   element("lines").addEventListener("change", redraw);
+  data.parts.forEach((_, i) => element("part-" + i) && element("part-" + i).addEventListener("change", redraw));
+  if (darkness) darkness.addEventListener("change", redraw);
+  if (element("axis")) {
+    element("axis").addEventListener("change", cut);
+    element("cut").addEventListener("input", cut);
+  }
   if (data.slider !== "one") element("slider").addEventListener("input", slid);
   new ResizeObserver(resize).observe(stage);
   open();

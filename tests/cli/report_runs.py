@@ -52,6 +52,8 @@ RUNS = [
     ("chain", "chain steps.json -o out.off --checkpoint saved --resume saved", 0),
     ("chain", "chain steps.json -o out.off", 0),
     ("draw", "draw a.off b.off --input overlapping --direction -1,-2,-3 -o out.svg --style both", 0),
+    ("view", "view a.off b.off --expression a-b -o out.html", 0),
+    ("view", "view x=a.off -o out.html", 0),
     ("draw", "draw a.off --from 5,6,7 -o out.svg", 0),
     ("layers", "layers a.off far.off -o out.ply", 0),
     ("layers", "layers a.off --origin direction:0,0,1", 0),

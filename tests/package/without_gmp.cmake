@@ -1,6 +1,6 @@
 # A build without GMP neither loads it nor asks its users for it.
 file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${PROGRAM} RESOLVED_DEPENDENCIES_VAR libraries UNRESOLVED_DEPENDENCIES_VAR missing)
-if(NOT libraries MATCHES "libtbb")
+if(NOT libraries MATCHES "libz")
   message(FATAL_ERROR "the libraries of ${PROGRAM} were not found: ${libraries}")
 endif()
 if("${libraries};${missing}" MATCHES "libgmp")

@@ -39,6 +39,7 @@ ELSEWHERE = {
     "tools/strata/batch.md": "reference/formats/batch.md",
     "tools/strata/chain.md": "reference/formats/chain.md",
     "tools/verify/generators.md": "project/generators.md",
+    "web/package/README.md": "reference/javascript.md",
 }
 
 

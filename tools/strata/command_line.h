@@ -19,7 +19,7 @@ struct CommandLine {
   void on(CLI::App& verb, Action run);
 };
 
-/// union, intersection, difference, symmetric-difference, eval, check, info, convert, compare.
+/// union, intersection, difference, symmetric-difference, eval, check, info, convert, compare, view.
 void add_boolean_verbs(CommandLine& line);
 
 /// The verbs of the extensions that this build has; those of others are refused with a sentence.

@@ -166,6 +166,32 @@ void add_compare(CommandLine& line) {
   line.on(*verb, [&settings] { return run_compare(settings); });
 }
 
+void add_view(CommandLine& line) {
+  Settings& settings = line.settings;
+  CLI::App* verb =
+      line.app.add_subcommand("view", "A page that shows meshes, to be turned, hidden and cut in a browser");
+  verb->add_option("MESH", settings.bindings,
+                   "Mesh files, called a, b, c, ... in order in the expression, or NAME=FILE; - is standard input")
+      ->required()
+      ->expected(1, CLI::detail::expected_max_vector_size);
+  verb->add_option("--expression", settings.expression,
+                   "Of names, with | & - ^ ~ and parentheses: its value is shown, and operands are hidden at first")
+      ->type_name("E");
+  verb->add_option("-o,--output", settings.output, "The page; - is standard output")->required()->type_name("OUT.html");
+  add_run_options(*verb, settings);
+  add_input_class(*verb, settings);
+  verb->footer(fmt::format(
+      R"(The page has everything inside and needs no network. It lists volumes, exactly where they are short, and areas.
+
+Examples:
+  strata view part.stl -o part.html
+  strata view block.stl drill.stl --expression "a - b" -o result.html
+
+{})",
+      exit_codes));
+  line.on(*verb, [&settings] { return run_view(settings); });
+}
+
 }  // namespace
 
 void add_boolean_verbs(CommandLine& line) {
@@ -182,4 +208,5 @@ void add_boolean_verbs(CommandLine& line) {
   if (line.wants({"info"})) add_info(line);
   if (line.wants({"convert"})) add_convert(line);
   if (line.wants({"compare"})) add_compare(line);
+  if (line.wants({"view"})) add_view(line);
 }

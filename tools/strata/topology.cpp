@@ -11,6 +11,7 @@
 #include "common/stopwatch.h"
 #include "common/watch.h"
 #include "files.h"
+#include "named_operands.h"
 #include "report.h"
 #include "strata/complex.h"
 #include "verbs.h"
@@ -47,28 +48,13 @@ constexpr std::array operators{
     Operator{"holes", strata::complex::holes},
 };
 
-/// An operand by its name in the expression: NAME=FILE, or a, b, c, ... in the order of the files.
-struct Operand {
-  std::string name, path;
+struct Operand : NamedOperand {
   bool is_open = false;
 };
 
 std::vector<Operand> operands_of(const Settings& settings) {
   std::vector<Operand> operands;
-  for (const std::string& given : settings.bindings) {
-    const std::size_t equals = given.find('=');
-    if (equals == 0 || equals + 1 == given.size())
-      throw UsageError(fmt::format("expected FILE or NAME=FILE, found '{}'", given));
-    if (equals != std::string::npos) {
-      operands.push_back({given.substr(0, equals), given.substr(equals + 1)});
-    } else {
-      if (operands.size() >= 26) throw UsageError("more than 26 operands need names: NAME=FILE");
-      operands.push_back({std::string(1, static_cast<char>('a' + operands.size())), given});
-    }
-  }
-  for (std::size_t i = 0; i < operands.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (operands[i].name == operands[j].name) throw UsageError(fmt::format("'{}' is given twice", operands[i].name));
+  for (NamedOperand& operand : named_operands(settings.bindings)) operands.push_back({std::move(operand)});
   for (const std::string& name : settings.open) {
     const auto at = std::find_if(operands.begin(), operands.end(), [&](const Operand& o) { return o.name == name; });
     if (at == operands.end()) throw UsageError(fmt::format("--open: there is no '{}'", name));

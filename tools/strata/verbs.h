@@ -25,6 +25,9 @@
 /// Are two meshes equal as point sets?
 [[nodiscard]] ExitCode run_compare(const Settings& settings);
 
+/// Meshes, and the value of an expression about them, as a page that shows them.
+[[nodiscard]] ExitCode run_view(Settings& settings);
+
 /// The layers of a scene as seen from an origin; writes them as a coloured mesh.
 [[nodiscard]] ExitCode run_layers(const Settings& settings);
 

@@ -51,10 +51,12 @@ struct Variant {
   double unit_roundoff = 0x1p-53;
   const char* script = nullptr;  ///< if given, called in place of the command line
 };
-constexpr std::array variants{
-    Variant{"strata", "arrangement", "result.xoff"}, Variant{"strata-doubles", "arrangement", "result.off"},
-    Variant{"strata-floats", "arrangement", "result.stl", 0x1p-24}, Variant{"layers", "layers", "result.xoff"},
-    Variant{"strata-python", "arrangement", "result.xoff", 0x1p-53, "strata_python.py"}};
+constexpr std::array variants{Variant{"strata", "arrangement", "result.xoff"},
+                              Variant{"strata-doubles", "arrangement", "result.off"},
+                              Variant{"strata-floats", "arrangement", "result.stl", 0x1p-24},
+                              Variant{"layers", "layers", "result.xoff"},
+                              Variant{"strata-python", "arrangement", "result.xoff", 0x1p-53, "strata_python.py"},
+                              Variant{"strata-node", "arrangement", "result.xoff", 0x1p-53, "strata_node.mjs"}};
 
 class StrataEngine : public Engine {
  public:

@@ -8,7 +8,8 @@
 namespace verify {
 
 /// This program, `strata eval` in a process of its own: strata (exact results, XOFF), strata-doubles (the same,
-/// rounded), layers (exact results of `--engine layers`), strata-python (the Python package). Null for another name.
+/// rounded), layers (exact results of `--engine layers`), strata-python (the Python package), strata-node (the package
+/// for JavaScript). Null for another name.
 [[nodiscard]] std::unique_ptr<Engine> make_strata_engine(const std::string& name, const EngineFolders& folders);
 
 /// NAME=FILE for all operands of a case; those that are no files yet are written to `folder`.

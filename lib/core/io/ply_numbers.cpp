@@ -68,7 +68,7 @@ bool BinaryNumbers::take_points(const PlyElementPlan& plan, PlyStore& store, std
   for (std::size_t i = 0; i < plan.uses.size(); ++i) {
     const PlyUse& use = plan.uses[i];
     const PlyScalar type = element.properties[i].type;
-    const Column column{data_.data() + offset_ + use.offset, stride, order_, count};
+    const Column column{data_.data() + offset_ + use.offset, stride, order_, static_cast<std::size_t>(count)};
     if (use.kind == PlyUse::Kind::coordinate)
       column.copy(type, [&](std::size_t p) -> double& { return points[p][use.component]; });
     else if (use.kind == PlyUse::Kind::value)

@@ -1,0 +1,16 @@
+# Writes viewer_texts.h: the page of `strata view` with its script, before and behind what it shows. The script is that of the
+# Python package, too.
+set(page ${PROJECT_SOURCE_DIR}/web/viewer/page.html)
+set(script ${PROJECT_SOURCE_DIR}/python/strata_csg/_viewer.js)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page} ${script})
+file(READ ${page} text)
+file(READ ${script} script_text)
+string(REPLACE "@SCRIPT@" "${script_text}" text "${text}")
+string(FIND "${text}" "@DATA@" place)
+string(SUBSTRING "${text}" 0 ${place} before)
+math(EXPR place "${place} + 6")
+string(SUBSTRING "${text}" ${place} -1 after)
+set(text "#pragma once\n#include <string_view>\n\nnamespace viewer_texts {\n")
+string(APPEND text "inline constexpr std::string_view before_data = R\"page(${before})page\";\n")
+string(APPEND text "inline constexpr std::string_view after_data = R\"page(${after})page\";\n}  // namespace viewer_texts\n")
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/viewer_texts.h CONTENT "@text@" @ONLY)
