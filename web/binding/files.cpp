@@ -4,6 +4,7 @@
 #include "strata/carry_attributes.h"
 #include "strata/io.h"
 #include "strata/openscad.h"
+#include "strata/rounding.h"
 
 using namespace strata;
 using namespace strata::web;
@@ -20,6 +21,32 @@ MeshFile read_file(const char* bytes, std::size_t size, const char* word, std::s
   return read_mesh(std::string_view(bytes, size), format_of_word(word, word_size), "file");
 }
 
+/// What a file of a format holds in place of an exact solid: one that is a solid in the numbers of the format.
+struct Written {
+  ExactMesh mesh;
+  Attributes attributes;
+};
+
+Written rounded_for(Format format, const Solid& solid) {
+  const Written exact{solid.exact_mesh(), solid.attributes()};
+  if (format == Format::xoff) return exact;
+  CoordinateGrid grid;
+  if (holds_floats(format)) grid.format = CoordinateGrid::Format::float32;
+  RoundedMesh rounded = round_to_solid(exact.mesh, grid, watched());
+  if (!holds_floats(format) && !rounded.report.rounded) return exact;
+  Attributes attributes;
+  if (!exact.attributes.empty())
+    attributes = carry_attributes({exact.mesh, &exact.attributes}, rounded, grid, watched());
+  return {{std::move(rounded.mesh), {}}, std::move(attributes)};
+}
+
+/// A solid with what the file says beside its shape.
+Solid with_attributes_of(const ExactMesh& mesh, const Attributes& attributes, const Solid& solid) {
+  if (attributes.empty()) return solid;
+  const AttributedMesh given{mesh, &attributes};
+  return solid.with_attributes(carry_attributes({&given, 1}, solid.exact_mesh(), solid.sources(), watched()));
+}
+
 /// Notes as lines of the answer.
 void note(const std::vector<std::string>& notes) {
   for (const std::string& one : notes) answer().bytes += one + '\n';
@@ -33,7 +60,8 @@ unsigned strata_read(const char* bytes, std::size_t size, const char* word, std:
     MeshFile file = read_file(bytes, size, word, word_size);
     Options options = watched();
     options.input = all_input_classes.at(input);
-    const unsigned handle = keep(Solid(ExactMesh{std::move(file.mesh), std::move(file.exact)}, options));
+    const ExactMesh mesh{std::move(file.mesh), std::move(file.exact)};
+    const unsigned handle = keep(with_attributes_of(mesh, file.attributes, Solid(mesh, options)));
     note(file.notes);
     return handle;
   });
@@ -53,7 +81,11 @@ unsigned strata_read_mesh(const char* bytes, std::size_t size, const char* word,
 
 STRATA_WEB(write) unsigned strata_write(Handle handle, const char* word, std::size_t word_size) {
   return guarded([&] {
-    answer().bytes = to_string(solid_of(handle).exact_mesh(), format_of_word(word, word_size));
+    WriteOptions options;
+    options.format = format_of_word(word, word_size);
+    const Written written = rounded_for(*options.format, solid_of(handle));
+    options.attributes = &written.attributes;
+    answer().bytes = to_string(written.mesh, options);
     return 1U;
   });
 }

@@ -86,7 +86,7 @@ export class StrataWorker {
         this.terminate();
         settle(reject, error);
       };
-      thread.post({ ...request, id, input, source: this.#source });
+      thread.post({ ...request, id, input, module: this.#source });
     });
   }
 }

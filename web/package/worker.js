@@ -28,7 +28,7 @@ function answer({ work, operands, expression, source, format, data, input }, onP
 
 listen(async (request) => {
   try {
-    await strata.init(request.source);
+    await strata.init(request.module);
     const result = answer(request, (fraction) => port.postMessage({ id: request.id, fraction }));
     const arrays = [result.vertices, result.triangles, result.sourceOperands, result.sourceFaces];
     port.postMessage({ id: request.id, result }, arrays.map((array) => array.buffer));
