@@ -100,7 +100,7 @@ def test_openscad(tmp_path):
     model = tmp_path / "model.csg"
     model.write_text("difference() { cube(size = [2, 2, 2]); cube(size = [1, 1, 3]); }")
     assert st.read_openscad(model).evaluate().volume == 6
-    model.write_text("difference() {\n hull() { cube(size = [2, 2, 2]); sphere(r = 1); }\n}")
+    model.write_text("difference() {\n linear_extrude(height = 1) { roof() { square(size = [1, 1]); } }\n}")
     with pytest.raises(st.FileError) as caught:
         st.read_openscad(model)
     assert caught.value.line == 2
