@@ -178,7 +178,7 @@ class DrawingReader {
     double start = e.number(41), stop = e.number(42, 2 * pi);
     while (start > stop) stop += 2 * pi;
     const double sides =
-        std::max(std::ceil(sides_of_circle(std::hypot(x, y), resolution_) * (stop - start) / (2 * pi) - 1e-9), 1.0);
+        std::max(std::ceil(sides_of_circle(std::hypot(x, y), resolution_) * (stop - start) / (2 * pi)), 1.0);
     const auto at = [&](double i) -> PlanePoint {
       const double angle = start + (stop - start) * i / sides, c = std::cos(angle), s = std::sin(angle) * ratio;
       return {centre[0] + x * c - y * s, centre[1] + y * c + x * s};
