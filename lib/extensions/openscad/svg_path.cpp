@@ -178,7 +178,7 @@ class PathReader {
     double turn = std::atan2((-y - cy) / ry, (-x - cx) / rx) - start;
     if (is_positive && turn < 0) turn += 2 * pi;
     if (!is_positive && turn > 0) turn -= 2 * pi;
-    const double steps = std::max(std::ceil(parts_.of_turn * std::abs(turn) / (2 * pi) - 1e-9), 1.0);
+    const double steps = std::max(std::ceil(parts_.of_turn * std::abs(turn) / (2 * pi)), 1.0);
     for (double k = 1; k < steps; ++k) {
       const double angle = start + turn * k / steps, u = rx * std::cos(angle), v = ry * std::sin(angle);
       emit({c * u - s * v + centre[0], s * u + c * v + centre[1]});
