@@ -6,6 +6,7 @@
 
 #include "core/cells/near_faces.h"
 #include "core/cells/origins.h"
+#include "core/cells/walk.h"
 
 namespace strata {
 namespace {
@@ -29,10 +30,34 @@ std::int32_t typical_extent(const InputComplex& input, const Grid& grid) {
 
 /// Bricks that contain a few faces each, if these have about the same size.
 BrickGrid bricks_for(const InputComplex& input, const Space& space) {
-  constexpr std::size_t few = 512, most = std::size_t{1} << 21;
-  const std::size_t faces = input.face_count();
-  if (faces < few) return {space, 1, Grid::extent};
-  return {space, std::min(most, 2 * faces), 2 * typical_extent(input, space.grid)};
+  constexpr std::size_t most = std::size_t{1} << 21;
+  return {space, std::min(most, std::size_t{2} * input.face_count()), 2 * typical_extent(input, space.grid)};
+}
+
+/// The space of interest as one cell. One pass over all faces lists those that reach into it and walks to its origin.
+Branch undivided(const InputComplex& input, const Space& space) {
+  const BrickGrid one(space, 1, Grid::extent);
+  const BrickCode only = 1 | 1 << 8 | 1 << 16;
+  Branch root;
+  root.box = one.box(only);
+  root.origin = one.centre(only);
+  root.faces = FaceList(input.face_count());
+  const auto line = space.grid.at(root.origin);
+  const InputComplex::Coordinates outside{space.beyond, root.origin[1], root.origin[2]};
+  Windings windings;
+  for (std::uint32_t o = 0; o < input.operand_count(); ++o) {
+    const auto points = input.points(o);
+    std::uint32_t f = input.first_face(o);
+    for (const auto& [a, b, c] : input.faces(o)) {
+      const CellFace face{space.grid.box(points[a], points[b], points[c]), f++, false};
+      if (face.box.reaches_into(root.box)) root.faces.push_back(face);
+      if (face.box.lower[1] <= line[1] && line[1] <= face.box.upper[1] && face.box.lower[2] <= line[2] &&
+          line[2] <= face.box.upper[2])
+        windings.add(o, crossing_along_axis(input, face.face, outside, root.origin, 0));
+    }
+  }
+  root.windings = std::make_shared<const Windings>(std::move(windings));
+  return root;
 }
 
 }  // namespace
@@ -41,8 +66,23 @@ CellTree::CellTree(const InputComplex& input, const CellOptions& options)
     : input_(input), space_(find_space(input, options.self)) {
   cells_.push_back({{}, {}, std::make_shared<const Windings>(), {}, false});
   if (space_.empty) return;
-  bricks_ = bricks_for(input, space_);
-  make_cells(input, options);
+  constexpr std::uint32_t few = 512;
+  if (input.face_count() < few) {
+    make_cells_without_bricks(input, options);
+  } else {
+    bricks_ = bricks_for(input, space_);
+    make_cells(input, options);
+  }
+}
+
+void CellTree::make_cells_without_bricks(const InputComplex& input, const CellOptions& options) {
+  options.monitor.check();
+  tbb::concurrent_vector<Cell> cells;
+  cells.push_back(std::move(cells_.front()));
+  Branch root = undivided(input, space_);
+  Refinement(input, options, space_.grid, cells).refine(root);
+  cells_.assign(std::make_move_iterator(cells.begin()), std::make_move_iterator(cells.end()));
+  roots_.push_back(collect(root));
 }
 
 void CellTree::make_cells(const InputComplex& input, const CellOptions& options) {
@@ -100,9 +140,13 @@ std::uint32_t CellTree::collect(Branch& branch) {
 }
 
 std::uint32_t CellTree::cell_at(const std::array<std::int32_t, 3>& g) const {
-  if (space_.empty) return outside_cell;
+  if (regions_ == nullptr) return cell_without_bricks(g);
   const std::uint32_t place = regions_->place(bricks_.index(bricks_.code(g)));
   return (place & Regions::mixed_flag) == 0 ? place : descend(roots_[place - Regions::mixed_flag], g);
+}
+
+std::uint32_t CellTree::cell_without_bricks(const std::array<std::int32_t, 3>& g) const {
+  return !space_.empty && space_.interest.holds(g) ? descend(roots_.front(), g) : outside_cell;
 }
 
 PlaneFilter CellTree::plane_of(std::uint32_t face) const {
@@ -147,8 +191,9 @@ std::uint32_t CellTree::descend(std::uint32_t node, const std::array<std::int32_
 
 std::size_t CellTree::bytes() const {
   if (space_.empty) return 0;
-  std::size_t sum = input_.vertex_count() * sizeof(BrickCode) + bricks_.brick_count() * sizeof(std::uint32_t) +
-                    cells_.size() * sizeof(Cell) + roots_.size() * sizeof(std::uint32_t) + nodes_.size() * sizeof(Node);
+  std::size_t sum = cells_.size() * sizeof(Cell) + roots_.size() * sizeof(std::uint32_t) + nodes_.size() * sizeof(Node);
+  if (regions_ != nullptr)
+    sum += input_.vertex_count() * sizeof(BrickCode) + bricks_.brick_count() * sizeof(std::uint32_t);
   for (const Cell& c : cells_) sum += c.faces.size() * sizeof(CellFace);
   return sum;
 }

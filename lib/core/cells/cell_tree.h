@@ -14,7 +14,8 @@
 namespace strata {
 
 /// A subdivision of space where faces that may meet are near each other: into bricks of equal size, and further, by
-/// cuts, of the bricks with faces of different operands. theory.md.
+/// cuts, of the bricks with faces of different operands. For a few hundred faces it has no bricks and cuts the space
+/// of interest as a whole. theory.md.
 class CellTree {
  public:
   /// Runs in the current task arena. The subdivision does not depend on the number of threads; the numbering of the
@@ -35,15 +36,16 @@ class CellTree {
     for (std::size_t i = 0; i < 3; ++i) corner[i] = std::max(a.box.lower[i], b.box.lower[i]);
     return a.is_thinned || b.is_thinned ? owns_thinned(cell, a, b, corner) : cell.box.holds(corner);
   }
-  /// True when a vertex of a face is in a brick with faces that may meet.
+  /// True when a vertex of a face is in a brick with faces that may meet; without bricks, in the space of interest.
   [[nodiscard]] bool is_near_others(std::uint32_t vertex) const {
-    return !space_.empty && (regions_->place(bricks_.index(codes_->of(vertex))) & Regions::mixed_flag) != 0;
+    if (regions_ == nullptr) return !space_.empty && space_.interest.holds(space_.grid.at(input_.vertex(vertex)));
+    return (regions_->place(bricks_.index(codes_->of(vertex))) & Regions::mixed_flag) != 0;
   }
   /// Memory used, in bytes.
   [[nodiscard]] std::size_t bytes() const;
   /// The cell that contains a vertex of a face.
   [[nodiscard]] std::uint32_t cell_of_vertex(std::uint32_t vertex) const {
-    if (space_.empty) return outside_cell;
+    if (regions_ == nullptr) return cell_without_bricks(space_.grid.at(input_.vertex(vertex)));
     const std::uint32_t place = regions_->place(bricks_.index(codes_->of(vertex)));
     return (place & Regions::mixed_flag) == 0 ? place : mixed_cell_of_vertex(place, vertex);
   }
@@ -55,6 +57,8 @@ class CellTree {
     std::uint32_t below = 0, above = 0;  ///< nodes, or `below` = cell of a leaf
   };
   void make_cells(const InputComplex& input, const CellOptions& options);
+  void make_cells_without_bricks(const InputComplex& input, const CellOptions& options);
+  [[nodiscard]] std::uint32_t cell_without_bricks(const std::array<std::int32_t, 3>& g) const;
   [[nodiscard]] bool owns_thinned(const Cell& cell, const CellFace& a, const CellFace& b,
                                   std::array<std::int32_t, 3> corner) const;
   [[nodiscard]] PlaneFilter plane_of(std::uint32_t face) const;
@@ -67,11 +71,11 @@ class CellTree {
   const InputComplex& input_;
   Space space_;
   BrickGrid bricks_;
-  std::unique_ptr<const Raster> raster_;
+  std::unique_ptr<const Raster> raster_;  ///< without bricks there is none, nor codes and regions
   std::unique_ptr<const BrickCodes> codes_;
   std::unique_ptr<const Regions> regions_;
   std::vector<Cell> cells_;
-  std::vector<std::uint32_t> roots_;  ///< nodes, per mixed brick
+  std::vector<std::uint32_t> roots_;  ///< nodes, per mixed brick; without bricks, of the space of interest
   std::vector<Node> nodes_;
 };
 

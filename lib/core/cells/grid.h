@@ -26,6 +26,11 @@ struct GridBox {
     return lower[0] <= b.upper[0] && b.lower[0] <= upper[0] && lower[1] <= b.upper[1] && b.lower[1] <= upper[1] &&
            lower[2] <= b.upper[2] && b.lower[2] <= upper[2];
   }
+  /// Of a closed box and the half-open box of a cell.
+  [[nodiscard]] bool reaches_into(const GridBox& cell) const {
+    return lower[0] < cell.upper[0] && cell.lower[0] <= upper[0] && lower[1] < cell.upper[1] &&
+           cell.lower[1] <= upper[1] && lower[2] < cell.upper[2] && cell.lower[2] <= upper[2];
+  }
 };
 
 /// A monotone map of doubles to integers, one per axis: x <= y implies at(x) <= at(y), because scaling, subtraction,

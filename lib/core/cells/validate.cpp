@@ -9,13 +9,6 @@ namespace {
 
 constexpr std::size_t face_sample = 64, cell_sample = 32, pair_sample = 8;
 
-/// Of a half-open box of a cell.
-bool reaches_into(const GridBox& face, const GridBox& cell) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (face.lower[i] >= cell.upper[i] || face.upper[i] < cell.lower[i]) return false;
-  return true;
-}
-
 void check_list(const InputComplex& input, std::size_t c, const Cell& cell, Violations& violations) {
   if (!cell.mixed && !cell.faces.empty()) violations.add("cell ", c, " is not mixed and lists faces");
   for (std::size_t i = 0; i < cell.faces.size(); ++i) {
@@ -25,7 +18,7 @@ void check_list(const InputComplex& input, std::size_t c, const Cell& cell, Viol
       continue;
     }
     if (i > 0 && cell.faces[i - 1].face >= f.face) violations.add("cell ", c, " lists faces out of order");
-    if (!reaches_into(f.box, cell.box)) violations.add("cell ", c, " lists face ", f.face, ", which is not near");
+    if (!f.box.reaches_into(cell.box)) violations.add("cell ", c, " lists face ", f.face, ", which is not near");
   }
 }
 
@@ -71,7 +64,7 @@ class CellCheck {
     }
     if (!is_listed || is_thinned) return;
     for (const Cell& cell : tree_.cells())
-      if (cell.mixed && reaches_into(box, cell.box) && listed(cell, face) == nullptr)
+      if (cell.mixed && box.reaches_into(cell.box) && listed(cell, face) == nullptr)
         violations_.add("face ", face, " is not listed in a cell into which its box reaches");
   }
 
