@@ -173,7 +173,7 @@ NewMesh mesh_of(BooleanResult result) {
   mesh->has_sources = true;
   mesh->notes = to_python(std::span<const Defect>(result.notes));
   if (result.rounding) mesh->rounding = dict_of(*result.rounding);
-  for (const auto& [stage, time] : result.profile.seconds) mesh->seconds[stage.c_str()] = time;
+  mesh->seconds = std::move(result.profile.seconds);
   return mesh;
 }
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "attributes.h"
@@ -27,7 +28,8 @@ struct ArrayMesh {
   Unit unit = Unit::none;
   std::vector<Source> sources;
   bool has_sources = false;
-  nb::object notes = nb::make_tuple(), file_notes = nb::make_tuple(), rounding = nb::none(), seconds = nb::dict();
+  std::vector<std::pair<std::string, double>> seconds;  ///< per stage
+  nb::object notes = nb::make_tuple(), file_notes = nb::make_tuple(), rounding = nb::none();
 
   ArrayMesh() = default;
   ArrayMesh(const ArrayMesh&) = delete;

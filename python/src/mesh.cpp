@@ -59,6 +59,12 @@ bool are_equal(const ArrayMesh& a, const ArrayMesh& b) {
          carry_the_same(a.attributes, b.attributes) && a.unit == b.unit;
 }
 
+nb::dict seconds_of(const ArrayMesh& mesh) {
+  nb::dict seconds;
+  for (const auto& [stage, time] : mesh.seconds) seconds[stage.c_str()] = time;
+  return seconds;
+}
+
 MeshHandle made(const ArrayLike& vertices, const ArrayLike& triangles, const AttributesOption& attributes,
                 const UnitName& unit) {
   const NewMesh mesh = mesh_of_arrays(vertices.object, triangles.object);
@@ -76,7 +82,7 @@ nb::tuple reduce(const ArrayMesh& mesh) {
   rest["notes"] = mesh.notes;
   rest["file_notes"] = mesh.file_notes;
   rest["rounding"] = mesh.rounding;
-  rest["seconds"] = mesh.seconds;
+  rest["seconds"] = seconds_of(mesh);
   const nb::object vertices = mesh.owned.exact.empty() ? vertices_of(mesh) : exact_rows(mesh.exact_view());
   return nb::make_tuple(nb::module_::import_("strata_csg._pickle").attr("mesh"),
                         nb::make_tuple(vertices, triangles_of(mesh), rest));
@@ -92,7 +98,8 @@ MeshHandle restored(nb::object vertices, nb::object triangles, const nb::dict& r
   mesh->notes = rest["notes"];
   mesh->file_notes = rest["file_notes"];
   mesh->rounding = rest["rounding"];
-  mesh->seconds = rest["seconds"];
+  for (const auto& [stage, time] : nb::cast<nb::dict>(rest["seconds"]))
+    mesh->seconds.emplace_back(nb::cast<std::string>(stage), nb::cast<double>(time));
   return mesh;
 }
 
@@ -172,9 +179,8 @@ Fraction(1, 6)
           "Of a mesh that was read: what was left out or decided, a sentence each.")
       .def_prop_ro("rounding", rounding_of, nb::sig("def rounding(self) -> dict[str, int | float] | None"),
                    "Of a rounded result: rounds, moved_vertices, largest_movement, unit, far_vertices, vanished_faces.")
-      .def_prop_ro(
-          "seconds", [](const ArrayMesh& mesh) { return mesh.seconds.attr("copy")(); },
-          nb::sig("def seconds(self) -> dict[str, float]"), "Of a result: the time that each stage took.")
+      .def_prop_ro("seconds", seconds_of, nb::sig("def seconds(self) -> dict[str, float]"),
+                   "Of a result: the time that each stage took.")
       .def("__repr__", describe)
       .def(
           "_repr_html_",

@@ -61,8 +61,8 @@ bool has_handler(const struct sigaction& action) {
 
 /// Python runs handlers of signals in its main thread only.
 bool is_main_thread() {
-  const nb::module_ threading = nb::module_::import_("threading");
-  return threading.attr("get_ident")().equal(threading.attr("main_thread")().attr("ident"));
+  const nb::object main_thread = nb::module_::import_("threading").attr("main_thread")();
+  return nb::cast<unsigned long>(main_thread.attr("ident")) == PyThread_get_thread_ident();
 }
 
 /// While it lives, signals that have handlers stop a computation of the main thread.
