@@ -132,7 +132,25 @@ CanonicalForm canonical_form(const ExactMesh& mesh, const Monitor& monitor) {
 }
 
 CanonicalForm canonical_form(const std::vector<ExactFacet>& facets, const Monitor& monitor) {
-  return form_of(facets::facets_by_plane(facets, monitor), monitor);
+  std::vector<RationalPoint> points;
+  IndexedFacets indexed;
+  for (const ExactFacet& facet : facets) {
+    monitor.check();
+    for (const auto& loop : facet) {
+      for (const RationalPoint& p : loop) {
+        indexed.corners.push_back(static_cast<std::uint32_t>(points.size()));
+        points.push_back(p);
+      }
+      indexed.loop_ends.push_back(static_cast<std::uint32_t>(points.size()));
+    }
+    indexed.facet_loops.push_back(static_cast<std::uint32_t>(facet.size()));
+  }
+  indexed.points = points;
+  return facets::canonical_form(indexed, monitor);
+}
+
+CanonicalForm facets::canonical_form(const IndexedFacets& facets, const Monitor& monitor) {
+  return form_of(facets_by_plane(facets, monitor), monitor);
 }
 
 }  // namespace strata

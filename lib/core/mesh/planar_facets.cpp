@@ -88,13 +88,32 @@ std::vector<HPoint<Integer>> points_of(const ExactMesh& mesh) {
   return points;
 }
 
+/// The loops of one facet.
+class Loops {
+ public:
+  Loops(const IndexedFacets& facets, std::size_t first, std::size_t count)
+      : facets_(facets), first_(first), count_(count) {}
+
+  [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t n) const {
+    const std::size_t loop = first_ + n, begin = loop == 0 ? 0 : facets_.loop_ends[loop - 1];
+    return std::span(facets_.corners).subspan(begin, facets_.loop_ends[loop] - begin);
+  }
+  [[nodiscard]] const RationalPoint& point(std::uint32_t corner) const { return facets_.points[corner]; }
+
+ private:
+  const IndexedFacets& facets_;
+  std::size_t first_, count_;
+};
+
 /// Twice the vector area of a facet: the normal from which it is seen counter-clockwise.
-RationalPoint vector_area(const ExactFacet& facet) {
+RationalPoint vector_area(const Loops& facet) {
   RationalPoint sum{0, 0, 0};
-  for (const auto& loop : facet) {
+  for (std::size_t n = 0; n < facet.size(); ++n) {
+    const auto loop = facet[n];
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const RationalPoint& p = loop[i];
-      const RationalPoint& q = loop[i + 1 == loop.size() ? 0 : i + 1];
+      const RationalPoint& p = facet.point(loop[i]);
+      const RationalPoint& q = facet.point(loop[i + 1 == loop.size() ? 0 : i + 1]);
       for (int k = 0; k < 3; ++k) {
         const int l = (k + 1) % 3, m = (k + 2) % 3;
         sum[k] += p[l] * q[m] - p[m] * q[l];
@@ -109,13 +128,14 @@ Rational height(const RationalPoint& normal, const RationalPoint& p) {
 }
 
 /// Nullopt when the area is zero.
-std::optional<Unoriented> plane_of(const ExactFacet& facet) {
+std::optional<Unoriented> plane_of(const Loops& facet) {
   const RationalPoint normal = vector_area(facet);
   if (normal == RationalPoint{0, 0, 0}) return std::nullopt;
-  const Rational d = height(normal, facet.front().front());
-  for (const auto& loop : facet) {
-    for (const RationalPoint& p : loop) {
-      if (height(normal, p) != d) throw std::invalid_argument("a facet of a canonical form is not planar");
+  const Rational d = height(normal, facet.point(facet[0].front()));
+  for (std::size_t n = 0; n < facet.size(); ++n) {
+    for (const std::uint32_t corner : facet[n]) {
+      if (height(normal, facet.point(corner)) != d)
+        throw std::invalid_argument("a facet of a canonical form is not planar");
     }
   }
   Integer common = denominator(d);
@@ -142,27 +162,27 @@ FacetsByPlane facets_by_plane(const ExactMesh& mesh, const Monitor& monitor) {
   return {std::move(points), std::move(index.planes)};
 }
 
-FacetsByPlane facets_by_plane(const std::vector<ExactFacet>& facets, const Monitor& monitor) {
+FacetsByPlane facets_by_plane(const IndexedFacets& facets, const Monitor& monitor) {
   std::vector<HPoint<Integer>> all;
-  for (const ExactFacet& facet : facets) {
+  for (const RationalPoint& p : facets.points) {
     monitor.check();
-    for (const auto& loop : facet) {
-      for (const RationalPoint& p : loop) all.push_back(homogeneous(p));
-    }
+    all.push_back(homogeneous(p));
   }
   std::vector<std::uint32_t> name;
   PointTable points(std::move(all), name, monitor);
   PlaneIndex index;
-  auto first = name.begin();
-  for (const ExactFacet& facet : facets) {
+  std::size_t first = 0;
+  for (const std::uint32_t count : facets.facet_loops) {
     monitor.check();
+    const Loops facet(facets, first, count);
+    first += count;
     const auto key = plane_of(facet);
-    for (const auto& loop : facet) {
-      const auto n = static_cast<std::ptrdiff_t>(loop.size());
-      for (std::ptrdiff_t i = 0; key && i < n; ++i) {
-        index.facets_in(*key).sides.push_back({first[i], first[i + 1 == n ? 0 : i + 1]});
-      }
-      first += n;
+    if (!key) continue;
+    std::vector<Side>& sides = index.facets_in(*key).sides;
+    for (std::size_t n = 0; n < facet.size(); ++n) {
+      const auto loop = facet[n];
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        sides.push_back({name[loop[i]], name[loop[i + 1 == loop.size() ? 0 : i + 1]]});
     }
   }
   return {std::move(points), std::move(index.planes)};

@@ -1,5 +1,7 @@
 #pragma once
 #include <array>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/mesh/planar_chain.h"
@@ -26,11 +28,22 @@ struct FacetsByPlane {
   std::vector<PlaneFacets> planes;
 };
 
+/// Planar polygons with holes over common points, in flat arrays. Loops as in ExactFacet.
+struct IndexedFacets {
+  std::span<const RationalPoint> points;
+  std::vector<std::uint32_t> corners;      ///< of all loops, by numbers of points
+  std::vector<std::uint32_t> loop_ends;    ///< in `corners`
+  std::vector<std::uint32_t> facet_loops;  ///< how many loops each facet has
+};
+
 /// Groups facets by their exact plane. Facets of zero area are left out. Expected O(n log n) for sorting the points.
 /// Throws Cancelled.
 [[nodiscard]] FacetsByPlane facets_by_plane(const ExactMesh& mesh, const Monitor& monitor);
 
 /// Throws std::invalid_argument when a facet is not planar.
-[[nodiscard]] FacetsByPlane facets_by_plane(const std::vector<ExactFacet>& facets, const Monitor& monitor);
+[[nodiscard]] FacetsByPlane facets_by_plane(const IndexedFacets& facets, const Monitor& monitor);
+
+/// The canonical form of a boundary, as that of its ExactFacets. Throws what `facets_by_plane` does.
+[[nodiscard]] CanonicalForm canonical_form(const IndexedFacets& facets, const Monitor& monitor);
 
 }  // namespace strata::facets

@@ -1,9 +1,11 @@
 #include "extensions/contact/contact_facets.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/exact/failure.h"
 #include "core/kernel/filters.h"
+#include "core/mesh/planar_facets.h"
 #include "extensions/contact/root.h"
 
 namespace strata::contact {
@@ -14,23 +16,25 @@ using Loop = std::vector<std::uint32_t>;
 /// The loops of one plane, grouped into facets.
 class Nesting {
  public:
-  Nesting(const std::vector<RationalPoint>& points, const CanonicalFacets& plane) : points_(points), plane_(plane) {
+  Nesting(const std::vector<RationalPoint>& points, CanonicalFacets& plane) : points_(points), plane_(plane) {
     while (plane.plane.coefficients[axis_] == 0) ++axis_;
-    for (const Loop& loop : plane.loops) (height(area_vector(loop)) > 0 ? outer_ : holes_).push_back(&loop);
+    for (Loop& loop : plane.loops) (height(area_vector(loop)) > 0 ? outer_ : holes_).push_back(&loop);
   }
 
-  void add_facets(std::vector<ContactFacet>& facets, const Monitor& monitor) const {
-    std::vector<std::vector<const Loop*>> holes_of(outer_.size());
-    for (const Loop* hole : holes_) {
+  /// Takes the loops of the plane, and the plane for the last facet: there may be millions of both.
+  void add_facets(std::vector<ContactFacet>& facets, const Monitor& monitor) {
+    std::vector<std::vector<Loop*>> holes_of(outer_.size());
+    for (Loop* const hole : holes_) {
       monitor.check();
       holes_of[around(*hole)].push_back(hole);
     }
     for (std::size_t n = 0; n < outer_.size(); ++n) {
       monitor.check();
       ContactFacet& facet = facets.emplace_back();
-      facet.plane = plane_.plane;
-      facet.loops.push_back(*outer_[n]);
-      for (const Loop* hole : holes_of[n]) facet.loops.push_back(*hole);
+      facet.plane = n + 1 == outer_.size() ? std::move(plane_.plane) : plane_.plane;
+      facet.loops.reserve(1 + holes_of[n].size());
+      facet.loops.push_back(std::move(*outer_[n]));
+      for (Loop* const hole : holes_of[n]) facet.loops.push_back(std::move(*hole));
       for (const Loop& loop : facet.loops) {
         const RationalPoint v = area_vector(loop);
         for (std::size_t i = 0; i < 3; ++i) facet.area_vector[i] += v[i];
@@ -86,24 +90,28 @@ class Nesting {
   }
 
   const std::vector<RationalPoint>& points_;
-  const CanonicalFacets& plane_;
+  CanonicalFacets& plane_;
   std::size_t axis_ = 0;
-  std::vector<const Loop*> outer_, holes_;
+  std::vector<Loop*> outer_, holes_;
 };
+
+CanonicalForm form_of(const SharedPieces& pieces, const Monitor& monitor) {
+  facets::IndexedFacets polygons;
+  polygons.points = pieces.places.positions();
+  for (const auto& polygon : pieces.polygons) {
+    polygons.corners.insert(polygons.corners.end(), polygon.begin(), polygon.end());
+    polygons.loop_ends.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
+  }
+  polygons.facet_loops.assign(pieces.polygons.size(), 1);
+  return facets::canonical_form(polygons, monitor);
+}
 
 }  // namespace
 
 ContactFacets contact_facets(const SharedPieces& pieces, const Monitor& monitor) {
-  std::vector<ExactFacet> polygons;
-  polygons.reserve(pieces.polygons.size());
-  for (const auto& polygon : pieces.polygons) {
-    monitor.check();
-    auto& corners = polygons.emplace_back().emplace_back();
-    for (const std::uint32_t n : polygon) corners.push_back(pieces.places[n]);
-  }
-  CanonicalForm form = canonical_form(polygons, monitor);
+  CanonicalForm form = form_of(pieces, monitor);
   ContactFacets result;
-  for (const CanonicalFacets& plane : form.planes) Nesting(form.vertices, plane).add_facets(result.facets, monitor);
+  for (CanonicalFacets& plane : form.planes) Nesting(form.vertices, plane).add_facets(result.facets, monitor);
   result.points = std::move(form.vertices);
   return result;
 }

@@ -2,6 +2,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -19,6 +20,7 @@ class Places {
   std::uint32_t number(const SymbolicPoint& name);
   [[nodiscard]] std::size_t size() const { return positions_.size(); }
   [[nodiscard]] const RationalPoint& operator[](std::uint32_t n) const { return positions_[n]; }
+  [[nodiscard]] std::span<const RationalPoint> positions() const { return positions_; }  ///< by number
   [[nodiscard]] const InputComplex::Coordinates& nearest(std::uint32_t n) const { return nearest_[n]; }
   [[nodiscard]] const Point& point(std::uint32_t n) const { return points_[n]; }
 

@@ -1,6 +1,7 @@
 #include "extensions/contact/region.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/kernel/filters.h"
 #include "extensions/contact/contact_edges.h"
@@ -12,6 +13,20 @@ namespace {
 
 std::uint32_t number_of(const std::vector<RationalPoint>& sorted, const RationalPoint& p) {
   return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), p) - sorted.begin());
+}
+
+/// The numbers of some points among all, both in lexicographic order.
+std::vector<std::uint32_t> numbers_of(const std::vector<RationalPoint>& some, const std::vector<RationalPoint>& all,
+                                      const Monitor& monitor) {
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(some.size());
+  std::uint32_t n = 0;
+  for (const RationalPoint& p : some) {
+    monitor.check();
+    while (all[n] != p) ++n;
+    numbers.push_back(n);
+  }
+  return numbers;
 }
 
 ContactEdge edge_between(const std::vector<RationalPoint>& points, const RationalSegment& ends) {
@@ -41,15 +56,18 @@ ContactRegion region_of(const Parts& parts, std::uint32_t a, std::uint32_t b, co
   const std::vector<RationalSegment> edges = contact_edges(pieces, monitor);
   const std::vector<RationalPoint> isolated = isolated_points(pieces, edges, monitor);
 
+  std::vector<RationalPoint> others = isolated;
+  for (const RationalSegment& e : edges) others.insert(others.end(), e.begin(), e.end());
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  monitor.check();
   ContactRegion region;
-  region.points = faces.points;
-  for (const RationalSegment& e : edges) region.points.insert(region.points.end(), e.begin(), e.end());
-  region.points.insert(region.points.end(), isolated.begin(), isolated.end());
-  std::sort(region.points.begin(), region.points.end());
-  region.points.erase(std::unique(region.points.begin(), region.points.end()), region.points.end());
+  std::set_union(faces.points.begin(), faces.points.end(), others.begin(), others.end(),
+                 std::back_inserter(region.points));
+  const std::vector<std::uint32_t> number_of_corner = numbers_of(faces.points, region.points, monitor);
   for (ContactFacet& f : faces.facets)
     for (auto& loop : f.loops)
-      for (std::uint32_t& v : loop) v = number_of(region.points, faces.points[v]);
+      for (std::uint32_t& v : loop) v = number_of_corner[v];
   region.facets = std::move(faces.facets);
   for (const RationalSegment& e : edges) region.edges.push_back(edge_between(region.points, e));
   for (const RationalPoint& p : isolated) region.vertices.push_back(number_of(region.points, p));

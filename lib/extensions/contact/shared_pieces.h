@@ -1,7 +1,6 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <set>
 #include <vector>
 
 #include "extensions/contact/parts.h"
@@ -16,10 +15,10 @@ struct SharedPieces {
   using Segment = std::array<std::uint32_t, 2>;  ///< the lower number first
 
   Places places;
-  std::vector<Polygon> polygons;   ///< counter-clockwise as seen from outside of the first part; interiors are disjoint
-  std::set<Segment> segments;      ///< except sides of polygons
-  std::set<std::uint32_t> points;  ///< except ends of segments and corners of polygons
-  std::set<Segment> sides;         ///< of polygons
+  std::vector<Polygon> polygons;  ///< counter-clockwise as seen from outside of the first part; interiors are disjoint
+  std::vector<Segment> segments;  ///< except sides of polygons; sorted
+  std::vector<std::uint32_t> points;  ///< except ends of segments and corners of polygons; sorted
+  std::vector<Segment> sides;         ///< of polygons; sorted
 };
 
 /// Throws Cancelled.
