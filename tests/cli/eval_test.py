@@ -34,7 +34,7 @@ class Eval(ToolTest):
                 error = self.run_tool("eval", expression, self.a, self.b, "-o", "out.off",
                                       expect=USAGE).stderr.decode().splitlines()
                 self.assertIn(what, error[0])
-                self.assertEqual(error[-1], "  " + " " * place + "^")
+                self.assertEqual(error[2], "  " + " " * place + "^")
         self.assertEqual(self.left_over(), ["a.off", "b.off", "c.off"])
 
     def test_misuse(self):

@@ -202,3 +202,8 @@ std::string explain_misuse(const CLI::App& app, const CLI::ParseError& error) {
     return explain_value(verb, name, text);
   return fmt::format("{}: {}\n{}", full_name(verb), text, what_to_type(verb));
 }
+
+std::string explain_misuse(const CLI::App& app, const UsageError& error) {
+  const CLI::App& verb = innermost(app);
+  return fmt::format("{}: {}\n{}", full_name(verb), error.what(), what_to_type(verb));
+}

@@ -63,5 +63,13 @@ int run_program(CLI::App& app, int argc, char** argv, const Action& action, cons
     std::fputs(explain_misuse(app, error).c_str(), stderr);
     return static_cast<int>(ExitCode::usage);
   }
-  return static_cast<int>(run(action, operands));
+  const Action explained = [&] {
+    try {
+      return action();
+    } catch (const UsageError& error) {
+      std::fputs(explain_misuse(app, error).c_str(), stderr);
+      return ExitCode::usage;
+    }
+  };
+  return static_cast<int>(run(explained, operands));
 }

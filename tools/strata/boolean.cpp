@@ -57,6 +57,12 @@ verify::NewCase asked(strata::Operation operation, std::span<const LoadedMesh> o
   return c;
 }
 
+/// A union of one operand shows that it is a solid. The other operations of one are mistakes of whoever types them.
+void check_count(strata::Operation operation, std::span<const LoadedMesh> operands, const Settings& settings) {
+  if (operands.size() == 1 && operation != strata::Operation::union_)
+    throw UsageError(fmt::format("it needs two operands or more, and {} is one", settings.operands.front()));
+}
+
 // An operand was refused: the report says which defects it has.
 void report_refusal(const char* name, std::span<const LoadedMesh> operands, const strata::InputError& error,
                     const Settings& settings) {
@@ -83,6 +89,7 @@ ExitCode run_boolean(strata::Operation operation, const char* name, const Settin
   Json report = {{"operation", name}, {"operands", nullptr}, {"result", nullptr}, {"seconds", Json::object()}};
   const strata::Format format = output_format(given);
   const std::vector<LoadedMesh> operands = read_operands(given);
+  check_count(operation, operands, given);
   const Settings settings = with_unit_of(operands, given);
   report["seconds"]["read"] = stopwatch.lap();
 

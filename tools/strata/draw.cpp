@@ -31,7 +31,7 @@ using strata::Vertex;
 Vertex vertex(const std::vector<double>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
 strata::Origin origin_of(const DrawSettings& draw) {
-  if (draw.from.empty() == draw.direction.empty()) throw UsageError("draw needs either --from or --direction");
+  if (draw.from.empty() == draw.direction.empty()) throw UsageError("give either --from or --direction");
   if (!draw.from.empty()) return strata::Origin::point(vertex(draw.from));
   if (vertex(draw.direction) == Vertex{}) throw UsageError("--direction is zero");
   return strata::Origin::direction(vertex(draw.direction));

@@ -159,7 +159,7 @@ ExitCode run_split(const SurfaceSettings& surface, const Settings& settings) {
   std::vector<strata::Plane> planes;
   for (const std::string& text : surface.planes) planes.push_back(parse_plane(text));
   if (planes.empty() && settings.operands.size() < 2)
-    throw UsageError("split needs a surface or a --plane that divides the solid");
+    throw UsageError("it needs a surface or a --plane that divides the solid");
   return run_to_folder("split", settings, [&](VerbRun& run, const strata::Options& options) {
     const strata::Solid solid = with_attributes_of(run.operands().front(), run.solid(0));
     std::vector<Surface> surfaces = surfaces_from(run, 1);
