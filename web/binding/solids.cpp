@@ -1,5 +1,8 @@
 // Solids: made of meshes and of others, measured, compared.
+#include <algorithm>
 #include <array>
+#include <set>
+#include <utility>
 
 #include "call.h"
 #include "handle.h"
@@ -84,6 +87,21 @@ STRATA_WEB(mesh) unsigned strata_mesh(Handle handle) {
     for (const Source& s : solid.sources()) ints.push_back(s.operand);
     for (const Source& s : solid.sources()) ints.push_back(s.face);
     return static_cast<unsigned>(mesh.triangles.size());
+  });
+}
+
+/// The sides of maximal facets, each once: the answer has coordinates of their ends and two numbers of these for each.
+STRATA_WEB(edges) unsigned strata_edges(Handle handle) {
+  return guarded([&] {
+    const CanonicalForm form = solid_of(handle).canonical();
+    for (const RationalPoint& p : form.vertices)
+      for (const Rational& x : p) answer().reals.push_back(to_nearest_double(x));
+    std::set<std::pair<std::uint32_t, std::uint32_t>> sides;  // that of the neighbour runs the other way
+    for (const CanonicalFacets& facets : form.planes)
+      for (const std::vector<std::uint32_t>& loop : facets.loops)
+        for (std::size_t i = 0; i < loop.size(); ++i) sides.insert(std::minmax(loop[i], loop[(i + 1) % loop.size()]));
+    for (const auto& [a, b] : sides) answer().ints.insert(answer().ints.end(), {a, b});
+    return static_cast<unsigned>(sides.size());
   });
 }
 

@@ -83,6 +83,9 @@ export class Solid {
   /** Coordinates rounded to nearest doubles. */
   toMesh(): MeshArrays;
 
+  /** The sides of maximal planar facets, each once: coordinates of their ends, rounded to nearest doubles, and two numbers of these ends each. */
+  edges(): { vertices: Float64Array; edges: Uint32Array };
+
   /** The connected components of the interior. */
   components(): Solid[];
   /** Convex pieces with disjoint interiors, whose union is this solid. */

@@ -148,6 +148,11 @@ export class Solid {
     };
   }
 
+  edges() {
+    call("edges", this.handle());
+    return { vertices: reals(), edges: ints() };
+  }
+
   components() {
     call("components", this.handle());
     return allAdopted();

@@ -54,6 +54,15 @@ test("a mesh comes back with the source of each triangle", () => {
   assert.deepEqual([...mesh.sourceFaces.slice(12)], [...Array(12).keys()]);
 });
 
+test("edges are those of maximal facets", () => {
+  const count = (solid) => [solid.edges().vertices.length / 3, solid.edges().edges.length / 2];
+  const a = box([0, 0, 0], [1, 1, 1]);
+  assert.deepEqual(count(a), [8, 12]);
+  assert.deepEqual(count(a.union(box([1, 0, 0], [2, 1, 1]))), [8, 12]);
+  assert.deepEqual(count(a.union(box([1, 0, 0], [2, 0.5, 0.5]))), [14, 21]);
+  assert.deepEqual(count(a.difference(a)), [0, 0]);
+});
+
 test("maps are exact", () => {
   const a = box([0, 0, 0], [1, 1, 1]);
   assert.deepEqual(a.scaled(0.1).exactVolume()[1], (2n ** 55n) ** 3n);  // 0.1 is a double, and its cube no decimal
