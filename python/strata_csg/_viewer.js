@@ -1,28 +1,27 @@
 // Draws triangle meshes by WebGL 2. strata_csg._notebook puts this script into a page of its own, with the elements
 // #data (JSON), #stage (the picture), #bar (#reset, #lines and, where there is one, #slider with #label) and #message.
 // `strata view` puts it into web/viewer/page.html, which has besides a #part-<n> for each part, which shows or hides it, and
-// a section plane: #axis, #cut and #place.
+// a section plane: #axis, #cut and #place. A page without #data calls `strataViewer` itself, and `show` of what that
+// returns with the data of other parts; the camera stays.
 // The picture is a parallel projection: the camera is two angles, a zoom and a shift.
-(function () {
+function strataViewer(data) {
   "use strict";
 
   const element = (name) => document.getElementById(name);
-  const data = JSON.parse(element("data").textContent);
   const stage = element("stage");
 
   // ---- geometry ------------------------------------------------------------------------------------------------
 
-  // Arrays come as base64 of little-endian numbers, as they are in memory everywhere.
+  // Arrays, or base64 of little-endian numbers, as they are in memory everywhere.
   function decoded(text, ArrayType) {
+    if (text instanceof ArrayType) return text;
     const characters = atob(text);
     const bytes = new Uint8Array(characters.length);
     for (let i = 0; i < bytes.length; ++i) bytes[i] = characters.charCodeAt(i);
     return new ArrayType(bytes.buffer);
   }
 
-  const positions = decoded(data.positions, Float32Array);
-  const triangles = decoded(data.triangles, Uint32Array);
-  const edges = decoded(data.edges, Uint32Array);
+  let positions, triangles, edges, colors, aways;
 
   // A value per part, repeated for each of its vertices. Parts lie one after the other in all arrays; a part lists the
   // ends of its vertices, triangles and edges.
@@ -35,8 +34,14 @@
     return result;
   }
 
-  const colors = data.colors ? decoded(data.colors, Uint8Array) : spread((part) => part.color, Uint8Array);
-  const aways = spread((part) => part.away, Float32Array);
+  function take(next) {
+    data = next;
+    positions = decoded(data.positions, Float32Array);
+    triangles = decoded(data.triangles, Uint32Array);
+    edges = decoded(data.edges, Uint32Array);
+    colors = data.colors ? decoded(data.colors, Uint8Array) : spread((part) => part.color, Uint8Array);
+    aways = spread((part) => part.away, Float32Array);
+  }
 
   // ---- camera --------------------------------------------------------------------------------------------------
 
@@ -102,7 +107,7 @@
   // Pages with a list of parts follow the colours that the reader's system has.
   const darkness = element("list") ? window.matchMedia("(prefers-color-scheme: dark)") : null;
 
-  let gl = null, canvas = null, program = null, faceArrays = null, edgeArrays = null;
+  let gl = null, canvas = null, program = null, faceArrays = null, edgeArrays = null, buffers = [];
   let waiting = false;
 
   function shader(type, source) {
@@ -126,6 +131,7 @@
     const buffer = gl.createBuffer();
     gl.bindBuffer(target, buffer);
     gl.bufferData(target, content, gl.STATIC_DRAW);
+    buffers.push(buffer);
     return buffer;
   }
 
@@ -157,6 +163,26 @@
       element("message").onclick = open;
     });
     program = linkedProgram();
+    gl.useProgram(program);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
+    gl.enable(gl.POLYGON_OFFSET_FILL);
+    gl.polygonOffset(1, 1);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    buffers = [];
+    faceArrays = edgeArrays = null;
+    upload();
+    say("");
+    resize();
+  }
+
+  // Puts the arrays into the memory of the graphics device, in place of those before.
+  function upload() {
+    if (!gl) return;
+    buffers.forEach((buffer) => gl.deleteBuffer(buffer));
+    buffers = [];
+    gl.deleteVertexArray(faceArrays);
+    gl.deleteVertexArray(edgeArrays);
     const attributes = [
       ["position", filled(gl.ARRAY_BUFFER, positions), gl.FLOAT, false],
       ["away", filled(gl.ARRAY_BUFFER, aways), gl.FLOAT, false],
@@ -164,14 +190,6 @@
     ];
     faceArrays = vertexArrays(attributes, triangles);
     edgeArrays = vertexArrays(attributes, edges);
-    gl.useProgram(program);
-    gl.enable(gl.DEPTH_TEST);
-    gl.depthFunc(gl.LEQUAL);
-    gl.enable(gl.POLYGON_OFFSET_FILL);
-    gl.polygonOffset(1, 1);
-    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
-    say("");
-    resize();
   }
 
   function say(text) {
@@ -343,13 +361,24 @@
   stage.addEventListener("keydown", typed);
   element("reset").addEventListener("click", reset);
   element("lines").addEventListener("change", redraw);
-  data.parts.forEach((_, i) => element("part-" + i) && element("part-" + i).addEventListener("change", redraw));
   if (darkness) darkness.addEventListener("change", redraw);
   if (element("axis")) {
     element("axis").addEventListener("change", cut);
     element("cut").addEventListener("input", cut);
   }
-  if (data.slider !== "one") element("slider").addEventListener("input", slid);
+  if (element("slider")) element("slider").addEventListener("input", slid);
   new ResizeObserver(resize).observe(stage);
+
+  // The picture of other parts, from here on.
+  function show(next) {
+    take(next);
+    data.parts.forEach((_, i) => element("part-" + i) && element("part-" + i).addEventListener("change", redraw));
+    upload();
+    redraw();
+  }
+
+  show(data);
   open();
-})();
+  return { show };
+}
+if (document.getElementById("data")) strataViewer(JSON.parse(document.getElementById("data").textContent));

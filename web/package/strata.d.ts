@@ -121,6 +121,33 @@ export function check(vertices: Float64Array | readonly number[], triangles: Uin
 /** The convex hull of points; the empty solid if they are in one plane. */
 export function convexHull(points: Float64Array | readonly number[]): Solid;
 
+export interface Layer {
+  /** The corners of all pieces, three each. */
+  vertices: Float64Array;
+  triangles: Uint32Array;
+  /** Per piece the number of its solid. */
+  solids: Uint32Array;
+}
+
+/** The faces of solids in layers as seen from an origin, along a direction, or from a point that is chosen: from the first layer, which has the faces
+ * that nothing is behind of, to the last. Faces whose planes contain the origin are in no layer. */
+export function layers(solids: Iterable<Solid>, options?: { origin?: readonly [number, number, number]; direction?: readonly [number, number, number] } & Watching): Layer[];
+
+export interface Contact {
+  /** Numbers of two solids, from 0, the lower one first. */
+  a: number;
+  b: number;
+  /** Their boundaries meet, or their interiors do. */
+  relation: "contact" | "interfering";
+  /** Where they touch: the area of the contact, and its facets, which face away from the first one. */
+  area?: number;
+  vertices?: Float64Array;
+  triangles?: Uint32Array;
+}
+
+/** Every pair of solids that are not apart. */
+export function contacts(solids: Iterable<Solid>, options?: Watching): Contact[];
+
 /** A Boolean of polygons, exactly: texts of WKT, GeoJSON ("geojson") or SVG ("svg"). */
 export function combinePolygons(operation: "union" | "intersection" | "difference" | "symmetricDifference", a: string, b: string,
   options?: { format?: string; fill?: "nonzero" | "even-odd" | "positive" | "negative" }): string;

@@ -218,3 +218,34 @@ export function combinePolygons(operation, a, b, { format = "wkt", fill = "nonze
   call("planar", indexIn(operations, operation, "operation"), indexIn(fills, fill, "fill"), format, a, b);
   return text();
 }
+
+export function layers(solids, { origin, direction, onProgress } = {}) {
+  if (origin && direction) throw new TypeError("give an origin or a direction");
+  const list = handles(solids), [kind, at] = origin ? [0, origin] : direction ? [1, direction] : [2, [0, 0, 0]];
+  return watched(onProgress, () => {
+    const count = call("layers", list, list.length, kind, ...at), numbers = ints(), corners = reals();
+    let first = 0;
+    return Array.from(numbers.slice(0, count), (size) => {
+      const solidsOfPieces = numbers.slice(count + first, count + first + size);
+      const vertices = corners.slice(9 * first, 9 * (first + size));
+      first += size;
+      return { vertices, triangles: Uint32Array.from({ length: 3 * size }, (_, i) => i), solids: solidsOfPieces };
+    });
+  });
+}
+
+export function contacts(solids, { onProgress } = {}) {
+  const list = handles(solids);
+  return watched(onProgress, () => {
+    const count = call("contacts", list, list.length), numbers = ints(), coordinates = reals();
+    let next = 0, at = 0;
+    const taken = (size) => numbers.slice(next, (next += size));
+    return Array.from({ length: count }, () => {
+      const [a, b, relation] = taken(3);
+      if (relation === 2) return { a, b, relation: "interfering" };
+      const [points, triangles] = taken(2), area = coordinates[at++];
+      const vertices = coordinates.slice(at, (at += 3 * points));
+      return { a, b, relation: "contact", area, vertices, triangles: taken(3 * triangles) };
+    });
+  });
+}

@@ -63,6 +63,27 @@ test("edges are those of maximal facets", () => {
   assert.deepEqual(count(a.difference(a)), [0, 0]);
 });
 
+test("layers are the faces from back to front", () => {
+  const far = box([0, 0, 0], [1, 1, 1]), near = box([0, 0, 2], [1, 1, 3]);
+  const found = strata.layers([far, near], { direction: [0, 0, -1] });
+  assert.deepEqual(found.map((layer) => layer.triangles.length / 3), [2, 2, 2, 2]);  // the sides are flat
+  assert.deepEqual(found.map((layer) => [...layer.solids]), [[0, 0], [0, 0], [1, 1], [1, 1]]);
+  assert.deepEqual(found.map((layer) => layer.vertices[2]), [0, 1, 2, 3]);
+  assert.ok(strata.layers([far]).length >= 1);
+  assert.throws(() => strata.layers([far], { origin: [0, 0, 0], direction: [0, 0, 1] }), TypeError);
+  assert.throws(() => strata.layers([far], { direction: [0, 0, 0] }), strata.ArgumentError);
+});
+
+test("contacts are facets, or an overlap", () => {
+  const parts = [box([0, 0, 0], [1, 1, 1]), box([1, 0, 0], [2, 0.5, 1]), box([0.5, 0.5, 0.5], [3, 3, 3]), box([9, 9, 9], [10, 10, 10])];
+  const found = strata.contacts(parts);
+  assert.deepEqual(found.map(({ a, b, relation }) => [a, b, relation]), [[0, 1, "contact"], [0, 2, "interfering"], [1, 2, "contact"]]);
+  assert.equal(found[0].area, 0.5);
+  assert.equal(found[0].triangles.length, 6);
+  assert.ok(found[0].vertices.every((x, i) => i % 3 !== 0 || x === 1));
+  assert.equal(found[1].area, undefined);
+});
+
 test("maps are exact", () => {
   const a = box([0, 0, 0], [1, 1, 1]);
   assert.deepEqual(a.scaled(0.1).exactVolume()[1], (2n ** 55n) ** 3n);  // 0.1 is a double, and its cube no decimal
