@@ -1,10 +1,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/spin_mutex.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <mutex>
 #include <numeric>
 
 #include "core/containers/box_sweep.h"
@@ -24,7 +24,7 @@ class Progress {
   void done() {
     const std::size_t n = ++done_;
     if (n % 64 != 0 && n != tasks_) return;
-    if (const std::unique_lock lock(mutex_, std::try_to_lock); lock.owns_lock())
+    if (tbb::spin_mutex::scoped_lock lock; lock.try_acquire(mutex_))
       monitor_.report(static_cast<double>(done_.load()) / static_cast<double>(tasks_));
   }
 
@@ -32,7 +32,7 @@ class Progress {
   const Monitor& monitor_;
   std::size_t tasks_;
   std::atomic<std::size_t> done_ = 0;
-  std::mutex mutex_;
+  tbb::spin_mutex mutex_;
 };
 
 /// A box enlarged by half of `reach`: boxes at a distance of `reach` overlap when both are enlarged.

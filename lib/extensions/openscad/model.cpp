@@ -1,11 +1,11 @@
 #include "extensions/openscad/model.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/spin_mutex.h>
 
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -94,7 +94,7 @@ class Evaluation {
       outcome.error = std::current_exception();
     }
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const std::lock_guard lock(mutex_);
+    const tbb::spin_mutex::scoped_lock lock(mutex_);
     ++done_;
     if (const Progress& progress = options_.evaluation.progress)
       progress(static_cast<double>(done_) / static_cast<double>(total_));
@@ -114,7 +114,7 @@ class Evaluation {
   Report& report_;
   std::vector<Outcome> outcomes_;
   std::size_t total_ = 0, done_ = 0;
-  std::mutex mutex_;
+  tbb::spin_mutex mutex_;
 };
 
 }  // namespace
