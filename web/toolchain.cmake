@@ -8,7 +8,6 @@ set(CMAKE_C_COMPILER ${STRATA_ZIG}/zig clang)
 set(CMAKE_CXX_COMPILER ${STRATA_ZIG}/zig clang --driver-mode=g++)
 set(CMAKE_AR ${STRATA_WEB_PREFIX}/bin/ar)
 set(CMAKE_RANLIB ${STRATA_WEB_PREFIX}/bin/ranlib)
-set(CMAKE_EXECUTABLE_SUFFIX .wasm)
 
 set(features "-mcpu=generic -mexception-handling -mbulk-memory -msign-ext -mnontrapping-fptoint -mmutable-globals")
 set(both "--target=wasm32-wasip1 ${features} -fexceptions -fwasm-exceptions -nostdinc")
