@@ -39,6 +39,6 @@ test("models of OpenSCAD are parsed", () => {
     multmatrix([[1, 0, 0, 1], [0, 1, 0, 1], [0, 0, 1, 1], [0, 0, 0, 1]]) cube(size = [1, 1, 1], center = false);
   }`);
   assert.deepEqual(model.exactVolume(), [23n, 1n]);
-  assert.throws(() => strata.parseCsg("cube(size = [1, 1, 1], center = false);\nhull() { sphere(r = 1); }"),
+  assert.throws(() => strata.parseCsg("cube(size = [1, 1, 1], center = false);\nfrobnicate() { sphere(r = 1); }"),
     (error) => error instanceof strata.ModelError && error.line === 2);
 });
