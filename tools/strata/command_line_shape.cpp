@@ -23,6 +23,8 @@ void add_decompose(CommandLine& line) {
                    "Of the files of a folder: off, obj, stl, ply, ...; xoff, which keeps rationals, unless told")
       ->type_name("FORMAT");
   add_rounding_options(*verb, settings);
+  add_strict_option(*verb, settings);
+  add_attribute_options(*verb, settings);
   verb->add_flag("--volumes", settings.volumes,
                  "Report the outside, cavities and pieces as volumes: shells, neighbours, what is between them");
   verb->add_flag("--exploded", settings.exploded, "Pull the pieces of a picture apart");

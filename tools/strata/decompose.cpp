@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cell_file.h"
 #include "common/progress.h"
@@ -92,13 +93,38 @@ Json volumes(const strata::Solid& solid, const Decomposition& d) {
   return {{"first_piece", complex.first_piece}, {"volumes", std::move(list)}, {"interfaces", std::move(interfaces)}};
 }
 
+/// The pieces of a solid, as they are written.
+struct Pieces {
+  Decomposition decomposition;
+  std::vector<strata::Solid> carried;  ///< as solids that carry what the solid does; none where this is nothing
+
+  [[nodiscard]] strata::ExactMesh mesh(std::uint32_t p) const {
+    return carried.empty() ? mesh_of(decomposition.polytope(p)) : carried[p].exact_mesh();
+  }
+  [[nodiscard]] strata::Attributes attributes(std::uint32_t p) const {
+    return carried.empty() ? strata::Attributes{} : carried[p].attributes();
+  }
+};
+
+std::vector<strata::Solid> carried_pieces(const strata::Solid& solid, const Decomposition& d, const Settings& settings,
+                                          const Watch& watch) {
+  const auto cut_material = settings.attributes.material_among({&solid.attributes()});
+  if (!cut_material && solid.attributes().empty()) return {};
+  strata::Options options;
+  options.threads = settings.threads;
+  options.cancel = &watch.token();
+  if (cut_material) options.cut_material = &*cut_material;
+  return strata::convex::pieces_of(solid, d, options);
+}
+
 /// A file for every piece, and last decomposition.json, which names them and tells their walls.
-void write_folder(const Decomposition& d, const Settings& settings) {
+void write_folder(const Pieces& pieces, const Settings& settings) {
+  const Decomposition& d = pieces.decomposition;
   const MeshFolder folder(settings, "piece", d.pieces.size());
   Json list = Json::array();
   for (std::uint32_t p = 0; p < d.pieces.size(); ++p) {
-    const strata::ExactMesh mesh = mesh_of(d.polytope(p));
-    list.push_back({{"file", folder.write(p, mesh, {}, MeshContent::solid)},
+    const strata::ExactMesh mesh = pieces.mesh(p);
+    list.push_back({{"file", folder.write(p, mesh, pieces.attributes(p), MeshContent::solid)},
                     {"facets", d.pieces[p].size()},
                     {"volume_exact", volume(mesh).str()}});
   }
@@ -107,20 +133,18 @@ void write_folder(const Decomposition& d, const Settings& settings) {
 }
 
 /// All pieces in one file, each a group.
-void write_file(const Decomposition& d, const Settings& settings) {
+void write_file(const Pieces& pieces, const Settings& settings) {
   RegionFile file(settings);
-  for (std::uint32_t p = 0; p < d.pieces.size(); ++p)
-    file.add(mesh_of(d.polytope(p)), {}, fmt::format("piece {}", p), MeshContent::solid);
+  for (std::uint32_t p = 0; p < pieces.decomposition.pieces.size(); ++p)
+    file.add(pieces.mesh(p), pieces.attributes(p), fmt::format("piece {}", p), MeshContent::solid);
   file.write();
 }
 
-void write_pieces(const Decomposition& d, const Settings& settings) {
-  if (is_picture(settings.output))
-    write_picture(d, settings);
-  else if (RegionFile::is_named(settings))
-    write_file(d, settings);
+void write_pieces(const Pieces& pieces, const Settings& settings) {
+  if (RegionFile::is_named(settings))
+    write_file(pieces, settings);
   else
-    write_folder(d, settings);
+    write_folder(pieces, settings);
 }
 
 }  // namespace
@@ -135,14 +159,17 @@ ExitCode run_decompose(const Settings& settings) {
   report["seconds"]["read"] = stopwatch.lap();
 
   watch.on_stop(OnStop::ask);
-  Decomposition d;
+  Pieces pieces;
+  Decomposition& d = pieces.decomposition;
   strata::Solid solid;
+  const bool writes_pieces = !settings.output.empty() && !is_picture(settings.output);
   try {
-    solid = make_solid(operands, 0, settings);
+    solid = make_attributed_solid(operands, 0, settings);
     report["seconds"]["prepare"] = stopwatch.lap();
     ProgressBar bar(settings.progress, settings.quiet);
     const strata::Progress progress = [&bar](double fraction) { bar.show(fraction); };
     d = strata::convex::decompose(solid, strata::Monitor(&watch.token(), &progress));
+    if (writes_pieces) pieces.carried = carried_pieces(solid, d, settings, watch);
     report["seconds"]["decompose"] = stopwatch.lap();
   } catch (const strata::Cancelled&) {
     watch.on_stop(OnStop::leave);  // says why
@@ -153,9 +180,11 @@ ExitCode run_decompose(const Settings& settings) {
 
   watch.on_stop(OnStop::finish);
   stopwatch.lap();
-  if (!settings.output.empty()) {
+  if (writes_pieces) {
+    write_pieces(pieces, with_unit_of(operands, settings));
+  } else if (!settings.output.empty()) {
     tell_what_is_not_carried(operands, settings);
-    write_pieces(d, settings);
+    write_picture(d, settings);
   }
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.quiet && settings.report != "-")
