@@ -71,6 +71,14 @@ class Decompose(ToolTest):
         self.assertEqual((piece["materials"], piece["unit"]), (["red"], "inch"))
         self.run_tool("decompose", "notched.3mf", "-o", "bare.obj", "--attributes", "none")
         self.assertNotIn("usemtl", self.path("bare.obj").read_text())
+        # A picture has the materials, with each piece an object; without them, colours of the pieces.
+        self.run_tool("decompose", "notched.3mf", "-o", "painted.glb", "--exploded", "--cut-material", "#0000ff", "--strict")
+        info = self.report("info", "painted.glb")["operands"][0]
+        self.assertEqual((info["materials"], info["objects"]), (["red", "#0000ff"], ["piece 0", "piece 1"]))
+        _, positions = read_glb(self.path("painted.glb").read_bytes())
+        self.run_tool("decompose", "notched.3mf", "-o", "bare.glb", "--exploded", "--attributes", "none")
+        self.assertEqual(self.report("info", "bare.glb")["operands"][0].get("materials", []), [])
+        self.assertLess(max(x for p in positions for x in p), 0.75)
         # What a format cannot keep is told once, and an error with --strict.
         done = self.run_tool("decompose", "notched.3mf", "-o", "off", "--format", "off")
         self.assertEqual(done.stderr.count(b"materials left out"), 1)

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "mesh_folder.h"
 #include "region_file.h"
 #include "report.h"
+#include "strata/carry_attributes.h"
 #include "strata/convex.h"
 #include "strata/measure.h"
 #include "verbs.h"
@@ -51,6 +54,65 @@ void write_picture(const Decomposition& d, const Settings& settings) {
     }
   }
   write_cells(settings.output, cells, settings.exploded ? exploded : in_place);
+}
+
+strata::Vertex middle_of(const strata::BoundingBox& box) {
+  strata::Vertex middle{};
+  for (std::size_t i = 0; i < 3; ++i) middle[i] = box.lower[i] / 2 + box.upper[i] / 2;
+  return middle;
+}
+
+/// True where a picture shows what a solid carries.
+bool has_looks(const strata::Solid& solid) {
+  const strata::Attributes& a = solid.attributes();
+  return a.find(strata::channel_names::color) != nullptr || a.find(strata::channel_names::material) != nullptr;
+}
+
+/// A piece as it stands in a picture of the solid: around the origin, in units of the solid's size, as floats.
+strata::Mesh placed(const strata::Solid& piece, const strata::BoundingBox& box, bool is_exploded) {
+  const strata::Vertex middle = middle_of(box), own = middle_of(piece.bounding_box());
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) size = std::max(size, box.upper[i] - box.lower[i]);
+  strata::Mesh mesh = piece.mesh();
+  for (strata::Vertex& v : mesh.vertices)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double away = (is_exploded ? exploded : in_place) * (own[i] - middle[i]);
+      v[i] = static_cast<float>((v[i] - middle[i] + away) / size);
+    }
+  return mesh;
+}
+
+/// The pieces in their own colours and textures, each an object.
+void write_painted_picture(const strata::Solid& solid, const std::vector<strata::Solid>& pieces,
+                           const Settings& settings) {
+  std::vector<strata::Mesh> meshes;
+  std::vector<strata::AttributedMesh> parts;
+  strata::ExactMesh all;
+  std::vector<strata::Source> sources;
+  std::vector<std::int32_t> object;
+  std::vector<std::string> names;
+  for (const strata::Solid& piece : pieces) meshes.push_back(placed(piece, solid.bounding_box(), settings.exploded));
+  for (std::uint32_t p = 0; p < pieces.size(); ++p) {
+    const strata::Mesh& mesh = meshes[p];
+    parts.push_back({strata::ExactMeshView(mesh, {}), &pieces[p].attributes()});
+    const auto first = static_cast<std::uint32_t>(all.mesh.vertices.size());
+    all.mesh.vertices.insert(all.mesh.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto [a, b, c] = mesh.triangles[t];
+      all.mesh.triangles.push_back({first + a, first + b, first + c});
+      sources.push_back({p, t});
+      object.push_back(static_cast<std::int32_t>(p));
+    }
+    names.push_back(fmt::format("piece {}", p));
+  }
+  strata::Attributes attributes = strata::carry_attributes(parts, all, sources);
+  std::erase_if(attributes.channels, [](const strata::Channel& c) { return c.name == strata::channel_names::object; });
+  attributes.objects = std::move(names);
+  attributes.channels.push_back({std::string(strata::channel_names::object), strata::Element::face,
+                                 strata::Interpolation::nearest, 1, std::move(object)});
+  Settings of_picture = settings;
+  of_picture.strict = of_picture.tells_losses = false;
+  write_output(of_picture, strata::Format::glb, all, attributes);
 }
 
 /// A coordinate: a number, or a fraction as text where doubles are not exact.
@@ -162,14 +224,14 @@ ExitCode run_decompose(const Settings& settings) {
   Pieces pieces;
   Decomposition& d = pieces.decomposition;
   strata::Solid solid;
-  const bool writes_pieces = !settings.output.empty() && !is_picture(settings.output);
+  const bool writes_picture = is_picture(settings.output);
   try {
     solid = make_attributed_solid(operands, 0, settings);
     report["seconds"]["prepare"] = stopwatch.lap();
     ProgressBar bar(settings.progress, settings.quiet);
     const strata::Progress progress = [&bar](double fraction) { bar.show(fraction); };
     d = strata::convex::decompose(solid, strata::Monitor(&watch.token(), &progress));
-    if (writes_pieces) pieces.carried = carried_pieces(solid, d, settings, watch);
+    if (!settings.output.empty()) pieces.carried = carried_pieces(solid, d, settings, watch);
     report["seconds"]["decompose"] = stopwatch.lap();
   } catch (const strata::Cancelled&) {
     watch.on_stop(OnStop::leave);  // says why
@@ -180,11 +242,13 @@ ExitCode run_decompose(const Settings& settings) {
 
   watch.on_stop(OnStop::finish);
   stopwatch.lap();
-  if (writes_pieces) {
-    write_pieces(pieces, with_unit_of(operands, settings));
-  } else if (!settings.output.empty()) {
+  if (writes_picture && !pieces.carried.empty() && has_looks(pieces.carried.front())) {
+    write_painted_picture(solid, pieces.carried, settings);
+  } else if (writes_picture) {
     tell_what_is_not_carried(operands, settings);
     write_picture(d, settings);
+  } else if (!settings.output.empty()) {
+    write_pieces(pieces, with_unit_of(operands, settings));
   }
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.quiet && settings.report != "-")
