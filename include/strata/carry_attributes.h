@@ -7,9 +7,9 @@
 ///       carry_attributes(std::array{AttributedMesh{mesh, &paint}}, whole.exact_mesh(), whole.sources()));
 ///
 /// What is carried by itself: Booleans by `combine` and of solids, expressions, maps, splits by planes and by surfaces,
-/// components, separation, incremental solids, `clip`, `imprint`, `cells_of`. What tells its sources, so that
-/// `carry_attributes` carries it: `resolve`, solids and surfaces made from meshes, `arrange`, and (by a function of its
-/// own) `round_to_solid`. What does neither: convex pieces, Minkowski sums, sections, partitions.
+/// components, separation, incremental solids, `clip`, `imprint`, `cells_of`, `convex::pieces_of`. What tells its
+/// sources, so that `carry_attributes` carries it: `resolve`, solids and surfaces made from meshes, `arrange`, and (by
+/// a function of its own) `round_to_solid`. What does neither: hulls, Minkowski sums, sections, partitions.
 ///
 /// Every triangle of a result lies in one face of an operand, its source; no triangle spans several. A value at a
 /// corner of the result is that of its source face at this place:

@@ -175,6 +175,18 @@ struct Decomposition {
 /// Source: Chazelle 1984; lib/extensions/convex/theory.md, "Decomposition".
 [[nodiscard]] Decomposition decompose(const Solid& solid, const Monitor& monitor = {});
 
+/// The pieces of a decomposition as solids with what the solid carries, as of an intersection of the solid and the
+/// piece (carry_attributes.h). What lies on the solid's surface has the attributes of the triangle that it is a part
+/// of; walls have those of an operand that has none, and Options::cut_material, if it is given. All pieces have the
+/// same channels and lists.
+/// Every triangle is a part of a triangle of the solid or of a wall, so there are more than in `mesh_of(polytope)`.
+/// Sources: operand 0 is the solid; operand 1 are the walls, by their number in `walls`. Pieces that touch need not
+/// divide their common wall in the same way. Requires that the decomposition is that of the solid. Of the options
+/// `threads`, `cancel` and `cut_material` count. Exact. O(n log n), and for sides of polygons that do not meet whole
+/// sides the points of their piece. Throws what `carry_attributes` throws.
+[[nodiscard]] std::vector<Solid> pieces_of(const Solid& solid, const Decomposition& decomposition,
+                                           const Options& options = {});
+
 /// What a volume of space is: the unbounded outside, a cavity, or a piece of the solid.
 enum class Mark { outer, cavity, piece };
 

@@ -67,9 +67,8 @@ void bind_carry_attributes(nb::module_& m) {
                 "progress: Progress = None, timeout: float | None = None) -> Attributes"),
         R"(What a mesh carries on from those whose faces its triangles are parts of.
 
-`boolean`, `resolve`, and all functions from solids to solids do it themselves, but for `cells_of`, `decompose`,
-`minkowski_sum`, `erosion`, `offset` and `convex_hull`. Surfaces and the meshes of Layers carry nothing; this gives what
-they would.
+`boolean`, `resolve`, and all functions from solids to solids do it themselves, but for `minkowski_sum`,
+`erosion`, `offset` and `convex_hull`. The meshes of Layers carry nothing; this gives what they would.
 
 Parameters
 ----------

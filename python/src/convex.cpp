@@ -33,9 +33,12 @@ std::pair<Solid, double> grown(const Solid& solid, const Number& distance, std::
 }
 
 /// The pieces of a decomposition as solids.
-std::vector<Solid> pieces_of(const Solid& solid, ProgressOption progress, std::optional<double> timeout) {
-  return run({1, std::move(progress), timeout}, [&](const Computation& c) {
+std::vector<Solid> pieces_of(const Solid& solid, const MaterialOption& cut_material, ProgressOption progress,
+                             std::optional<double> timeout) {
+  return run({1, std::move(progress), timeout, cut_material.value("cut_material")}, [&](const Computation& c) {
     const convex::Decomposition decomposition = convex::decompose(solid, c.monitor());
+    if (c.options().cut_material != nullptr || !solid.attributes().empty())
+      return convex::pieces_of(solid, decomposition, c.options());
     std::vector<Solid> pieces;
     for (std::uint32_t p = 0; p < decomposition.pieces.size(); ++p)
       pieces.push_back(convex::solid_of(decomposition.polytope(p)));
@@ -57,8 +60,11 @@ Examples
 >>> convex_hull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [.1, .1, .1]])
 Solid(4 vertices, 4 triangles)
 )");
-  m.def("decompose", pieces_of, "solid"_a, nb::kw_only(), "progress"_a = nb::none(), "timeout"_a = nb::none(),
+  m.def("decompose", pieces_of, "solid"_a, nb::kw_only(), "cut_material"_a = nb::none(), "progress"_a = nb::none(),
+        "timeout"_a = nb::none(),
         R"(Convex solids with disjoint interiors whose union is the solid. Exact: volumes add up.
+
+Pieces carry what the solid carries. Walls between them are made of `cut_material`, if it is given.
 
 Examples
 --------

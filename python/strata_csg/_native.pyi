@@ -697,9 +697,8 @@ def carry_attributes(operands: Iterable[MeshLike], result: MeshLike, sources: tu
     """
     What a mesh carries on from those whose faces its triangles are parts of.
 
-    `boolean`, `resolve`, and all functions from solids to solids do it themselves, but for `cells_of`, `decompose`,
-    `minkowski_sum`, `erosion`, `offset` and `convex_hull`. Surfaces and the meshes of Layers carry nothing; this gives what
-    they would.
+    `boolean`, `resolve`, and all functions from solids to solids do it themselves, but for `minkowski_sum`,
+    `erosion`, `offset` and `convex_hull`. The meshes of Layers carry nothing; this gives what they would.
 
     Parameters
     ----------
@@ -1615,9 +1614,11 @@ def convex_hull(points: numpy.typing.ArrayLike | MeshLike, *, threads: int = 0) 
     Solid(4 vertices, 4 triangles)
     """
 
-def decompose(solid: Solid, *, progress: Progress | None = None, timeout: float | None = None) -> list[Solid]:
+def decompose(solid: Solid, *, cut_material: Material | None = None, progress: Progress | None = None, timeout: float | None = None) -> list[Solid]:
     """
     Convex solids with disjoint interiors whose union is the solid. Exact: volumes add up.
+
+    Pieces carry what the solid carries. Walls between them are made of `cut_material`, if it is given.
 
     Examples
     --------

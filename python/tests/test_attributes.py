@@ -445,6 +445,21 @@ def test_cut_faces_of_intersections():
     assert np.array_equal(result.attributes["material"] == 0, result.source_operands == 1)
 
 
+def test_convex_pieces_carry_and_have_walls_of_a_material():
+    notched = numbered(A) - B
+    bare, cut = st.decompose(notched), st.decompose(notched, cut_material=PAINT)
+    assert len(bare) == len(cut) > 1 and sum(piece.volume for piece in cut) == notched.volume
+    for piece, painted in zip(bare, cut):
+        assert piece == painted and "material" not in piece.attributes
+        number, material = painted.attributes["id"], painted.attributes["material"]
+        walls = painted.source_operands == 1
+        assert np.array_equal(material == 0, walls) and walls.any()
+        assert np.array_equal(number[~walls], notched.attributes["id"][painted.source_faces[~walls]])
+    assert not st.decompose(A - B)[0].attributes
+    with pytest.raises(TypeError, match="cut_material: expected Material, found str"):
+        st.decompose(notched, cut_material="red")
+
+
 def test_operands_with_other_channels():
     a = A.with_attributes(st.Attributes(face={"color": np.full((12, 3), 9, np.uint8)}))
     b = B.with_attributes(st.Attributes(vertex={"heat": np.full(8, 7.0)}))

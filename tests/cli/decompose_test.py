@@ -4,7 +4,7 @@ import unittest
 from fractions import Fraction
 
 from bsp_test import read_glb, volume
-from tool import DATA, INVALID, USAGE, ToolTest, cube, open_cube
+from tool import DATA, FILE, INVALID, USAGE, ToolTest, cube, open_cube
 
 
 class Decompose(ToolTest):
@@ -51,6 +51,38 @@ class Decompose(ToolTest):
                 self.assertIn(n, sum(volumes[volume]["shells"], []))
         self.assertNotIn(0, volumes[1]["neighbours"])
         self.run_tool("decompose", "hollow.off", "--volumes", expect=USAGE)
+
+    def test_pieces_carry_what_the_solid_carries(self):
+        self.file("a.off", cube(0, 0, 0, 2))
+        self.file("b.off", cube(1, 1, -1, 4))
+        self.run_tool("difference", "a.off", "b.off", "-o", "notched.3mf", "--cut-material", "red", "--unit", "inch")
+        # In one file: the notch is red, the wall between the pieces is cut anew, the outside has nothing.
+        self.run_tool("decompose", "notched.3mf", "-o", "pieces.obj", "--cut-material", "steel")
+        text = self.path("pieces.obj").read_text()
+        used = [line for line in text.splitlines() if line.startswith(("g ", "usemtl"))]
+        self.assertEqual([line for line in used if line.startswith("g")], ["g piece 0", "g piece 1"])
+        self.assertEqual(used.count("usemtl steel"), 2)
+        self.assertEqual(used.count("usemtl red"), 2)
+        self.run_tool("resolve", "pieces.obj", "-o", "all.off", "--input", "overlapping")
+        self.run_tool("compare", "all.off", "notched.3mf")
+        # In a folder, with unit; without what is not asked for.
+        self.run_tool("decompose", "notched.3mf", "-o", "pieces", "--format", "3mf")
+        piece = self.report("info", "pieces/piece-1.3mf")["operands"][0]
+        self.assertEqual((piece["materials"], piece["unit"]), (["red"], "inch"))
+        self.run_tool("decompose", "notched.3mf", "-o", "bare.obj", "--attributes", "none")
+        self.assertNotIn("usemtl", self.path("bare.obj").read_text())
+        # A picture has the materials, with each piece an object; without them, colours of the pieces.
+        self.run_tool("decompose", "notched.3mf", "-o", "painted.glb", "--exploded", "--cut-material", "#0000ff", "--strict")
+        info = self.report("info", "painted.glb")["operands"][0]
+        self.assertEqual((info["materials"], info["objects"]), (["red", "#0000ff"], ["piece 0", "piece 1"]))
+        _, positions = read_glb(self.path("painted.glb").read_bytes())
+        self.run_tool("decompose", "notched.3mf", "-o", "bare.glb", "--exploded", "--attributes", "none")
+        self.assertEqual(self.report("info", "bare.glb")["operands"][0].get("materials", []), [])
+        self.assertLess(max(x for p in positions for x in p), 0.75)
+        # What a format cannot keep is told once, and an error with --strict.
+        done = self.run_tool("decompose", "notched.3mf", "-o", "off", "--format", "off")
+        self.assertEqual(done.stderr.count(b"materials left out"), 1)
+        self.run_tool("decompose", "notched.3mf", "-o", "strict", "--format", "off", "--strict", expect=FILE)
 
     def test_what_makes_no_sense_is_refused(self):
         a = self.file("a.off", cube())

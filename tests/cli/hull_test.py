@@ -26,6 +26,20 @@ class Hull(ToolTest):
         self.assertEqual(self.path("once.xoff").read_bytes(), self.path("twice.xoff").read_bytes())
         self.run_tool("compare", "once.xoff", "twice.xoff", expect=OK)
 
+    def test_a_hull_has_no_attributes_and_its_union_with_the_solid_has_them(self):
+        self.file("whole.off", cube(0, 0, 0, 4))
+        self.run_tool("intersection", "whole.off", self.file("below.off", cube(-1, -1, -3, 6)), "-o", "low.3mf",
+                      "--cut-material", "top")
+        self.run_tool("difference", "low.3mf", self.file("corner.off", cube(2, 2, -1, 4)), "-o", "notched.3mf",
+                      "--cut-material", "notch")
+        hull = self.run_tool("hull", "notched.3mf", "-o", "hull.xoff")
+        self.assertIn(b"note: material left out: the result carries no attributes", hull.stderr)
+        self.run_tool("union", "notched.3mf", "hull.xoff", "-o", "painted.obj")
+        self.run_tool("compare", "painted.obj", "hull.xoff")
+        text = self.path("painted.obj").read_text()
+        self.assertIn("usemtl top", text)  # what the hull has in common with the solid
+        self.assertNotIn("usemtl notch", text)  # what it has not
+
     def test_points_count_like_vertices(self):
         points = self.file("points.csv", "x,y,z,name\n0,0,0,a\n1,0,0,b\n0,1,0,c\n0,0,1,d\n0.25,0.25,0.25,e\n")
         report = self.report("hull", "--points", points, "-o", "hull.off")

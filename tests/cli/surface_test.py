@@ -68,8 +68,6 @@ class Surfaces(ToolTest):
         self.assertEqual(run.stderr.count(b"materials left out"), 1)
         self.run_tool("split", solid, "--plane", "0,0,1,1/3", "-o", "cut", "--format", "3mf", "--cut-material", "#ff0000")
         self.assertEqual(self.report("info", self.path("cut/piece-0.3mf"))["operands"][0]["materials"], ["#ff0000"])
-        run = self.run_tool("decompose", self.path("cut/piece-0.3mf"), "-o", "pieces.obj")
-        self.assertIn(b"left out: the result carries no attributes", run.stderr)
 
     def test_imprinted_surfaces_have_common_edges(self):
         a, b = self.file("a.off", cube()), self.file("b.off", cube(1, 0.5, 0.5))

@@ -1,4 +1,6 @@
 // glTF and GLB: what is written is read again; accessors of all kinds; files that lead astray are refused.
+#include <tbb/task_arena.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -134,6 +136,45 @@ TEST_CASE("glTF: vertices at one place become one, seams are on corners", "[io][
   REQUIRE(file.attributes.find("texcoord")->element == Element::corner);
   CHECK(value_at(file, "texcoord", 0, 2, 1) == 0.75);
   CHECK(value_at(file, "texcoord", 1, 2, 1) == 0.5);
+}
+
+// Large enough for several threads, and for several parts of the vertices.
+TEST_CASE("glTF: a large mesh with seams comes back as it was, for any number of threads", "[io][gltf]") {
+  constexpr std::uint32_t side = 200;
+  MeshFile file;
+  for (std::uint32_t i = 0; i <= side; ++i)
+    for (std::uint32_t j = 0; j <= side; ++j) file.mesh.vertices.push_back({double(i), double(j), double(i * j % 7)});
+  for (std::uint32_t i = 0; i < side; ++i)
+    for (std::uint32_t j = 0; j < side; ++j) {
+      const std::uint32_t v = i * (side + 1) + j;
+      file.mesh.triangles.push_back({v, v + side + 1, v + 1});
+      file.mesh.triangles.push_back({v + 1, v + side + 1, v + side + 2});
+    }
+  std::vector<float> places, levels;
+  for (std::size_t t = 0; t < file.mesh.triangles.size(); ++t)
+    for (const std::uint32_t v : file.mesh.triangles[t]) {
+      places.push_back(static_cast<float>(v));
+      levels.push_back(static_cast<float>(t / 1000 % 3));  // seams of many kinds, most vertices have none
+    }
+  const bool has_seams = GENERATE(true, false);
+  file.attributes.channels.push_back({"place", Element::corner, Interpolation::linear, 1, std::move(places)});
+  if (has_seams)
+    file.attributes.channels.push_back({"level", Element::corner, Interpolation::linear, 1, std::move(levels)});
+  std::vector<std::string> texts;
+  for (const int threads : {1, 2}) {
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+      texts.push_back(written(file, Format::glb));
+      const MeshFile again = read(texts.back(), Format::glb);
+      CHECK(again.mesh == file.mesh);
+      const Channel& place = *again.attributes.find("place");
+      REQUIRE(place.element == Element::vertex);
+      for (std::uint32_t v = 0; v < file.mesh.vertices.size(); ++v)
+        REQUIRE(std::get<std::vector<float>>(place.values)[v] == static_cast<float>(v));
+      if (has_seams) CHECK(*again.attributes.find("level") == file.attributes.channels[1]);
+    });
+  }
+  CHECK(texts[0] == texts[1]);
 }
 
 TEST_CASE("glTF: what leads in circles, or nowhere, is refused by name", "[io][gltf]") {

@@ -161,8 +161,12 @@ TEST_CASE("PLY: what becomes no channel is noted, once for each kind", "[io][ply
   CHECK(values<float>(file, "q") == std::vector<float>{1, 2, 3});
   CHECK(file.notes == std::vector<std::string>{
                           "2 elements left out (neither vertices nor faces); the first is 'edge'",
-                          "2 lists left out (neither of vertices nor of a channel on corners); the first is 'rings'",
-                          "1 channel left out (another one has the name); the first is 'q'"});
+                          "2 lists left out (neither of vertices nor of a channel on corners); the first is 'rings'"});
+  CHECK(values<float>(file, "face_q") == std::vector<float>{5});
+  const std::string twice = text_of(properties("float", {"q", "face_q"}), properties("float", {"q", "face_q", "q"}),
+                                    square("1 2") + "3 0 1 2 3 4 5\n");
+  CHECK(read_text(twice, Format::ply).notes ==
+        std::vector<std::string>{"2 channels left out (another one has the name); the first is 'face_q'"});
   const std::string strips = "ply\nformat ascii 1.0\nelement vertex 3\n" + xyz + "element face 1\n" + list +
                              properties("float", {"q"}) + "element tristrips 1\n" + list +
                              "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 5\n3 0 1 2\n";
@@ -177,8 +181,11 @@ TEST_CASE("PLY: channels of any kind and name are read as they were written", "[
   std::mt19937_64 random(seed);
   MeshFile file;
   file.mesh = random_soup(random, 3 + random() % 40, 1 + random() % 60);
-  for (const char* name : {"x", "nx", "vertex_indices", "two words", "two_words", " blank ", "normal", "texcoord", "s",
-                           "color", "red", "color_0", "material", "object", "group", "\xc3\xa9t\xc3\xa9", "#", "list"})
+  for (const char* name :
+       {"x",        "nx",         "vertex_indices", "two words", "two_words", " blank ",    "normal",
+        "texcoord", "s",          "color",          "red",       "color_0",   "face_color", "face_texcoord",
+        "face_",    "vertex_red", "face_x",         "material",  "object",    "group",      "\xc3\xa9t\xc3\xa9",
+        "#",        "list"})
     if (random() % 2 == 0) file.attributes.channels.push_back(random_channel(random, file.mesh, name));
   // As other programs know them.
   const Interpolation linear = Interpolation::linear;
@@ -234,6 +241,65 @@ TEST_CASE("PLY: usual channels are written under usual names, others are announc
         "element face 1\nproperty list uchar int vertex_indices\nproperty list uchar double texcoord\n"
         "comment channel 1 nearest material\nproperty int material\nend_header\n"
         "0 0 0 1 2 3 0 0.5\n1 0 0 4 5 6 1 2\n0 1 0 7 8 9 3 4\n3 0 1 2 6 0 0 1 0 0 1 3\n");
+}
+
+// As MeshLab writes them.
+TEST_CASE("PLY: colours, normals and numbers of vertices and of faces are both kept", "[io][ply]") {
+  const std::string of_vertices = properties("float", {"nx", "ny", "nz"}) + properties("int", {"flags"}) +
+                                  properties("uchar", {"red", "green", "blue", "alpha"}) +
+                                  properties("float", {"quality", "s", "t"});
+  const std::string of_faces = properties("uchar", {"red", "green", "blue", "alpha"}) + properties("int", {"flags"}) +
+                               "property list uchar float texcoord\n" + properties("float", {"quality"}) +
+                               properties("double", {"nx", "ny", "nz"});
+  const MeshFile file =
+      read_text(text_of(of_vertices, of_faces,
+                        square("0 0 1 7 1 2 3 255 0.5 0 1") + "3 0 1 2 9 8 7 255 1 6 0 0 1 0 1 1 2.5 0 0 1\n"),
+                Format::ply);
+  CHECK(file.notes.empty());
+  CHECK(described(file) ==
+        "normal:vertex,spherical,3,float flags:vertex,nearest,1,integer color:vertex,linear,4,byte "
+        "quality:vertex,linear,1,float texcoord:vertex,linear,2,float face_color:face,linear,4,byte "
+        "face_flags:face,nearest,1,integer face_texcoord:corner,linear,2,float face_quality:face,linear,1,float "
+        "face_normal:face,spherical,3,double ");
+  CHECK(values<std::uint8_t>(file, "face_color") == std::vector<std::uint8_t>{9, 8, 7, 255});
+  const std::string text = written(file, Format::ply_ascii);
+  const std::string header = text.substr(0, text.find("end_header"));
+  CHECK(header.substr(header.find("element face")) ==
+        "element face 1\nproperty list uchar int vertex_indices\n"
+        "comment channel 4 linear face_color\n" +
+            properties("uchar", {"red", "green", "blue", "alpha"}) + "comment channel 1 nearest face_flags\n" +
+            properties("int", {"flags"}) +
+            "comment channel 2 linear face_texcoord\nproperty list uchar float texcoord\n"
+            "comment channel 1 linear face_quality\n" +
+            properties("float", {"quality"}) + "comment channel 3 spherical face_normal\n" +
+            properties("double", {"nx", "ny", "nz"}));
+  // Also without the comments, which other programs do not keep.
+  std::string bare;
+  for (std::size_t at = 0, end = 0; at < text.size(); at = end) {
+    end = text.find('\n', at) + 1;
+    if (text.compare(at, 7, "comment") != 0) bare += text.substr(at, end - at);
+  }
+  for (const std::string& form : {text, bare}) {
+    const MeshFile again = read_text(form, Format::ply);
+    REQUIRE(again.attributes.channels.size() == file.attributes.channels.size());
+    for (const Channel& c : file.attributes.channels) {
+      CAPTURE(c.name);
+      REQUIRE(again.attributes.find(c.name) != nullptr);
+      const Channel& other = *again.attributes.find(c.name);
+      CHECK(other.values == c.values);
+      CHECK((other.element == c.element && other.interpolation == c.interpolation));
+    }
+  }
+}
+
+TEST_CASE("PLY: where faces come first, vertices have the longer names", "[io][ply]") {
+  const std::string text = "ply\nformat ascii 1.0\nelement face 1\n" + list + properties("uchar", {"r", "g", "b"}) +
+                           "element vertex 3\n" + xyz + properties("uchar", {"r", "g", "b"}) +
+                           "end_header\n3 0 1 2 1 2 3\n0 0 0 4 5 6\n1 0 0 4 5 6\n0 1 0 4 5 6\n";
+  const MeshFile file = read_text(text, Format::ply);
+  CHECK(described(file) == "color:face,linear,3,byte vertex_color:vertex,linear,3,byte ");
+  const MeshFile again = read_text(written(file, Format::ply_ascii), Format::ply);
+  for (const Channel& c : file.attributes.channels) CHECK(*again.attributes.find(c.name) == c);
 }
 
 TEST_CASE("PLY: comments that announce nothing sensible are comments", "[io][ply]") {

@@ -17,12 +17,15 @@ void add_decompose(CommandLine& line) {
   verb->add_option(
           "-o,--output", settings.output,
           "A folder for the pieces, a file each, and decomposition.json with their walls; or one file, in which "
-          "they are groups (.obj, .ply, .vtk, .msh); or a picture (.glb)")
+          "they are groups (.obj, .ply, .vtk, .msh); or a picture (.glb), in the materials and textures of the mesh or "
+          "else a color for each piece")
       ->type_name("DIR|OUT");
   verb->add_option("--format", settings.output_format,
                    "Of the files of a folder: off, obj, stl, ply, ...; xoff, which keeps rationals, unless told")
       ->type_name("FORMAT");
   add_rounding_options(*verb, settings);
+  add_strict_option(*verb, settings);
+  add_attribute_options(*verb, settings);
   verb->add_flag("--volumes", settings.volumes,
                  "Report the outside, cavities and pieces as volumes: shells, neighbours, what is between them");
   verb->add_flag("--exploded", settings.exploded, "Pull the pieces of a picture apart");

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cell_file.h"
 #include "common/progress.h"
@@ -12,6 +15,7 @@
 #include "mesh_folder.h"
 #include "region_file.h"
 #include "report.h"
+#include "strata/carry_attributes.h"
 #include "strata/convex.h"
 #include "strata/measure.h"
 #include "verbs.h"
@@ -50,6 +54,65 @@ void write_picture(const Decomposition& d, const Settings& settings) {
     }
   }
   write_cells(settings.output, cells, settings.exploded ? exploded : in_place);
+}
+
+strata::Vertex middle_of(const strata::BoundingBox& box) {
+  strata::Vertex middle{};
+  for (std::size_t i = 0; i < 3; ++i) middle[i] = box.lower[i] / 2 + box.upper[i] / 2;
+  return middle;
+}
+
+/// True where a picture shows what a solid carries.
+bool has_looks(const strata::Solid& solid) {
+  const strata::Attributes& a = solid.attributes();
+  return a.find(strata::channel_names::color) != nullptr || a.find(strata::channel_names::material) != nullptr;
+}
+
+/// A piece as it stands in a picture of the solid: around the origin, in units of the solid's size, as floats.
+strata::Mesh placed(const strata::Solid& piece, const strata::BoundingBox& box, bool is_exploded) {
+  const strata::Vertex middle = middle_of(box), own = middle_of(piece.bounding_box());
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) size = std::max(size, box.upper[i] - box.lower[i]);
+  strata::Mesh mesh = piece.mesh();
+  for (strata::Vertex& v : mesh.vertices)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double away = (is_exploded ? exploded : in_place) * (own[i] - middle[i]);
+      v[i] = static_cast<float>((v[i] - middle[i] + away) / size);
+    }
+  return mesh;
+}
+
+/// The pieces in their own colours and textures, each an object.
+void write_painted_picture(const strata::Solid& solid, const std::vector<strata::Solid>& pieces,
+                           const Settings& settings) {
+  std::vector<strata::Mesh> meshes;
+  std::vector<strata::AttributedMesh> parts;
+  strata::ExactMesh all;
+  std::vector<strata::Source> sources;
+  std::vector<std::int32_t> object;
+  std::vector<std::string> names;
+  for (const strata::Solid& piece : pieces) meshes.push_back(placed(piece, solid.bounding_box(), settings.exploded));
+  for (std::uint32_t p = 0; p < pieces.size(); ++p) {
+    const strata::Mesh& mesh = meshes[p];
+    parts.push_back({strata::ExactMeshView(mesh, {}), &pieces[p].attributes()});
+    const auto first = static_cast<std::uint32_t>(all.mesh.vertices.size());
+    all.mesh.vertices.insert(all.mesh.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto [a, b, c] = mesh.triangles[t];
+      all.mesh.triangles.push_back({first + a, first + b, first + c});
+      sources.push_back({p, t});
+      object.push_back(static_cast<std::int32_t>(p));
+    }
+    names.push_back(fmt::format("piece {}", p));
+  }
+  strata::Attributes attributes = strata::carry_attributes(parts, all, sources);
+  std::erase_if(attributes.channels, [](const strata::Channel& c) { return c.name == strata::channel_names::object; });
+  attributes.objects = std::move(names);
+  attributes.channels.push_back({std::string(strata::channel_names::object), strata::Element::face,
+                                 strata::Interpolation::nearest, 1, std::move(object)});
+  Settings of_picture = settings;
+  of_picture.strict = of_picture.tells_losses = false;
+  write_output(of_picture, strata::Format::glb, all, attributes);
 }
 
 /// A coordinate: a number, or a fraction as text where doubles are not exact.
@@ -92,13 +155,38 @@ Json volumes(const strata::Solid& solid, const Decomposition& d) {
   return {{"first_piece", complex.first_piece}, {"volumes", std::move(list)}, {"interfaces", std::move(interfaces)}};
 }
 
+/// The pieces of a solid, as they are written.
+struct Pieces {
+  Decomposition decomposition;
+  std::vector<strata::Solid> carried;  ///< as solids that carry what the solid does; none where this is nothing
+
+  [[nodiscard]] strata::ExactMesh mesh(std::uint32_t p) const {
+    return carried.empty() ? mesh_of(decomposition.polytope(p)) : carried[p].exact_mesh();
+  }
+  [[nodiscard]] strata::Attributes attributes(std::uint32_t p) const {
+    return carried.empty() ? strata::Attributes{} : carried[p].attributes();
+  }
+};
+
+std::vector<strata::Solid> carried_pieces(const strata::Solid& solid, const Decomposition& d, const Settings& settings,
+                                          const Watch& watch) {
+  const auto cut_material = settings.attributes.material_among({&solid.attributes()});
+  if (!cut_material && solid.attributes().empty()) return {};
+  strata::Options options;
+  options.threads = settings.threads;
+  options.cancel = &watch.token();
+  if (cut_material) options.cut_material = &*cut_material;
+  return strata::convex::pieces_of(solid, d, options);
+}
+
 /// A file for every piece, and last decomposition.json, which names them and tells their walls.
-void write_folder(const Decomposition& d, const Settings& settings) {
+void write_folder(const Pieces& pieces, const Settings& settings) {
+  const Decomposition& d = pieces.decomposition;
   const MeshFolder folder(settings, "piece", d.pieces.size());
   Json list = Json::array();
   for (std::uint32_t p = 0; p < d.pieces.size(); ++p) {
-    const strata::ExactMesh mesh = mesh_of(d.polytope(p));
-    list.push_back({{"file", folder.write(p, mesh, {}, MeshContent::solid)},
+    const strata::ExactMesh mesh = pieces.mesh(p);
+    list.push_back({{"file", folder.write(p, mesh, pieces.attributes(p), MeshContent::solid)},
                     {"facets", d.pieces[p].size()},
                     {"volume_exact", volume(mesh).str()}});
   }
@@ -107,20 +195,18 @@ void write_folder(const Decomposition& d, const Settings& settings) {
 }
 
 /// All pieces in one file, each a group.
-void write_file(const Decomposition& d, const Settings& settings) {
+void write_file(const Pieces& pieces, const Settings& settings) {
   RegionFile file(settings);
-  for (std::uint32_t p = 0; p < d.pieces.size(); ++p)
-    file.add(mesh_of(d.polytope(p)), {}, fmt::format("piece {}", p), MeshContent::solid);
+  for (std::uint32_t p = 0; p < pieces.decomposition.pieces.size(); ++p)
+    file.add(pieces.mesh(p), pieces.attributes(p), fmt::format("piece {}", p), MeshContent::solid);
   file.write();
 }
 
-void write_pieces(const Decomposition& d, const Settings& settings) {
-  if (is_picture(settings.output))
-    write_picture(d, settings);
-  else if (RegionFile::is_named(settings))
-    write_file(d, settings);
+void write_pieces(const Pieces& pieces, const Settings& settings) {
+  if (RegionFile::is_named(settings))
+    write_file(pieces, settings);
   else
-    write_folder(d, settings);
+    write_folder(pieces, settings);
 }
 
 }  // namespace
@@ -135,14 +221,17 @@ ExitCode run_decompose(const Settings& settings) {
   report["seconds"]["read"] = stopwatch.lap();
 
   watch.on_stop(OnStop::ask);
-  Decomposition d;
+  Pieces pieces;
+  Decomposition& d = pieces.decomposition;
   strata::Solid solid;
+  const bool writes_picture = is_picture(settings.output);
   try {
-    solid = make_solid(operands, 0, settings);
+    solid = make_attributed_solid(operands, 0, settings);
     report["seconds"]["prepare"] = stopwatch.lap();
     ProgressBar bar(settings.progress, settings.quiet);
     const strata::Progress progress = [&bar](double fraction) { bar.show(fraction); };
     d = strata::convex::decompose(solid, strata::Monitor(&watch.token(), &progress));
+    if (!settings.output.empty()) pieces.carried = carried_pieces(solid, d, settings, watch);
     report["seconds"]["decompose"] = stopwatch.lap();
   } catch (const strata::Cancelled&) {
     watch.on_stop(OnStop::leave);  // says why
@@ -153,9 +242,13 @@ ExitCode run_decompose(const Settings& settings) {
 
   watch.on_stop(OnStop::finish);
   stopwatch.lap();
-  if (!settings.output.empty()) {
+  if (writes_picture && !pieces.carried.empty() && has_looks(pieces.carried.front())) {
+    write_painted_picture(solid, pieces.carried, settings);
+  } else if (writes_picture) {
     tell_what_is_not_carried(operands, settings);
-    write_pieces(d, settings);
+    write_picture(d, settings);
+  } else if (!settings.output.empty()) {
+    write_pieces(pieces, with_unit_of(operands, settings));
   }
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.quiet && settings.report != "-")

@@ -22,11 +22,15 @@
 #include "strata/solid.h"
 #include "svg.h"
 #include "svg_to_png.h"
+#include "textured_face.h"
 #include "threads.h"
 
 namespace {
 
 using strata::Vertex;
+
+constexpr double units_of_textures =
+    5;  ///< of a picture: how long parts of one color are at most, where there is an image
 
 Vertex vertex(const std::vector<double>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
@@ -113,11 +117,58 @@ std::string fill_of(int shade, const std::optional<ScreenColor>& color) {
   return fmt::format("#{:02x}{:02x}{:02x}", byte((*color)[0]), byte((*color)[1]), byte((*color)[2]));
 }
 
+/// How long parts of faces with images may be on paper, for a picture of so many units.
+double longest_side(std::span<const strata::Solid> solids, const View& view, double width) {
+  PaperPoint lower{HUGE_VAL, HUGE_VAL}, upper{-HUGE_VAL, -HUGE_VAL};
+  for (const strata::Solid& s : solids)
+    for (const Vertex& v : s.mesh().vertices)
+      if (const auto at = view.place(v))
+        for (std::size_t i = 0; i < 2; ++i) {
+          lower[i] = std::min(lower[i], (*at)[i]);
+          upper[i] = std::max(upper[i], (*at)[i]);
+        }
+  return std::max(upper[0] - lower[0], upper[1] - lower[1]) / width * units_of_textures;
+}
+
+/// Fills pages back to front.
+class Painter {
+ public:
+  Painter(std::span<const strata::Solid> solids, const View& view, double width)
+      : solids_(solids),
+        colors_(solids.begin(), solids.end()),
+        view_(view),
+        longest_side_(longest_side(solids, view, width)) {}
+
+  [[nodiscard]] std::span<const FaceColors> colors() const { return colors_; }
+
+  /// Paints a part of a face of a solid.
+  void paint(const std::array<Vertex, 3>& corners, std::uint32_t solid, std::uint32_t face, int shade,
+             SvgPage& page) const {
+    const FaceColors& colors = colors_[solid];
+    const auto polygon = [&](const std::array<Vertex, 3>& t, const std::optional<ScreenColor>& color) {
+      page.add_polygon(view_.polygon({t.begin(), t.end()}), fill_of(shade, color));
+    };
+    if (!colors.has_image(face)) return polygon(corners, colors.of(face));
+    const strata::Mesh& mesh = solids_[solid].mesh();
+    const auto [a, b, c] = mesh.triangles[face];
+    const std::array<Vertex, 3> whole{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+    TexturedTriangle triangle{corners, {}};
+    for (std::size_t k = 0; k < 3; ++k) triangle.places[k] = place_in(whole, corners[k]);
+    for (const ColoredTriangle& part : divided(triangle, colors, face, view_, longest_side_))
+      polygon(part.corners, part.color);
+  }
+
+ private:
+  std::span<const strata::Solid> solids_;
+  std::vector<FaceColors> colors_;
+  const View& view_;
+  double longest_side_;
+};
+
 /// The painter's way: everything that faces the eye, back to front.
-void fill_back_to_front(std::span<const strata::Solid> solids, const strata::LayerDecomposition& layers,
-                        const View& view, SvgPage& page) {
+void fill_back_to_front(const Painter& painter, const strata::LayerDecomposition& layers, const View& view,
+                        SvgPage& page) {
   const strata::Scene& scene = layers.scene();
-  const std::vector<FaceColors> colors(solids.begin(), solids.end());
   const bool from_outside = layers.windings_of_origin() == strata::WindingNumbers();
   for (const std::uint32_t p : layers.back_to_front()) {
     if (from_outside && layers.sign(p) > 0) continue;  // turned away: something is before it
@@ -128,15 +179,18 @@ void fill_back_to_front(std::span<const strata::Solid> solids, const strata::Lay
       for (double& x : normal) x = -x;
     const int shade = static_cast<int>(std::lround(view.brightness(normal) * 48)) * 5;
     const std::uint32_t face = layers.face_of(p);
-    page.add_polygon(view.polygon({corners.begin(), corners.end()}),
-                     fill_of(shade, colors[scene.solid_of(face)].of(scene.local(face))));
+    painter.paint(corners, scene.solid_of(face), scene.local(face), shade, page);
   }
 }
 
 SvgPage draw_page(const DrawSettings& draw, std::span<const strata::Solid> solids, const strata::Visibility& visibility,
-                  std::span<const strata::SeenEdge> edges, const View& view) {
+                  std::span<const strata::SeenEdge> edges, const View& view, std::vector<std::string>& notes) {
   SvgPage page;
-  if (draw.style != "lines") fill_back_to_front(solids, visibility.decomposition(), view, page);
+  if (draw.style != "lines") {
+    const Painter painter(solids, view, draw.width);
+    for (const FaceColors& c : painter.colors()) notes.insert(notes.end(), c.notes().begin(), c.notes().end());
+    fill_back_to_front(painter, visibility.decomposition(), view, page);
+  }
   if (draw.style != "fill") {
     page.add_lines(draw_lines(visibility, edges, strata::EdgeKind::crease, view), draw.width / 1250, "#333");
     page.add_lines(draw_lines(visibility, edges, strata::EdgeKind::loop, view), draw.width / 500, "#000");
@@ -154,8 +208,9 @@ void add_draw_options(CLI::App& verb, DrawSettings& draw) {
   three("--direction", draw.direction, "Parallel projection: the direction in which one looks");
   three("--towards", draw.towards, "Where a perspective looks; by default the middle of the meshes");
   three("--up", draw.up, "What is upwards in the picture; by default 0,0,1");
-  verb.add_option("--style", draw.style,
-                  "lines: hidden lines removed; fill: shaded faces, in their colors if they have any; both")
+  verb.add_option(
+          "--style", draw.style,
+          "lines: hidden lines removed; fill: shaded faces, in their colors and textures if they have any; both")
       ->check(CLI::IsMember({"lines", "fill", "both"}))
       ->capture_default_str();
   verb.add_option("--crease", draw.crease_angle, "Edges are drawn where faces meet at more than this angle")
@@ -182,6 +237,7 @@ ExitCode run_draw(const DrawSettings& draw, const Settings& settings) {
   const strata::Progress progress = [&bar](double fraction) { bar.show(fraction); };
   const strata::Monitor monitor(&watch.token(), &progress);
   std::string svg;
+  std::vector<std::string> notes;
   try {
     svg = on_threads(settings, [&] {
       std::vector<strata::Solid> solids = make_solids(operands, settings);
@@ -195,12 +251,14 @@ ExitCode run_draw(const DrawSettings& draw, const Settings& settings) {
       if (draw.style != "fill") edges = strata::find_seen_edges(visibility, draw.crease_angle, monitor);
       report["seen_edges"] = edges.size();
       report["seconds"]["visibility"] = stopwatch.lap();
-      return draw_page(draw, solids, visibility, edges, view).text(draw.width, "strata draw");
+      return draw_page(draw, solids, visibility, edges, view, notes).text(draw.width, "strata draw");
     });
   } catch (const strata::Cancelled&) {
     watch.on_stop(OnStop::leave);  // says why
     throw;
   }
+  if (!settings.quiet)
+    for (const std::string& note : notes) fmt::print(stderr, "strata: note: {}\n", note);
   const std::string picture = png ? svg_to_png(svg) : svg;
   report["seconds"]["draw"] = stopwatch.lap();
   watch.on_stop(OnStop::finish);

@@ -1,12 +1,18 @@
 #include "core/io/gltf_buffers.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
+#include "core/containers/huge_pages.h"
 #include "core/io/binary.h"
 #include "core/io/face_list.h"
 #include "core/io/folder_of_model.h"
@@ -43,6 +49,35 @@ double number_at(const char* at, std::size_t type) {
   if (type == short_) return load_double<std::int16_t>(at);
   return type == byte ? load_double<std::int8_t>(at) : load_double<std::uint8_t>(at);
 }
+
+/// Numbers of one type, in parallel. False: some are not finite.
+template <class T>
+bool decode(const char* from, std::size_t stride, std::size_t components, std::vector<double>& to) {
+  std::atomic<bool> are_finite = true;
+  const std::size_t count = to.size() / components;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1 << 14), [&](const auto& range) {
+    bool all = true;
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      for (std::size_t k = 0; k < components; ++k) {
+        const double x = load_double<T>(from + i * stride + k * sizeof(T));
+        if constexpr (std::is_floating_point_v<T>) all = all && std::isfinite(x);
+        to[i * components + k] = x;
+      }
+    if (!all) are_finite = false;
+  });
+  return are_finite;
+}
+
+bool decode(const char* from, std::size_t stride, std::size_t components, std::size_t type, std::vector<double>& to) {
+  if (type == float_) return decode<float>(from, stride, components, to);
+  if (type == unsigned_int) return decode<std::uint32_t>(from, stride, components, to);
+  if (type == unsigned_short) return decode<std::uint16_t>(from, stride, components, to);
+  if (type == short_) return decode<std::int16_t>(from, stride, components, to);
+  if (type == byte) return decode<std::int8_t>(from, stride, components, to);
+  return decode<std::uint8_t>(from, stride, components, to);
+}
+
+[[noreturn]] void refuse_not_finite(const GltfValue& accessor) { accessor.refuse("has a number that is not finite"); }
 
 double divisor_of(std::size_t type) {
   if (type == byte) return 127;
@@ -149,15 +184,13 @@ const GltfNumbers& GltfBuffers::accessor(std::size_t index) {
   }
   read_plain(value, numbers, type);
   if (value.has("sparse")) read_sparse(value, numbers, type);
-  for (double& x : numbers.values) {
-    if (!std::isfinite(x)) value.refuse("has a number that is not finite");
-    if (numbers.divisor != 1) x = std::max(x, -numbers.divisor);  // -128 stands for -1 as well
-  }
+  if (numbers.divisor != 1)
+    for (double& x : numbers.values) x = std::max(x, -numbers.divisor);  // -128 stands for -1 as well
   return place->second = std::move(numbers);
 }
 
 void GltfBuffers::read_plain(const GltfValue& accessor, GltfNumbers& numbers, std::size_t type) {
-  const std::size_t components = numbers.components, size = size_of(type);
+  const std::size_t components = numbers.components;
   if (!accessor.has("bufferView")) {
     use(numbers.count * components);
     numbers.values.resize(numbers.count * components);
@@ -166,10 +199,8 @@ void GltfBuffers::read_plain(const GltfValue& accessor, GltfNumbers& numbers, st
   const Layout where = layout(accessor, accessor.at("bufferView").index(), accessor.index_or("byteOffset", 0),
                               numbers.count, type, components);
   use(numbers.count * components);
-  numbers.values.resize(numbers.count * components);
-  for (std::size_t i = 0; i < numbers.count; ++i)
-    for (std::size_t k = 0; k < components; ++k)
-      numbers.values[i * components + k] = number_at(where.bytes.data() + i * where.stride + k * size, type);
+  resize_fresh(numbers.values, numbers.count * components);
+  if (!decode(where.bytes.data(), where.stride, components, type, numbers.values)) refuse_not_finite(accessor);
 }
 
 void GltfBuffers::read_sparse(const GltfValue& accessor, GltfNumbers& numbers, std::size_t type) {
@@ -185,9 +216,11 @@ void GltfBuffers::read_sparse(const GltfValue& accessor, GltfNumbers& numbers, s
   for (std::size_t i = 0; i < count; ++i) {
     const auto element = static_cast<std::size_t>(number_at(indices.bytes.data() + i * indices.stride, index_type));
     if (element >= numbers.count) at.refuse("has an index out of range");
-    for (std::size_t k = 0; k < numbers.components; ++k)
-      numbers.values[element * numbers.components + k] =
-          number_at(values.bytes.data() + i * values.stride + k * size_of(type), type);
+    for (std::size_t k = 0; k < numbers.components; ++k) {
+      const double x = number_at(values.bytes.data() + i * values.stride + k * size_of(type), type);
+      if (!std::isfinite(x)) refuse_not_finite(accessor);
+      numbers.values[element * numbers.components + k] = x;
+    }
   }
 }
 

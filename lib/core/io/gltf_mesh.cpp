@@ -1,12 +1,19 @@
 #include "core/io/gltf_mesh.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <bit>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <variant>
 
+#include "core/containers/fresh_array.h"
+#include "core/containers/hash_index.h"
+#include "core/containers/huge_pages.h"
+#include "core/containers/point_hash.h"
 #include "core/io/scene_channels.h"
-#include "core/io/vertex_welder.h"
 
 namespace strata::io {
 namespace {
@@ -15,6 +22,7 @@ constexpr std::size_t triangle_list = 4, triangle_strip = 5, triangle_fan = 6;
 
 std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& v, std::size_t mode) {
   std::vector<Triangle> triangles;
+  triangles.reserve(mode == triangle_list ? v.size() / 3 : v.size());
   if (mode == triangle_list)
     for (std::size_t i = 0; i + 3 <= v.size(); i += 3) triangles.push_back({v[i], v[i + 1], v[i + 2]});
   if (mode == triangle_strip)
@@ -106,15 +114,20 @@ class ListReader {
 
   /// Numbers the vertices that corners use, in order; returns which they are.
   static std::vector<std::uint32_t> number_used(std::vector<std::uint32_t>& corners, std::size_t count) {
-    std::vector<std::uint32_t> number(count), used;
-    for (const std::uint32_t v : corners) number[v] = 1;
-    for (std::size_t v = 0; v < count; ++v)
-      if (number[v] == 1) {
-        number[v] = static_cast<std::uint32_t>(used.size());
-        used.push_back(static_cast<std::uint32_t>(v));
-      }
-    if (used.size() < count)
-      for (std::uint32_t& v : corners) v = number[v];
+    std::vector<std::uint8_t> is_used(count);
+    for (const std::uint32_t v : corners) is_used[v] = 1;
+    std::vector<std::uint32_t> used(static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1)));
+    if (used.size() == count) {
+      std::iota(used.begin(), used.end(), 0U);
+      return used;
+    }
+    std::vector<std::uint32_t> number(count);
+    for (std::uint32_t v = 0, next = 0; v < count; ++v) {
+      if (is_used[v] == 0) continue;
+      used[next] = v;
+      number[v] = next++;
+    }
+    for (std::uint32_t& v : corners) v = number[v];
     return used;
   }
 
@@ -183,14 +196,73 @@ void merge_values(Channel& channel, std::vector<T>& values, const ScenePart& par
   values = std::move(merged);
 }
 
+/// Finds for each vertex the first one at its place. A hash deals vertices out to parts that fit into a core's cache.
+class FirstAtPlaces {
+ public:
+  explicit FirstAtPlaces(const std::vector<Vertex>& vertices) : vertices_(vertices) {
+    bits_ = std::min(most_bits, static_cast<int>(std::bit_width(vertices.size() / part_size)));
+  }
+
+  std::vector<std::uint32_t> find() {
+    deal();
+    resize_fresh(first_, vertices_.size());
+    tbb::parallel_for(std::size_t{0}, ends_.size() - 1, [&](std::size_t i) {
+      find_in({dealt_.begin() + ends_[i], dealt_.begin() + ends_[i + 1]});
+    });
+    return std::move(first_);
+  }
+
+ private:
+  struct Dealt {
+    std::uint64_t hash;
+    std::uint32_t vertex;
+  };
+  static constexpr std::size_t part_size = 1 << 13;
+  static constexpr int most_bits = 10;
+
+  [[nodiscard]] std::size_t part_of(std::uint64_t hash) const {
+    return bits_ == 0 ? 0 : static_cast<std::size_t>(hash >> (64 - bits_));
+  }
+
+  /// A stable counting sort by part.
+  void deal() {
+    ends_.assign((std::size_t{1} << bits_) + 1, 0);
+    for (const Vertex& v : vertices_) ++ends_[part_of(hash_of(v)) + 1];
+    std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+    std::vector<std::size_t> place(ends_.begin(), ends_.end() - 1);
+    dealt_ = FreshArray<Dealt>(vertices_.size());
+    for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+      const std::uint64_t hash = hash_of(vertices_[v]);
+      dealt_[place[part_of(hash)]++] = {hash, v};
+    }
+  }
+
+  /// Vertices are in order, so the one that is in a table is the first.
+  void find_in(std::span<const Dealt> part) {
+    HashIndex table(part.size());
+    for (std::uint32_t i = 0; i < part.size(); ++i) {
+      const auto [hash, vertex] = part[i];
+      const auto is_here = [&, hash = hash, vertex = vertex](std::uint32_t there) {
+        return part[there].hash == hash && are_equal(vertices_[part[there].vertex], vertices_[vertex]);
+      };
+      first_[vertex] = part[table.find_or_add(hash, i, is_here)].vertex;
+    }
+  }
+
+  const std::vector<Vertex>& vertices_;
+  int bits_ = 0;
+  std::vector<std::size_t> ends_;  ///< of the parts in `dealt_`, from 0
+  FreshArray<Dealt> dealt_;
+  std::vector<std::uint32_t> first_;
+};
+
 /// Makes one of vertices at the same place.
 void weld(ScenePart& part) {
-  VertexWelder<double> welder;
-  std::vector<std::uint32_t> number, first;
-  number.reserve(part.vertices.size());
-  for (std::size_t v = 0; v < part.vertices.size(); ++v) {
-    number.push_back(welder.add(part.vertices[v]));
-    if (number.back() == first.size()) first.push_back(static_cast<std::uint32_t>(v));
+  std::vector<std::uint32_t> number = FirstAtPlaces(part.vertices).find(), first;
+  for (std::uint32_t v = 0; v < number.size(); ++v) {
+    const bool is_first = number[v] == v;
+    number[v] = is_first ? static_cast<std::uint32_t>(first.size()) : number[number[v]];
+    if (is_first) first.push_back(v);
   }
   if (first.size() == part.vertices.size()) return;
   for (Channel& c : part.channels)

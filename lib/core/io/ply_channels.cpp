@@ -80,19 +80,27 @@ class PlyChannels::OfElement {
     }
   }
 
+  /// The name of a channel that nothing announces: its own, or with its element before it, if that is a name in another
+  /// element.
+  [[nodiscard]] std::string name_here(std::string_view own) const {
+    std::string name(own);
+    const auto other = all_.names_.find(name);
+    return other == all_.names_.end() || other->second == kind_ ? name : std::string(ply_prefix(kind_)) + name;
+  }
+
   void add_unannounced(std::size_t i) {
     const PlyProperty& p = property(i);
     if (p.list_count) return add_list(i);
     for (const PlyKnownNames& known : ply_known_names)
       if (const Properties properties = components_of(known, i); !properties.empty())
-        return make(std::string(known.channel), known.interpolation, properties.size(), properties);
-    make(p.name, is_integer(p.type) ? Interpolation::nearest : Interpolation::linear, 1, {i});
+        return make(name_here(known.channel), known.interpolation, properties.size(), properties);
+    make(name_here(p.name), is_integer(p.type) ? Interpolation::nearest : Interpolation::linear, 1, {i});
   }
 
   void add_list(std::size_t i) {
     const bool is_texcoord =
         kind_ == Element::face && property(i).name == ply_texcoord_list && !is_integer(property(i).type);
-    if (is_texcoord) return make(std::string(channel_names::texcoord), Interpolation::linear, 2, {i});
+    if (is_texcoord) return make(name_here(channel_names::texcoord), Interpolation::linear, 2, {i});
     all_.lists_.add(property(i).name);
     is_done_[i] = true;
   }
@@ -118,7 +126,7 @@ class PlyChannels::OfElement {
   void make(const std::string& name, Interpolation how, std::size_t components, const Properties& properties) {
     for (const std::size_t i : properties) is_done_[i] = true;
     if (all_.channels_.size() == most_channels) return all_.beyond_.add(name);
-    if (!all_.names_.insert(name).second) return all_.twice_.add(name);
+    if (!all_.names_.emplace(name, kind_).second) return all_.twice_.add(name);
     const PlyProperty& first = property(properties[0]);
     const bool is_list = first.list_count.has_value();
     for (std::size_t k = 0; k < properties.size(); ++k) {

@@ -1,6 +1,6 @@
 #pragma once
 #include <cstdint>
-#include <set>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,7 +54,7 @@ class PlyChannels {
   class OfElement;
 
   std::vector<PlyChannel> channels_;
-  std::set<std::string, std::less<>> names_;
+  std::map<std::string, Element> names_;  ///< of channels, and whether they are of vertices or faces
   LeftOut elements_, lists_, twice_, apart_, beyond_;
 };
 

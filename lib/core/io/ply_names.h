@@ -36,6 +36,12 @@ inline constexpr std::array<PlyKnownNames, 7> ply_known_names{
 /// The list on faces with two numbers for each corner.
 inline constexpr std::string_view ply_texcoord_list = "texcoord";
 
+/// What comes before the name of a channel, where a channel of the other element has the name: colours of vertices and
+/// of faces are "color" and "face_color".
+[[nodiscard]] constexpr std::string_view ply_prefix(Element element) {
+  return element == Element::vertex ? "vertex_" : "face_";
+}
+
 /// The words for interpolations in comments that announce channels.
 inline constexpr std::array<std::pair<std::string_view, Interpolation>, 3> ply_interpolations{
     {{"linear", Interpolation::linear}, {"spherical", Interpolation::spherical}, {"nearest", Interpolation::nearest}}};

@@ -149,7 +149,7 @@ class DocumentReader {
 
   void place_mesh(SceneMesh& scene, const GltfValue& n, const ExactMap& map) {
     const std::size_t index = n.at("mesh").index();
-    const GltfMesh& mesh = meshes_.at(index);
+    GltfMesh& mesh = meshes_.at(index);
     skins_ += n.has("skin");
     if (mesh.part.triangles.empty()) return;
     auto& objects = file_.attributes.objects;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -76,7 +78,7 @@ void SceneMesh::count(std::uint64_t things) {
   left_ -= things;
 }
 
-void SceneMesh::place(const ScenePart& part, const ExactMap& map, std::int32_t object) {
+void SceneMesh::place(ScenePart& part, const ExactMap& map, std::int32_t object) {
   count(part.vertices.size() + part.triangles.size() + 1);
   placed_.push_back({&part, PointMap(map), object});
 }
@@ -134,6 +136,14 @@ void SceneMesh::add_objects(MeshFile& file) const {
       {std::string(channel_names::object), Element::face, Interpolation::nearest, 1, std::move(values)});
 }
 
+/// True for one part that is not moved, and whose channels have different names.
+bool SceneMesh::is_one_as_it_is() const {
+  if (placed_.size() != 1 || !placed_.front().map.is_identity()) return false;
+  std::set<std::string_view> names;
+  const std::vector<Channel>& channels = placed_.front().part->channels;
+  return std::all_of(channels.begin(), channels.end(), [&](const Channel& c) { return names.insert(c.name).second; });
+}
+
 void SceneMesh::finish(MeshFile& file) {
   std::uint64_t vertices = 0, triangles = 0;
   std::vector<PlacedChannels> parts;
@@ -143,6 +153,15 @@ void SceneMesh::finish(MeshFile& file) {
     parts.push_back({placed.part, &placed.map});
   }
   if (std::max(vertices, triangles) > most_items) throw IoError(name_, {}, "more than 2^32 - 2 vertices or triangles");
+  if (is_one_as_it_is()) {
+    ScenePart& part = *placed_.front().part;
+    file.mesh.vertices = std::move(part.vertices);
+    for (Channel& c : part.channels)
+      if (c.name != channel_names::object) file.attributes.channels.push_back(std::move(c));
+    add_objects(file);
+    file.mesh.triangles = std::move(part.triangles);
+    return;
+  }
   file.mesh.vertices.reserve(vertices);
   file.mesh.triangles.reserve(triangles);
   add_vertices(file);

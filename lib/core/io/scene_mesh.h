@@ -32,8 +32,9 @@ class SceneMesh {
 
   /// Counts a node that is visited: as 32 things, for its transform takes time. Throws IoError if there are too many.
   void visit() { count(32); }
-  /// Places a part, which is kept until finish(). `object` is an index into the objects of the file, or -1.
-  void place(const ScenePart& part, const ExactMap& map, std::int32_t object);
+  /// Places a part, which is kept until finish(), which empties it if it is the only one. `object` is an index into the
+  /// objects of the file, or -1.
+  void place(ScenePart& part, const ExactMap& map, std::int32_t object);
   /// A part may have a channel "object": its values are added to the `object` of its placement.
   /// All that was placed, in this order. Channels of one name become one; where parts lack it, colours are white,
   /// indices -1, other numbers 0. Adds a note if transforms round coordinates. Throws IoError for coordinates beyond
@@ -42,7 +43,7 @@ class SceneMesh {
 
  private:
   struct Placed {
-    const ScenePart* part;
+    ScenePart* part;
     PointMap map;
     std::int32_t object;
   };
@@ -50,6 +51,7 @@ class SceneMesh {
   void add_vertices(MeshFile& file) const;
   void add_triangles(MeshFile& file) const;
   void add_objects(MeshFile& file) const;
+  [[nodiscard]] bool is_one_as_it_is() const;
 
   std::string name_;
   std::uint64_t left_;

@@ -27,13 +27,13 @@ bool has_line(const std::string& name) {
   return std::none_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; });
 }
 
-/// The known properties that a channel is written as; null: others.
-const PlyKnownNames* known_names(const Channel& c) {
+/// The known properties that a channel with a name in its element is written as; null: others.
+const PlyKnownNames* known_names(const Channel& c, std::string_view name) {
   const auto* const known = std::find_if(ply_known_names.begin(), ply_known_names.end(),
-                                         [&](const PlyKnownNames& k) { return k.channel == c.name; });
+                                         [&](const PlyKnownNames& k) { return k.channel == name; });
   if (known == ply_known_names.end() || c.interpolation != known->interpolation || c.element == Element::corner)
     return nullptr;
-  const bool is_color = c.name == channel_names::color;
+  const bool is_color = name == channel_names::color;
   const bool is_count = c.components == known->least || (is_color && c.components == known->least + 1);
   const bool is_float =
       std::holds_alternative<std::vector<float>>(c.values) || std::holds_alternative<std::vector<double>>(c.values);
@@ -41,8 +41,8 @@ const PlyKnownNames* known_names(const Channel& c) {
   return is_count && (is_float || (is_color && is_byte)) ? known : nullptr;
 }
 
-bool is_texcoord_list(const Channel& c) {
-  return c.name == channel_names::texcoord && c.element == Element::corner && c.components == 2 &&
+bool is_texcoord_list(const Channel& c, std::string_view name) {
+  return name == channel_names::texcoord && c.element == Element::corner && c.components == 2 &&
          c.interpolation == Interpolation::linear && c.values.index() < 2;
 }
 
@@ -68,6 +68,15 @@ std::string announcement(const Channel& c) {
   return "comment channel " + std::to_string(c.components) + " " + std::string(how->first) + " " + c.name + "\n";
 }
 
+/// A channel, and its name in its element.
+struct Column {
+  const Channel* channel;
+  std::string_view name;  ///< without what tells it from a channel of the other element
+
+  [[nodiscard]] const PlyKnownNames* known() const { return known_names(*channel, name); }
+  [[nodiscard]] bool is_texcoords() const { return is_texcoord_list(*channel, name); }
+};
+
 /// The channels that are written behind the vertices or the lists of vertices.
 class Columns {
  public:
@@ -75,39 +84,44 @@ class Columns {
     for (const Channel& c : attributes.channels) {
       const bool is_replaced = !textures.empty() && c.name == channel_names::material;
       const Channel& written = is_replaced ? textures.numbers() : c;
-      if ((written.element == Element::vertex) == are_of_vertices && has_line(c.name)) channels_.push_back(&written);
+      if ((written.element == Element::vertex) == are_of_vertices && has_line(c.name))
+        columns_.push_back({&written, written.name});
     }
+    const std::string_view prefix = ply_prefix(are_of_vertices ? Element::vertex : Element::face);
+    for (Column& column : columns_)
+      if (column.name.starts_with(prefix) && column.name.size() > prefix.size())
+        if (const std::string_view name = column.name.substr(prefix.size()); !has(name)) column.name = name;
   }
 
   /// The lines of the header. `used` are names of properties before.
   [[nodiscard]] std::string header(std::set<std::string> used) const {
-    for (const Channel* c : channels_) {
-      if (is_texcoord_list(*c)) used.emplace(ply_texcoord_list);
-      const PlyKnownNames* const known = known_names(*c);
+    for (const Column& c : columns_) {
+      if (c.is_texcoords()) used.emplace(ply_texcoord_list);
+      const PlyKnownNames* const known = c.known();
       if (known == nullptr) continue;
-      for (const std::string_view name : known->names(c->components)) used.emplace(name);
+      for (const std::string_view name : known->names(c.channel->components)) used.emplace(name);
     }
     PropertyNames names(std::move(used));
     std::string text;
-    for (const Channel* c : channels_) text += properties(*c, names);
+    for (const Column& c : columns_) text += properties(c, names);
     return text;
   }
 
   /// The most bytes of a record in a text, and the number in a binary file.
   [[nodiscard]] std::size_t most_characters() const {
     std::size_t sum = 0;
-    for (const Channel* c : channels_) sum += 3 + per_record(*c) * (longest_number + 1);
+    for (const auto& [c, name] : columns_) sum += 3 + per_record(*c) * (longest_number + 1);
     return sum;
   }
   [[nodiscard]] std::size_t bytes() const {
     std::size_t sum = 0;
-    for (const Channel* c : channels_)
+    for (const auto& [c, name] : columns_)
       sum += (is_list(*c) ? 1 : 0) + per_record(*c) * std::visit([](const auto& v) { return sizeof v[0]; }, c->values);
     return sum;
   }
 
   char* append_text(char* at, std::size_t record) const {
-    for (const Channel* c : channels_) {
+    for (const auto& [c, name] : columns_) {
       if (is_list(*c)) at = append(append(at, " "), std::to_string(per_record(*c)));
       for_each_value(*c, record, [&](auto x) {
         *at++ = ' ';
@@ -117,7 +131,7 @@ class Columns {
     return at;
   }
   char* append_bytes(char* at, std::size_t record, std::endian order) const {
-    for (const Channel* c : channels_) {
+    for (const auto& [c, name] : columns_) {
       if (is_list(*c)) *at++ = static_cast<char>(per_record(*c));
       for_each_value(*c, record, [&](auto x) { at = store(at, x, order); });
     }
@@ -138,21 +152,29 @@ class Columns {
         c.values);
   }
 
-  static std::string properties(const Channel& c, PropertyNames& names) {
-    const std::string type = type_name(c.values);
-    if (is_texcoord_list(c)) return "property list uchar " + type + " " + std::string(ply_texcoord_list) + "\n";
-    const PlyKnownNames* const known = known_names(c);
-    std::string text = known == nullptr ? announcement(c) : "";
-    if (is_list(c)) return text + "property list uchar " + type + " " + names.take(c.name) + "\n";
+  /// True where a channel of the element has a name.
+  [[nodiscard]] bool has(std::string_view name) const {
+    return std::any_of(columns_.begin(), columns_.end(), [&](const Column& c) { return c.name == name; });
+  }
+
+  static std::string properties(const Column& column, PropertyNames& names) {
+    const Channel& c = *column.channel;
+    const std::string type = type_name(c.values), name(column.name);
+    const PlyKnownNames* const known = column.known();
+    const bool is_usual = known != nullptr || column.is_texcoords();
+    std::string text = is_usual && name == c.name ? "" : announcement(c);
+    if (column.is_texcoords())
+      return text + "property list uchar " + type + " " + std::string(ply_texcoord_list) + "\n";
+    if (is_list(c)) return text + "property list uchar " + type + " " + names.take(name) + "\n";
     for (std::size_t k = 0; k < c.components; ++k) {
-      const std::string own = c.components == 1 ? c.name : c.name + "_" + std::to_string(k);
+      const std::string own = c.components == 1 ? name : name + "_" + std::to_string(k);
       text +=
           "property " + type + " " + (known != nullptr ? std::string(known->properties[k]) : names.take(own)) + "\n";
     }
     return text;
   }
 
-  std::vector<const Channel*> channels_;
+  std::vector<Column> columns_;
 };
 
 class PlyWriter {
