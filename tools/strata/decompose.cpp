@@ -23,7 +23,6 @@
 namespace {
 
 using strata::convex::Decomposition;
-using strata::convex::Polytope;
 
 bool is_picture(const std::string& path) { return path == "-" || path.ends_with(".glb") || path.ends_with(".GLB"); }
 

@@ -1,6 +1,7 @@
 #include "extensions/convex/piece_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -55,14 +56,22 @@ class SideDivider {
       const std::optional<Sign> sign = x.sign();
       if (sign && *sign != Sign::zero) return false;
     }
-    const RationalPoint at = points_.position(a), u = minus(points_.position(b), at),
-                        v = minus(points_.position(c), at);
-    for (std::size_t i = 0, j = 1; i < 3; ++i, j = (j + 1) % 3)
-      if (u[i] * v[j] != u[j] * v[i]) return false;
-    return true;
+    return are_collinear_exactly(points_.position(a), points_.position(b), points_.position(c));
   }
-  static RationalPoint minus(const RationalPoint& p, const RationalPoint& q) {
-    return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+
+  /// Products of integers: to bring fractions to lowest terms would take longer than all the rest.
+  static bool are_collinear_exactly(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
+    std::array<Integer, 3> u, v, of_b, of_c;  // b - a and c - a without denominators; denominators of b and c
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Integer of_a = denominator(a[i]);
+      of_b[i] = denominator(b[i]);
+      of_c[i] = denominator(c[i]);
+      u[i] = numerator(b[i]) * of_a - numerator(a[i]) * of_b[i];
+      v[i] = numerator(c[i]) * of_a - numerator(a[i]) * of_c[i];
+    }
+    for (std::size_t i = 0, j = 1; i < 3; ++i, j = (j + 1) % 3)
+      if (u[i] * v[j] * of_b[j] * of_c[i] != u[j] * v[i] * of_b[i] * of_c[j]) return false;
+    return true;
   }
   /// Bounds of the exact position of a point that is known by nearest doubles.
   [[nodiscard]] BoundedPoint bounded(std::uint32_t point) const {
