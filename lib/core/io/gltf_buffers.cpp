@@ -20,13 +20,13 @@
 namespace strata::io {
 namespace {
 
-constexpr std::size_t byte = 5120, unsigned_byte = 5121, short_ = 5122, unsigned_short = 5123, unsigned_int = 5125,
-                      float_ = 5126;
+constexpr std::size_t byte = 5120, unsigned_byte = 5121, signed_short = 5122, unsigned_short = 5123,
+                      unsigned_int = 5125, float32 = 5126;
 
 std::size_t size_of(std::size_t type) {
   if (type == byte || type == unsigned_byte) return 1;
-  if (type == short_ || type == unsigned_short) return 2;
-  return type == unsigned_int || type == float_ ? 4 : 0;
+  if (type == signed_short || type == unsigned_short) return 2;
+  return type == unsigned_int || type == float32 ? 4 : 0;
 }
 
 std::size_t components_of(const GltfValue& type) {
@@ -43,10 +43,10 @@ double load_double(const char* at) {
 }
 
 double number_at(const char* at, std::size_t type) {
-  if (type == float_) return load_double<float>(at);
+  if (type == float32) return load_double<float>(at);
   if (type == unsigned_int) return load_double<std::uint32_t>(at);
   if (type == unsigned_short) return load_double<std::uint16_t>(at);
-  if (type == short_) return load_double<std::int16_t>(at);
+  if (type == signed_short) return load_double<std::int16_t>(at);
   return type == byte ? load_double<std::int8_t>(at) : load_double<std::uint8_t>(at);
 }
 
@@ -69,10 +69,10 @@ bool decode(const char* from, std::size_t stride, std::size_t components, std::v
 }
 
 bool decode(const char* from, std::size_t stride, std::size_t components, std::size_t type, std::vector<double>& to) {
-  if (type == float_) return decode<float>(from, stride, components, to);
+  if (type == float32) return decode<float>(from, stride, components, to);
   if (type == unsigned_int) return decode<std::uint32_t>(from, stride, components, to);
   if (type == unsigned_short) return decode<std::uint16_t>(from, stride, components, to);
-  if (type == short_) return decode<std::int16_t>(from, stride, components, to);
+  if (type == signed_short) return decode<std::int16_t>(from, stride, components, to);
   if (type == byte) return decode<std::int8_t>(from, stride, components, to);
   return decode<std::uint8_t>(from, stride, components, to);
 }
@@ -82,7 +82,7 @@ bool decode(const char* from, std::size_t stride, std::size_t components, std::s
 double divisor_of(std::size_t type) {
   if (type == byte) return 127;
   if (type == unsigned_byte) return 255;
-  return type == short_ ? 32767 : 65535;
+  return type == signed_short ? 32767 : 65535;
 }
 
 }  // namespace
@@ -175,7 +175,7 @@ const GltfNumbers& GltfBuffers::accessor(std::size_t index) {
   numbers.components = components_of(value.at("type"));
   numbers.count = value.at("count").index();
   if (numbers.count > most_items) value.refuse("has more than 2^32 - 2 elements");
-  if (type != float_) {
+  if (type != float32) {
     const bool is_normalized = value.is_true("normalized") && type != unsigned_int;
     numbers.kind = !is_normalized          ? GltfNumbers::Kind::integers
                    : type == unsigned_byte ? GltfNumbers::Kind::bytes
