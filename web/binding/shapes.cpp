@@ -1,5 +1,6 @@
 // Convex hulls, convex pieces and Minkowski sums; polygons in the plane.
 #include <array>
+#include <utility>
 
 #include "call.h"
 #include "handle.h"
@@ -16,12 +17,17 @@ STRATA_WEB(hull) unsigned strata_hull(const double* coordinates, std::size_t ver
   });
 }
 
-/// The answer has a solid for each piece.
+/// The answer has a solid for each piece, which carries what the whole does.
 STRATA_WEB(decompose) unsigned strata_decompose(Handle handle) {
   return guarded([&] {
-    const convex::Decomposition parts = convex::decompose(web::solid_of(handle));
-    for (std::uint32_t piece = 0; piece < parts.pieces.size(); ++piece)
-      answer().ints.push_back(keep(convex::solid_of(parts.polytope(piece))));
+    const Solid& whole = web::solid_of(handle);
+    const convex::Decomposition parts = convex::decompose(whole);
+    if (!whole.attributes().empty()) {
+      for (Solid& piece : convex::pieces_of(whole, parts, watched())) answer().ints.push_back(keep(std::move(piece)));
+    } else {
+      for (std::uint32_t piece = 0; piece < parts.pieces.size(); ++piece)
+        answer().ints.push_back(keep(convex::solid_of(parts.polytope(piece))));
+    }
     return 1U;
   });
 }

@@ -33,6 +33,16 @@ test("malformed files are errors with a place", () => {
   assert.throws(() => strata.write(box([0, 0, 0], [1, 1, 1]), "amf"), strata.FileError);
 });
 
+test("convex pieces carry what the whole does", () => {
+  const corners = ["0 0 0", "4 0 0", "0 4 0", "0 0 4"].map((place) => `${place} 250 20 30`).join("\n");
+  const painted = strata.read(bytes(`ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z
+property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 4\nproperty list uchar int vertex_indices\nend_header
+${corners}\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n`), "ply");
+  const pieces = painted.difference(tetrahedron().translated([1, 0, 0])).convexPieces();
+  assert.ok(pieces.length > 1);
+  for (const piece of pieces) assert.match(new TextDecoder().decode(strata.write(piece, "ply-ascii")), /red[^]* 250 20 30/);
+});
+
 test("models of OpenSCAD are parsed", () => {
   const model = strata.parseCsg(`difference() {
     cube(size = [4, 3, 2], center = false);
