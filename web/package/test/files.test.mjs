@@ -4,6 +4,7 @@ import { test } from "node:test";
 import * as strata from "../strata.js";
 import { box, tetrahedron } from "./shapes.mjs";
 
+const bytes = (text) => new TextEncoder().encode(text);
 const data = (name) => readFile(new URL(`../../../data/${name}`, import.meta.url));
 
 test("formats keep solids, and XOFF keeps rational vertices", () => {
@@ -25,7 +26,6 @@ test("files of the repository are read: ArrayBuffer, Uint8Array, and with notes"
 });
 
 test("malformed files are errors with a place", () => {
-  const bytes = (text) => new TextEncoder().encode(text);
   assert.throws(() => strata.read(bytes("OFF\n1 0 0\n0 0 x\n"), "off"), (error) => error instanceof strata.FileError && error.line === 3);
   assert.throws(() => strata.read(bytes(""), "stl"), strata.FileError);
   assert.throws(() => strata.read(bytes("PK\x03\x04 no archive"), "3mf"), strata.FileError);
