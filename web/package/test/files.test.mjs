@@ -40,7 +40,7 @@ property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 4\np
 ${corners}\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n`), "ply");
   const pieces = painted.difference(tetrahedron().translated([1, 1, 1])).convexPieces();
   assert.ok(pieces.length > 1);
-  for (const piece of pieces) assert.match(new TextDecoder().decode(strata.write(piece, "ply-ascii")), /red[^]* 250 20 30/);
+  for (const piece of pieces) assert.match(new TextDecoder().decode(strata.write(piece, "ply-ascii")), /color[^]* 250 20 30/);
 });
 
 test("models of OpenSCAD are parsed", () => {
