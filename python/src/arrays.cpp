@@ -58,9 +58,7 @@ void look_at(ArrayMesh& mesh, const IndexRows& rows) {
   mesh.view.triangles = {reinterpret_cast<const Triangle*>(rows.data()), rows.shape(0)};
 }
 
-/// Whether to look at an object without NumPy between: other buffers may go while the object stays.
-bool is_array(nb::handle source) { return nb::isinstance(source, numpy().attr("ndarray")); }
-
+/// Only arrays are looked at without NumPy between: other buffers may go while the object stays.
 void set_vertices(ArrayMesh& mesh, nb::handle source, const char* role) {
   if (DoubleRows rows; is_array(source) && nb::try_cast(source, rows, false)) {
     mesh.vertices = nb::borrow(source);

@@ -9,6 +9,12 @@
 
 namespace strata::python {
 
+bool is_array(nb::handle object) {
+  static PyObject* type = nullptr;  // kept for ever; it is written with the lock held
+  if (type == nullptr) type = nb::object(numpy().attr("ndarray")).release().ptr();
+  return nb::isinstance(object, type);
+}
+
 nb::object array_from(nb::handle source, const std::string& role, const char* expected) {
   try {
     return numpy().attr("asarray")(source);

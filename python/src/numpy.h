@@ -11,6 +11,9 @@ namespace nb = nanobind;
 
 [[nodiscard]] inline nb::module_ numpy() { return nb::module_::import_("numpy"); }
 
+/// Whether an object is one of NumPy's arrays.
+[[nodiscard]] bool is_array(nb::handle object);
+
 /// What NumPy makes of an object. Throws ValueError with `role` and `expected` for rows of different lengths.
 [[nodiscard]] nb::object array_from(nb::handle source, const std::string& role, const char* expected);
 

@@ -61,8 +61,10 @@ bool has_handler(const struct sigaction& action) {
 
 /// Python runs handlers of signals in its main thread only.
 bool is_main_thread() {
-  const nb::object main_thread = nb::module_::import_("threading").attr("main_thread")();
-  return nb::cast<unsigned long>(main_thread.attr("ident")) == PyThread_get_thread_ident();
+  static PyObject* main_thread = nullptr;  // kept for ever; it is written with the lock held
+  if (main_thread == nullptr)
+    main_thread = nb::object(nb::module_::import_("threading").attr("main_thread")).release().ptr();
+  return nb::cast<unsigned long>(nb::handle(main_thread)().attr("ident")) == PyThread_get_thread_ident();
 }
 
 /// While it lives, signals that have handlers stop a computation of the main thread.
@@ -92,16 +94,17 @@ class SignalGuard {
     if (!is_set_) return;
     is_set_ = false;
     for (std::size_t i = 0; i < watched_signals.size(); ++i)
-      if (is_replaced_[i] && is_ours(watched_signals[i])) sigaction(watched_signals[i], &handlers_before[i], nullptr);
+      if (is_replaced_[i]) set_back(watched_signals[i], handlers_before[i]);
     interrupted = before_;
   }
 
  private:
-  /// Whether nobody has set another handler meanwhile.
-  static bool is_ours(int signal_number) {
+  /// A handler that somebody else has set meanwhile stays.
+  static void set_back(int signal_number, const struct sigaction& before) {
     struct sigaction now;
-    sigaction(signal_number, nullptr, &now);
-    return (now.sa_flags & SA_SIGINFO) != 0 && now.sa_sigaction == stop_and_note;
+    sigaction(signal_number, &before, &now);
+    const bool is_ours = (now.sa_flags & SA_SIGINFO) != 0 && now.sa_sigaction == stop_and_note;
+    if (!is_ours) sigaction(signal_number, &now, nullptr);
   }
 
   CancelToken* before_ = nullptr;

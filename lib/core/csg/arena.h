@@ -9,14 +9,55 @@
 
 namespace strata {
 
-/// The threads that an evaluation may use: as many as requested, at most as many as there are cores, and one where
-/// starting another takes longer than the work.
-[[nodiscard]] inline tbb::task_arena arena_for(const Options& options, std::size_t faces = ~std::size_t{0}) {
+/// The threads that an evaluation may use.
+class Arena {
+ public:
+  explicit Arena(int threads) : threads_(threads) {}
+
+  /// What `work` returns, which is done by these threads and no others. May be called within other work.
+  template <class Work>
+  decltype(auto) execute(const Work& work) const {
+    Single& single = of_this_thread();
+    if (threads_ > 1 || single.is_entered) return tbb::task_arena(threads_).execute(work);
+    const Entry entry(single.is_entered);
+    return single.arena.execute(work);
+  }
+
+ private:
+  /// An arena of one thread, which this thread keeps: to make one takes a microsecond. It has no place for a thread
+  /// that comes back to it through another arena.
+  struct Single {
+    tbb::task_arena arena{1};
+    bool is_entered = false;
+  };
+
+  static Single& of_this_thread() {
+    static thread_local Single single;
+    return single;
+  }
+
+  class Entry {
+   public:
+    explicit Entry(bool& is_entered) : is_entered_(is_entered) { is_entered_ = true; }
+    Entry(const Entry&) = delete;
+    Entry& operator=(const Entry&) = delete;
+    ~Entry() { is_entered_ = false; }
+
+   private:
+    bool& is_entered_;
+  };
+
+  int threads_;
+};
+
+/// As many threads as requested, at most as many as there are cores, and one where starting another takes longer than
+/// the work.
+[[nodiscard]] inline Arena arena_for(const Options& options, std::size_t faces = ~std::size_t{0}) {
   constexpr std::size_t few_faces = 1000;
-  if (faces < few_faces) return tbb::task_arena(1);
+  if (faces < few_faces) return Arena(1);
   const int cores = tbb::info::default_concurrency();
   const auto asked = static_cast<int>(std::min(options.threads, 1u << 16));
-  return tbb::task_arena(asked == 0 ? cores : std::min(asked, cores));
+  return Arena(asked == 0 ? cores : std::min(asked, cores));
 }
 
 }  // namespace strata

@@ -14,7 +14,7 @@ namespace {
 
 template <class Body>
 auto in_arena(const Options& options, const ExactMeshView& mesh, const Body& body) {
-  tbb::task_arena arena = arena_for(options, mesh.mesh.triangles.size());
+  const Arena arena = arena_for(options, mesh.mesh.triangles.size());
   return arena.execute(body);
 }
 

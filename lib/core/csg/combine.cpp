@@ -67,7 +67,7 @@ Rule with_keepers(const Rule& rule, std::span<const Operand> operands, const Opt
 }
 
 BooleanResult combine(const Rule& rule, std::span<const Operand> operands, const Options& options) {
-  tbb::task_arena arena = arena_for(options, worth_in_faces(operands, options.input));
+  const Arena arena = arena_for(options, worth_in_faces(operands, options.input));
   BooleanResult result;
   arena.execute([&] { result = combine_in_arena(rule, operands, options); });
   return result;

@@ -102,7 +102,7 @@ BooleanResult combine_partitions(Operation operation, std::span<const Operand> o
   }
   watch.lap("prepare");
   monitor.report(0.2);
-  tbb::task_arena arena = arena_for(options);
+  const Arena arena = arena_for(options);
   std::vector<bsp::Partition<3>> regions(meshes.size());
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, meshes.size(), [&](std::size_t i) {

@@ -140,7 +140,7 @@ BooleanResult evaluate_in_layers(const Rule& rule, std::span<const Operand> give
   CoveredOperands operands(given, options, result.notes);
   watch.lap("prepare");
   monitor.report(0.2);
-  tbb::task_arena arena = arena_for(options, operands.face_count());
+  const Arena arena = arena_for(options, operands.face_count());
   arena.execute([&] { evaluate_in_layers(rule, operands, options, monitor, result); });
   if (!chain_is_closed(result.mesh)) {
     refuse_broken_operands(given, options);
@@ -167,7 +167,7 @@ LayerDecomposition combine(const LayerDecomposition& a, const LayerDecomposition
   if (a.scene().solid_count() != 1 || b.scene().solid_count() != 1)
     throw std::invalid_argument("a decomposition to be combined is not of one solid");
   const Monitor monitor(options.cancel, &options.progress);
-  tbb::task_arena arena = arena_for(options, a.scene().face_count() + b.scene().face_count());
+  const Arena arena = arena_for(options, a.scene().face_count() + b.scene().face_count());
   std::optional<LayerDecomposition> result;
   arena.execute([&] {
     std::vector<ExactMesh> solids;

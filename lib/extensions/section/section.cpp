@@ -239,7 +239,7 @@ void slice(const Solid& solid, std::size_t axis, std::span<const double> coordin
   const Monitor cancelled(options.cancel);
   monitor.check();
   const Mesh& mesh = solid.mesh();
-  auto arena = arena_for(options, mesh.triangles.size() + coordinates.size());
+  const Arena arena = arena_for(options, mesh.triangles.size() + coordinates.size());
   arena.execute([&] {
     CrossedTriangles crossed(mesh, axis, coordinates);
     constexpr std::size_t most_planes = 64, most_crossings = 1 << 24;
