@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <catch2/catch.hpp>
+#include <functional>
 #include <stdexcept>
 #include <thread>
 
@@ -19,23 +20,13 @@ TEST_CASE("few faces are work of one thread, as is what one thread is asked for"
   CHECK(arena_for({.threads = 2}).execute(concurrency) == std::min(2, tbb::info::default_concurrency()));
 }
 
-TEST_CASE("arenas of one thread are entered within each other, also through a larger one", "[arena]") {
+TEST_CASE("arenas of one thread are entered within each other, also through larger ones", "[arena]") {
   const Arena one(1), two(2);
-  int depth = 0;
-  one.execute([&] {
-    ++depth;
-    one.execute([&] {
-      ++depth;
-      two.execute([&] {
-        ++depth;
-        one.execute([&] {
-          CHECK(concurrency() == 1);
-          ++depth;
-        });
-      });
-    });
-  });
-  CHECK(depth == 4);
+  int left = 10;
+  const std::function<int()> nested = [&] {
+    return --left == 0 ? concurrency() : two.execute([&] { return one.execute(nested); });
+  };
+  CHECK(one.execute([&] { return one.execute(nested); }) == 1);
 }
 
 TEST_CASE("work that throws leaves its arena", "[arena]") {
