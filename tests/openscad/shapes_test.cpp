@@ -139,6 +139,14 @@ TEST_CASE("projections are sections at zero, or shadows", "[openscad]") {
   CHECK(area_of("projection() { multmatrix([[1,0,1],[0,1],[0,0,1]]) { cube(1); } }") == 2);
   CHECK(area_of("projection() { difference() { cube(4); multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,-1]]) { cube([1,1,9]); "
                 "} } }") == 15);
+  // Several layers, one above a hole of another, which touches itself in a vertex.
+  const std::string plate =
+      "difference() { cube([6,6,1]); multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,-1]]) { cube([2,2,9]); } "
+      "multmatrix([[1,0,0,3],[0,1,0,3],[0,0,1,-1]]) { cube([2,2,9]); } }";
+  CHECK(area_of("projection() { " + plate + " }") == 28);
+  CHECK(area_of("projection() { " + plate + " multmatrix([[1,0,0,2],[0,1,0,2],[0,0,1,5]]) { cube([1,1,1]); } }") == 29);
+  CHECK(area_of("projection() { cube(2); multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,5]]) { cube(2); } "
+                "multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,9]]) { cube(1); } }") == 7);
   CHECK(area_of("projection(cut = true) { cube(2, center = true); }") == 4);
   CHECK(area_of("projection(cut = true) { cube(2); }") == 4);  // touches the plane from above
   CHECK(area_of("projection(cut = true) { multmatrix([[1],[0,1],[0,0,1,-2]]) { cube(2); } }") == 4);  // and from below

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/mesh/fill_holes.h"
 #include "extensions/openscad/rational_mesh.h"
 #include "strata/convex.h"
 #include "strata/section.h"
@@ -60,11 +61,16 @@ planar::Region shadow(const Solid& solid) {
   const ExactMesh& mesh = solid.exact_mesh();
   std::vector<planar::RationalPlacement> at(mesh.mesh.vertices.size());
   for_positions(mesh, [&](std::uint32_t v, RationalPoint p) { at[v] = {std::move(p[0]), std::move(p[1])}; });
-  planar::LoopsBuilder loops;
+  SourcedTriangles seen_from_above;
   for (const Triangle& t : mesh.mesh.triangles) {
     const auto &a = at[t[0]], &b = at[t[1]], &c = at[t[2]];
-    if ((b[0] - a[0]) * (c[1] - a[1]) <= (b[1] - a[1]) * (c[0] - a[0])) continue;  // seen from below
-    for (const std::uint32_t v : t) loops.add_vertex(at[v]);
+    if ((b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0])) seen_from_above.add(t, 0);
+  }
+  // Edges between two such faces are inside the shadow. The others go around it, turned over, as often as faces cover
+  // it.
+  planar::LoopsBuilder loops;
+  for (const Hole& hole : find_holes(mesh.mesh.vertices, seen_from_above)) {
+    for (const std::uint32_t v : hole.loop) loops.add_vertex(at[v]);
     loops.end_loop();
   }
   return planar::fill(loops.finish());

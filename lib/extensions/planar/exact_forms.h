@@ -4,7 +4,7 @@
 
 namespace strata::planar {
 
-/// Exact coordinates of points and lines in a ring of numbers: WideInt, Integer (doubles on a lattice) or Rational.
+/// Exact coordinates of points and lines in a ring of numbers: WideInt or Integer (doubles on a lattice).
 /// Widths in bits for b-bit lattice coordinates, theory.md, section 2: line forms b+1, b+1, 2b+1; meets 3b+3, 3b+3,
 /// 2b+3.
 
@@ -45,9 +45,36 @@ class Reader {
   const Lattice& lattice_;
 };
 
+/// Where given points are rational: forms are multiples, by positive numbers, of those above, so that they are integers
+/// and nothing is brought to lowest terms.
 template <>
-inline Rational Reader<Rational>::coordinate(std::uint32_t given, std::size_t axis) const {
-  return places_.is_double(given) ? to_rational(places_.place[given][axis]) : places_.rational(given)[axis];
-}
+class Reader<Rational> {
+ public:
+  Reader(const Places& places, const Lattice& /*unused*/) : places_(places) {}
+
+  [[nodiscard]] LineForm<Integer> line(std::uint32_t l) const {
+    const PointForm<Integer> p = given(places_.lines[l].from), q = given(places_.lines[l].to);
+    return {p.y * q.w - q.y * p.w, q.x * p.w - p.x * q.w, p.x * q.y - q.x * p.y};
+  }
+  [[nodiscard]] PointForm<Integer> point(std::uint32_t p) const {
+    if (!places_.is_meet(p)) return given(p);
+    const LineForm<Integer> l = line(places_.meet(p).first), m = line(places_.meet(p).second);
+    return {l.b * m.c - m.b * l.c, l.c * m.a - m.c * l.a, l.a * m.b - m.a * l.b};
+  }
+
+ private:
+  [[nodiscard]] PointForm<Integer> given(std::uint32_t p) const {
+    if (!places_.is_double(p)) return form(places_.rational(p));
+    return form({to_rational(places_.place[p][0]), to_rational(places_.place[p][1])});
+  }
+  [[nodiscard]] static PointForm<Integer> form(const RationalPlacement& p) {
+    const Integer x = numerator(p[0]), y = numerator(p[1]);
+    Integer v = denominator(p[0]), w = denominator(p[1]);
+    if (v == w) return {x, y, std::move(w)};
+    return {x * w, y * v, v * w};
+  }
+
+  const Places& places_;
+};
 
 }  // namespace strata::planar

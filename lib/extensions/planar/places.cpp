@@ -53,8 +53,8 @@ RationalPlacement exact_meet(const Places& places, const Meet& meet) {
   const Lattice unused;
   const Reader<Rational> reader(places, unused);
   const auto l = reader.line(meet.first), m = reader.line(meet.second);
-  const Rational w = l.a * m.b - m.a * l.b;
-  return {(l.b * m.c - m.b * l.c) / w, (l.c * m.a - m.c * l.a) / w};
+  const Integer w = l.a * m.b - m.a * l.b;
+  return {Rational(l.b * m.c - m.b * l.c, w), Rational(l.c * m.a - m.c * l.a, w)};
 }
 
 /// A rational as its nearest double with a bound on the rounding error. Beyond all doubles: the largest double, with an

@@ -47,12 +47,6 @@ class Evaluation {
   bool has_rational_ = false;
 };
 
-Sign sign_of_number(const Rational& x) { return static_cast<Sign>(x.sign()); }
-template <class Number>
-Sign sign_of_number(const Number& x) {
-  return sign_of_integer(x);
-}
-
 using BoundedPair = std::array<Bounded, 2>;
 
 BoundedPair bounded_pair(const Places& places, std::uint32_t p) {
@@ -99,7 +93,7 @@ Sign side(const Places& places, std::uint32_t point, std::uint32_t line) {
     const auto l = reader.line(line);
     const auto p = reader.point(point);
     using Number = std::remove_cvref_t<decltype(p.x)>;
-    return sign_of_number(Number(l.a * p.x + l.b * p.y + l.c * p.w)) * sign_of_number(p.w);
+    return sign_of_integer(Number(l.a * p.x + l.b * p.y + l.c * p.w)) * sign_of_integer(p.w);
   });
 }
 
@@ -110,7 +104,7 @@ Sign cross(const Places& places, std::uint32_t line, std::uint32_t other) {
   return e.sign(2, 4, [&](const auto& reader) {
     const auto l = reader.line(line), m = reader.line(other);
     using Number = std::remove_cvref_t<decltype(l.a)>;
-    return sign_of_number(Number(l.a * m.b - l.b * m.a));
+    return sign_of_integer(Number(l.a * m.b - l.b * m.a));
   });
 }
 
@@ -124,7 +118,7 @@ Sign compare(const Places& places, std::uint32_t p, std::uint32_t q, std::size_t
     const auto a = reader.point(p), b = reader.point(q);
     using Number = std::remove_cvref_t<decltype(a.x)>;
     const Number difference = axis == 0 ? Number(a.x * b.w - b.x * a.w) : Number(a.y * b.w - b.y * a.w);
-    return sign_of_number(difference) * sign_of_number(a.w) * sign_of_number(b.w);
+    return sign_of_integer(difference) * sign_of_integer(a.w) * sign_of_integer(b.w);
   });
 }
 
