@@ -88,7 +88,7 @@ def _put_corners(arrays: Arrays, corner: Data, split: bool) -> None:
     if not corner or not len(arrays.triangles):
         return
     corners = np.asarray(arrays.triangles.reshape(-1), np.int64)
-    first = np.zeros(len(arrays.vertices), np.int64)
+    first: NDArray[np.int64] = np.zeros(len(arrays.vertices), np.int64)
     first[corners[::-1]] = np.arange(len(corners))[::-1]
     if split:
         copies, numbers = _copies_of(corners, first, corner)
