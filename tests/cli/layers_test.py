@@ -51,6 +51,22 @@ class Layers(ToolTest):
             if heights == {1}:
                 self.assertEqual(layer, 2)
 
+    def test_pictures_have_the_colours_of_layers(self):
+        a = self.file("a.off", cube())
+        self.run_tool("layers", a, "--origin", "3,4,5", "-o", "out.glb")
+        data = self.path("out.glb").read_bytes()
+        length = struct.unpack_from("<I", data, 12)[0]
+        document = json.loads(data[20:20 + length])
+        primitive = document["meshes"][0]["primitives"][0]
+        views, accessors = document["bufferViews"], document["accessors"]
+        colors = accessors[primitive["attributes"]["COLOR_0"]]
+        view = views[colors["bufferView"]]
+        start = 28 + length + view.get("byteOffset", 0) + colors.get("byteOffset", 0)
+        step = view.get("byteStride", {5121: 4, 5126: 16}[colors["componentType"]])
+        self.assertEqual(accessors[primitive["attributes"]["POSITION"]]["count"], 36)
+        self.assertEqual(len({data[start + step * i:start + step * i + 3] for i in range(colors["count"])}), 2)
+        self.run_tool("layers", a, "-o", "out.stl", expect=USAGE)
+
     def test_colours_tell_layers_apart(self):
         a, b = self.file("a.off", cube()), self.file("b.off", cube(5))
         _, _, faces = self.layers(a, b, "--origin", "-3,0.5,0.25")

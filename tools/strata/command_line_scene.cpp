@@ -34,8 +34,10 @@ void add_layers(CommandLine& line) {
   add_common_options(*verb, settings, 1, 0);
   add_input_class(*verb, settings);
   add_origin_option(*verb, settings);
-  verb->add_option("-o,--output", settings.output, "Where the faces go, coloured by layer (PLY); - is standard output")
-      ->type_name("OUT.ply");
+  verb->add_option(
+          "-o,--output", settings.output,
+          "Where the faces go, coloured by layer: PLY, or a picture in glTF (.glb); - is standard output, in PLY")
+      ->type_name("OUT.ply|OUT.glb");
   verb->footer(fmt::format(R"(Examples:
   strata layers house.obj tree.obj -o layers.ply
   strata layers part.stl --origin direction:0,0,-1 --report -

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "cell_file.h"
 #include "common/binary_records.h"
 #include "common/output_file.h"
 #include "palette.h"
@@ -94,4 +95,16 @@ void write_layers(const std::string& path, const LayerDecomposition& layers) {
     return store(at, layers.scene().solid_of(layers.face_of(piece)));
   });
   file.finish();
+}
+
+void write_layer_picture(const std::string& path, const LayerDecomposition& layers) {
+  const PieceMesh mesh(layers);
+  std::vector<CellPolygons> polygons(1);
+  std::vector<std::vector<Colour>> colours(1);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto [a, b, c] = mesh.triangles[i];
+    polygons.front().push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+    colours.front().push_back(colour_of(layers.layer(mesh.pieces[i])));
+  }
+  write_cells(path, polygons, colours, in_place);
 }

@@ -19,10 +19,13 @@ namespace {
 
 using strata::LayerDecomposition;
 
+bool is_picture(const std::string& path) { return path.ends_with(".glb") || path.ends_with(".GLB"); }
+
 void check_output(const Settings& settings) {
   if (settings.output.empty() || settings.output == "-") return;
-  if (strata::format_of(settings.output) != strata::Format::ply)
-    throw UsageError(fmt::format("layers are written as PLY; give {} the extension .ply", settings.output));
+  if (strata::format_of(settings.output) != strata::Format::ply && !is_picture(settings.output))
+    throw UsageError(fmt::format(
+        "layers are written as PLY, or as a picture in glTF; give {} the extension .ply or .glb", settings.output));
 }
 
 LayerDecomposition decompose(std::span<const LoadedMesh> operands, const std::optional<strata::Origin>& asked,
@@ -97,7 +100,11 @@ ExitCode run_layers(const Settings& settings) {
 
   watch.on_stop(OnStop::finish);
   stopwatch.lap();
-  if (!settings.output.empty()) on_threads(settings, [&] { write_layers(settings.output, *layers); });
+  if (!settings.output.empty())
+    on_threads(settings, [&] {
+      is_picture(settings.output) ? write_layer_picture(settings.output, *layers)
+                                  : write_layers(settings.output, *layers);
+    });
   report["seconds"]["write"] = stopwatch.lap();
   if (!settings.quiet && settings.report != "-") print_facts(report["result"], settings);
   if (settings.report.empty()) return ExitCode::ok;
