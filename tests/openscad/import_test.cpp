@@ -96,7 +96,9 @@ std::string png_of_colours() {
       "ffffe7129103003c3c063705481ef30000000049454e44ae426082");
 }
 
-double volume_of_picture(const Folder& folder, const std::string& bytes, const std::string& arguments = "") {
+/// Not used where there is no libpng.
+[[maybe_unused]] double volume_of_picture(const Folder& folder, const std::string& bytes,
+                                          const std::string& arguments = "") {
   folder.write("picture.any", bytes);
   return to_nearest_double(folder.volume("surface(file = \"picture.any\"" + arguments + ");"));
 }
