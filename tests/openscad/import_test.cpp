@@ -180,8 +180,8 @@ TEST_CASE("fields of heights are drawn by PNG files of all kinds", "[openscad]")
   // Grey of 16 bits, 1 bit, a palette, grey with opacity, a gamma of 1.
   CHECK(38.647059 ==
         volume(bytes_of_hex(
-            "89504e470d0a1a0a0000000d4948445200000002000000021000000000074d8ebb0000001249444154789c63606068f8cfc0d8f0"
-            "ff3f000e0503ff7e356d790000000049454e44ae426082")));
+            "89504e470d0a1a0a0000000d4948445200000002000000021000000000074d8ebb0000001249444154789c63606068f8cfc0f8ff"
+            "ff7f000f82047ea384b80b0000000049454e44ae426082")));
   CHECK(51 ==
         volume(bytes_of_hex(
             "89504e470d0a1a0a0000000d49484452000000020000000201000000005acd30890000000c49444154789c637060680000014400"
@@ -204,6 +204,16 @@ TEST_CASE("inverted pictures are those of OpenSCAD, centred ones begin left of z
   const Folder folder;
   CHECK(volume_of_picture(folder, png_of_colours(), ", invert = true") == Approx(107.296863).epsilon(1e-6));
   folder.write("picture.png", png_of_colours());
+  const auto part = [&](const std::string& surface, const std::string& box) {
+    return to_nearest_double(folder.volume("intersection() { " + surface + " " + box + " }"));
+  };
+  const std::string below = "multmatrix([[1,0,0,-5],[0,1,0,-5],[0,0,1,-150]]) { cube([10,10,100]); }";
+  CHECK(part("surface(file = \"picture.png\", invert = true);", below) > 50);
+  // The lowest row is the first.
+  folder.write("same.dat", "0 100 7.2925490196\n21.26 71.52 7.22\n");
+  const std::string front = "multmatrix([[1,0,0,-5],[0,1,0,-4.75],[0,0,1,-50]]) { cube([10,5,200]); }";
+  CHECK(part("surface(file = \"picture.png\");", front) ==
+        Approx(part("surface(file = \"same.dat\");", front)).epsilon(1e-6));
   CHECK(to_nearest_double(folder.volume("intersection() { surface(file = \"picture.png\", center = true); "
                                         "multmatrix([[1,0,0,-5],[0,1,0,-5],[0,0,1,-5]]) { cube([5,10,200]); } }")) ==
         Approx(49.195).epsilon(1e-6));
