@@ -107,6 +107,8 @@ std::string code_point(std::uint32_t code) {
   return "U+" + text;
 }
 
+constexpr hb_codepoint_t missing_glyph = 0;
+
 /// One line of text in a font.
 class Line {
  public:
@@ -126,7 +128,6 @@ class Line {
       draw(glyph, pen);
       x += advance_x(glyph);
       y += advance_y(glyph);
-      if (pen.size() > most_corners) throw FontError("has more than " + std::to_string(most_corners) + " corners");
     }
     return {pen.take(), std::move(notes_)};
   }
@@ -143,23 +144,33 @@ class Line {
     hb_buffer_set_direction(buffer, direction_of(style_, script));
     hb_buffer_set_script(buffer, script);
     hb_buffer_set_language(buffer, hb_language_from_string(style_.language.c_str(), -1));
+    // A glyph tells its first letter, also where marks belong to letters.
+    hb_buffer_set_cluster_level(buffer, HB_BUFFER_CLUSTER_LEVEL_CHARACTERS);
     hb_buffer_add_utf8(buffer, style_.text.c_str(), -1, 0, -1);
     unsigned count = 0;
     const hb_glyph_info_t* const letters = hb_buffer_get_glyph_infos(buffer, &count);
-    for (unsigned i = 0; i < count; ++i) note_if_missing(letters[i].codepoint);
+    std::map<std::uint32_t, std::uint32_t> letter_at;
+    for (unsigned i = 0; i < count; ++i) letter_at[letters[i].cluster] = letters[i].codepoint;
     const Font font(hb_ft_font_create(face_, nullptr));
     hb_shape(font.get(), buffer, nullptr, 0);
+    const hb_glyph_info_t* const glyphs = hb_buffer_get_glyph_infos(buffer, &count);
+    for (unsigned i = 0; i < count; ++i)
+      if (glyphs[i].codepoint == missing_glyph)
+        notes_.push_back("has a character that the font '" + name_ +
+                         "' lacks: " + code_point(letter_at[glyphs[i].cluster]));
   }
 
-  /// Of what is drawn. Control characters and the like have no glyphs of their own.
-  void note_if_missing(std::uint32_t code) {
-    const hb_unicode_general_category_t category = hb_unicode_general_category(hb_unicode_funcs_get_default(), code);
-    if (category <= HB_UNICODE_GENERAL_CATEGORY_FORMAT || FT_Get_Char_Index(face_, code) != 0) return;
-    notes_.push_back("has a character that the font '" + name_ + "' lacks: " + code_point(code));
+  /// As many as are drawn, or more: each curve has a control point of its own.
+  [[nodiscard]] std::size_t corners_of(const FT_Outline& outline) const {
+    std::size_t corners = 0;
+    for (int i = 0; i < outline.n_points; ++i)
+      corners += (FT_CURVE_TAG(outline.tags[i]) == FT_CURVE_TAG_ON) ? 1 : style_.curve_lines;
+    return corners;
   }
 
   void load() {
     unsigned count = 0;
+    std::size_t corners = 0;
     const hb_glyph_info_t* const infos = hb_buffer_get_glyph_infos(buffer_.get(), &count);
     const hb_glyph_position_t* const positions = hb_buffer_get_glyph_positions(buffer_.get(), &count);
     for (unsigned i = 0; i < count; ++i) {
@@ -167,6 +178,8 @@ class Line {
       if (FT_Load_Glyph(face_, infos[i].codepoint, FT_LOAD_DEFAULT) == 0 &&
           face_->glyph->format == FT_GLYPH_FORMAT_OUTLINE && FT_Get_Glyph(face_->glyph, &glyph) == 0) {
         glyphs_.push_back({Glyph(glyph), positions[i]});
+        corners += corners_of(face_->glyph->outline);
+        if (corners > most_corners) throw FontError("has too many corners: at most " + std::to_string(most_corners));
       } else {
         notes_.push_back("leaves out a glyph of the font '" + name_ + "' that has no outline");
       }

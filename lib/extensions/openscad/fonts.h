@@ -49,8 +49,8 @@ class Fonts {
   /// The glyphs of a text as OpenSCAD 2021.01 places them. Fontconfig chooses the font, HarfBuzz the glyphs and their
   /// advances, FreeType their outlines, at a fixed size, which is then scaled. So advances are 1000/1024 of the font's.
   /// Glyphs that the font lacks are drawn as its own substitute. Another font than the named one, and what is missing,
-  /// is noted. Throws FontError where there is no font, or files are no fonts, or the polygons have more than
-  /// `most_corners` corners. The same for the same fonts and versions of the libraries.
+  /// is noted. Throws FontError where there is no font, or files are no fonts, or the polygons might have more than
+  /// `most_corners` corners, before they are made. The same for the same fonts and versions of the libraries.
   [[nodiscard]] TextOutlines outlines(const TextStyle& style);
 
  private:

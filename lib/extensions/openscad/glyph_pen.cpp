@@ -8,7 +8,6 @@ using planar::PlanePoint;
 
 void GlyphPen::draw(const PlanePoint& p) {
   polygons_.back().push_back({size_ * (p[0] + origin_[0]), size_ * (p[1] + origin_[1])});
-  ++points_;
 }
 
 void GlyphPen::move_to(const PlanePoint& p) {

@@ -20,7 +20,6 @@ class GlyphPen {
 
   /// One closed polygon for each `move_to`; those of less than three points are left out.
   [[nodiscard]] std::vector<std::vector<planar::PlanePoint>> take();
-  [[nodiscard]] std::size_t size() const { return points_; }  ///< points drawn until now
 
  private:
   void draw(const planar::PlanePoint& p);
@@ -29,7 +28,6 @@ class GlyphPen {
   std::uint32_t lines_;
   planar::PlanePoint origin_{}, at_{};
   std::vector<std::vector<planar::PlanePoint>> polygons_;
-  std::size_t points_ = 0;
 };
 
 }  // namespace strata::openscad
