@@ -44,8 +44,8 @@ using Glyph = Owned<std::remove_pointer_t<FT_Glyph>, FT_Done_Glyph>;
 /// high.
 constexpr FT_F26Dot6 fixed_size = 100'000;
 constexpr FT_UInt dots_per_inch = 100;
-constexpr double outline_unit = 1 / 1e5;      ///< in sizes
-constexpr double advance_unit = 1 / 1.024e5;  ///< OpenSCAD divides advances and alignments by another number
+constexpr double outline_units = 1e5;      ///< of a size
+constexpr double advance_units = 1.024e5;  ///< OpenSCAD divides advances and alignments by another number
 
 const FcChar8* bytes(const std::string& text) { return reinterpret_cast<const FcChar8*>(text.c_str()); }
 
@@ -124,7 +124,7 @@ class Line {
     GlyphPen pen(style_.size, style_.curve_lines);
     auto [x, y] = start();
     for (const Placed& glyph : glyphs_) {
-      pen.set_origin({x + advance_unit * glyph.position.x_offset, y + advance_unit * glyph.position.y_offset});
+      pen.set_origin({x + glyph.position.x_offset / advance_units, y + glyph.position.y_offset / advance_units});
       draw(glyph, pen);
       x += advance_x(glyph);
       y += advance_y(glyph);
@@ -186,8 +186,12 @@ class Line {
     }
   }
 
-  [[nodiscard]] double advance_x(const Placed& g) const { return advance_unit * g.position.x_advance * style_.spacing; }
-  [[nodiscard]] double advance_y(const Placed& g) const { return advance_unit * g.position.y_advance * style_.spacing; }
+  [[nodiscard]] double advance_x(const Placed& g) const {
+    return g.position.x_advance / advance_units * style_.spacing;
+  }
+  [[nodiscard]] double advance_y(const Placed& g) const {
+    return g.position.y_advance / advance_units * style_.spacing;
+  }
 
   /// Where the first glyph stands, in sizes. Heights are those of control points, in whole dots.
   planar::PlanePoint start() {
@@ -198,10 +202,10 @@ class Line {
       FT_Glyph_Get_CBox(g.glyph.get(), FT_GLYPH_BBOX_GRIDFIT, &box);
       if (is_horizontal) {
         width += advance_x(g);
-        ascent = std::max(ascent, advance_unit * static_cast<double>(box.yMax));
-        descent = std::max(descent, -advance_unit * static_cast<double>(box.yMin));
+        ascent = std::max(ascent, static_cast<double>(box.yMax) / advance_units);
+        descent = std::max(descent, -static_cast<double>(box.yMin) / advance_units);
       } else {
-        width = std::max(width, advance_unit * static_cast<double>(box.xMax - box.xMin));
+        width = std::max(width, static_cast<double>(box.xMax - box.xMin) / advance_units);
         ascent += advance_y(g);
       }
     }
@@ -226,7 +230,7 @@ class Line {
   }
 
   static planar::PlanePoint point(const FT_Vector* v) {
-    return {outline_unit * static_cast<double>(v->x), outline_unit * static_cast<double>(v->y)};
+    return {static_cast<double>(v->x) / outline_units, static_cast<double>(v->y) / outline_units};
   }
 
   static void draw(const Placed& placed, GlyphPen& pen) {
