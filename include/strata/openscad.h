@@ -23,8 +23,9 @@ struct CsgOptions {
   /// The folder that files which a model names are looked for in; empty: no files are read. `read_csg_file` takes that
   /// of the model where this is empty.
   std::string folder;
-  bool any_path = false;  ///< files may also be elsewhere than in the folder or beneath it
-  Options evaluation;     ///< `threads`, `progress` and `cancel`, for what is evaluated when reading
+  bool any_path = false;           ///< files may also be elsewhere than in the folder or beneath it
+  std::vector<std::string> fonts;  ///< files of fonts that texts may name, besides those of the system
+  Options evaluation;              ///< `threads`, `progress` and `cancel`, for what is evaluated when reading
 };
 
 /// A node that was evaluated when reading: one that is no Boolean operation of solids.

@@ -1,8 +1,9 @@
 """strata eval: expressions over files."""
 import os
+import subprocess
 import unittest
 
-from tool import FILE, INVALID, USAGE, ToolTest, cube, open_cube
+from tool import DATA, FILE, INVALID, OK, TOOL, USAGE, ToolTest, cube, open_cube
 
 
 class Eval(ToolTest):
@@ -113,6 +114,18 @@ class Eval(ToolTest):
         model = self.file("model/part.csg", 'import(file = "../outside.off");')
         self.assertIn("--allow-path", self.run_tool("eval", model, "-o", "o.off", expect=FILE).stderr.decode())
         self.assertEqual(self.report("eval", model, "--allow-path", "-o", "o.off")["result"]["volume"], 1)
+
+    def test_models_name_fonts_of_files(self):
+        font = DATA / "fonts" / "blocks.ttf"
+        model = self.file("sign.csg", 'linear_extrude(height = 2) { text(text = "OI", size = 10, font = "Strata Blocks"); }')
+        done = subprocess.run([TOOL, "eval", model, "--font", font, "-o", "sign.off"], cwd=self.folder, capture_output=True, check=False)
+        if b"this build reads no fonts" in done.stderr:
+            self.assertEqual(done.returncode, FILE)
+            return
+        self.assertEqual((done.returncode, done.stderr), (OK, b""))
+        self.assertAlmostEqual(self.report("info", "sign.off")["operands"][0]["volume"], 2 * (84 + 10 * (100 / 10.24 + 2 - 10)))
+        no_font = self.run_tool("eval", model, "--font", model, "-o", "none.off", expect=FILE)
+        self.assertIn("there is no font in", no_font.stderr.decode())
 
     def test_programs_of_openscad_are_given_to_openscad(self):
         scad = self.file("part.scad", "cube(size);")

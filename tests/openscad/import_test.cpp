@@ -81,6 +81,28 @@ std::string line(const std::string& x0, const std::string& y0, const std::string
 
 const std::string millimetres = "width=\"10mm\" height=\"10mm\" viewBox=\"0 0 10 10\"";
 
+/// The bytes that hexadecimal digits write.
+std::string bytes_of_hex(const std::string& digits) {
+  std::string bytes;
+  for (std::size_t i = 0; i < digits.size(); i += 2)
+    bytes.push_back(static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16)));
+  return bytes;
+}
+
+/// Three by two pixels: red, green, blue; black, white, (10, 20, 30).
+std::string png_of_colours() {
+  return bytes_of_hex(
+      "89504e470d0a1a0a0000000d49484452000000030000000208020000001216f14d0000001649444154789c63f8cfc0c000c30cff"
+      "ffffe7129103003c3c063705481ef30000000049454e44ae426082");
+}
+
+/// Not used where there is no libpng.
+[[maybe_unused]] double volume_of_picture(const Folder& folder, const std::string& bytes,
+                                          const std::string& arguments = "") {
+  folder.write("picture.any", bytes);
+  return to_nearest_double(folder.volume("surface(file = \"picture.any\"" + arguments + ");"));
+}
+
 }  // namespace
 
 TEST_CASE("meshes of all formats are imported", "[openscad]") {
@@ -148,6 +170,80 @@ TEST_CASE("fields of heights are solids", "[openscad]") {
   folder.write("bad.dat", "1 2\n3 x\n");
   CHECK_THAT(folder.error("surface(file = \"bad.dat\");"), Contains("has no number in line 2: 'x'"));
 }
+
+#if STRATA_WITH_PNG
+// The volumes are those of OpenSCAD 2021.01, whose files have six digits.
+TEST_CASE("fields of heights are drawn by PNG files of all kinds", "[openscad]") {
+  const Folder folder;
+  const auto volume = [&](const std::string& bytes) { return Approx(volume_of_picture(folder, bytes)).epsilon(1e-6); };
+  CHECK(96.703137 == volume(png_of_colours()));
+  // Grey of 16 bits, 1 bit, a palette, grey with opacity, a gamma of 1.
+  CHECK(38.647059 ==
+        volume(bytes_of_hex(
+            "89504e470d0a1a0a0000000d4948445200000002000000021000000000074d8ebb0000001249444154789c63606068f8cfc0f8ff"
+            "ff7f000f82047ea384b80b0000000049454e44ae426082")));
+  CHECK(51 ==
+        volume(bytes_of_hex(
+            "89504e470d0a1a0a0000000d49484452000000020000000201000000005acd30890000000c49444154789c637060680000014400"
+            "c13a7a1c560000000049454e44ae426082")));
+  CHECK(29.51 ==
+        volume(bytes_of_hex(
+            "89504e470d0a1a0a0000000d49484452000000020000000208030000004568fd1600000009504c5445000000ff000000ff00f483"
+            "bf7e0000000e49444154789c6360606460640200000e00059f97d85f0000000049454e44ae426082")));
+  CHECK(35.313725 ==
+        volume(bytes_of_hex(
+            "89504e470d0a1a0a0000000d4948445200000002000000020804000000d8bfc5af0000001249444154789c63486138f19fc1a881"
+            "811d00114f02e5504d1f980000000049454e44ae426082")));
+  CHECK(35.313725 ==
+        volume(bytes_of_hex(
+            "89504e470d0a1a0a0000000d494844520000000200000002080000000057dd52f80000000467414d41000186a031e8965f000000"
+            "0e49444154789c634839c160c40000057e015fb313bf400000000049454e44ae426082")));
+}
+
+TEST_CASE("inverted pictures are those of OpenSCAD, centred ones begin left of zero", "[openscad]") {
+  const Folder folder;
+  CHECK(volume_of_picture(folder, png_of_colours(), ", invert = true") == Approx(107.296863).epsilon(1e-6));
+  folder.write("picture.png", png_of_colours());
+  const auto part = [&](const std::string& surface, const std::string& box) {
+    return to_nearest_double(folder.volume("intersection() { " + surface + " " + box + " }"));
+  };
+  const std::string below = "multmatrix([[1,0,0,-5],[0,1,0,-5],[0,0,1,-150]]) { cube([10,10,100]); }";
+  CHECK(part("surface(file = \"picture.png\", invert = true);", below) > 50);
+  // The lowest row is the first.
+  folder.write("same.dat", "0 100 7.2925490196\n21.26 71.52 7.22\n");
+  const std::string front = "multmatrix([[1,0,0,-5],[0,1,0,-4.75],[0,0,1,-50]]) { cube([10,5,200]); }";
+  CHECK(part("surface(file = \"picture.png\");", front) ==
+        Approx(part("surface(file = \"same.dat\");", front)).epsilon(1e-6));
+  CHECK(to_nearest_double(folder.volume("intersection() { surface(file = \"picture.png\", center = true); "
+                                        "multmatrix([[1,0,0,-5],[0,1,0,-5],[0,0,1,-5]]) { cube([5,10,200]); } }")) ==
+        Approx(49.195).epsilon(1e-6));
+}
+
+TEST_CASE("broken pictures are refused with their reason", "[openscad]") {
+  const Folder folder;
+  const auto error = [&](const std::string& bytes) {
+    folder.write("picture.png", bytes);
+    return folder.error("surface(file = \"picture.png\");");
+  };
+  const std::string good = png_of_colours();
+  for (std::size_t size = 8; size + 12 < good.size(); ++size)
+    CHECK_THAT(error(good.substr(0, size)), Contains("is a picture that is not read"));
+  std::string bad = good;
+  bad[18] = 7;  // the width, without its checksum
+  CHECK_THAT(error(bad), Contains("is a picture that is not read"));
+  CHECK_THAT(
+      error(bytes_of_hex(
+          "89504e470d0a1a0a0000000d49484452000f4240000f42400802000000d30faf2a0000000949444154789cab000000790079a531"
+          "6cf30000000049454e44ae426082")),
+      Contains("more than 67108864 pixels"));
+}
+#else
+TEST_CASE("without libpng pictures are refused", "[openscad]") {
+  const Folder folder;
+  folder.write("picture.png", png_of_colours());
+  CHECK_THAT(folder.error("surface(file = \"picture.png\");"), Contains("has no libpng"));
+}
+#endif
 
 TEST_CASE("shapes of SVG files are filled by their rules, in millimetres, upright", "[openscad]") {
   const Folder folder;

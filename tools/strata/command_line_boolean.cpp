@@ -88,6 +88,9 @@ void add_eval(CommandLine& line) {
       "--round-transforms", [&settings] { settings.placement = strata::Placement::rounded; },
       "Round what a model transforms to doubles, once; else it is exact");
   verb->add_flag("--allow-path", settings.any_path, "A model may read files that are not beneath its own folder");
+  verb->add_option("--font", settings.fonts, "A file of fonts that a model may name, besides those of the system")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   verb->add_option("-D", settings.definitions, "Of a .scad model: a variable's value, as in openscad")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);

@@ -86,6 +86,7 @@ strata::CsgModel read_model(const Settings& settings, Watch& watch) {
   strata::CsgOptions options;
   options.placement = settings.placement;
   options.any_path = settings.any_path;
+  options.fonts = settings.fonts;
   options.evaluation = watched_options(settings, bar, watch);
   watch.on_stop(OnStop::ask);
   try {

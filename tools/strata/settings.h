@@ -22,6 +22,7 @@ struct Settings {
   std::vector<std::string> bindings;                       ///< NAME=FILE, for names of the expression
   strata::Placement placement = strata::Placement::exact;  ///< of what a model transforms
   bool any_path = false;                                   ///< a model may read files that are not beneath its folder
+  std::vector<std::string> fonts;                          ///< files, for texts of a model
   std::vector<std::string> definitions;                    ///< NAME=VALUE, for variables of a program of OpenSCAD
   std::string openscad = "openscad";                       ///< the program that evaluates it
   std::string input_format;                                ///< of all operands; empty: by extension

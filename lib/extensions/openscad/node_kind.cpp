@@ -42,7 +42,6 @@ NodeKind kind_of(std::string_view name) {
 
 const char* refusal(NodeKind kind) {
   if (kind == NodeKind::roof) return "is not supported: straight skeletons are not computed";
-  if (kind == NodeKind::text) return "is not supported: fonts are not read";
   if (kind == NodeKind::unknown)
     return "is no node that OpenSCAD writes into .csg files ('openscad -o part.csg part.scad' makes one)";
   return nullptr;

@@ -11,6 +11,7 @@
 #include "extensions/openscad/primitives.h"
 #include "extensions/openscad/shapes.h"
 #include "extensions/openscad/surface.h"
+#include "extensions/openscad/text.h"
 
 namespace strata::openscad {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 class Planner {
  public:
   Planner(const std::vector<SyntaxNode>& nodes, const CsgOptions& options, Report& report)
-      : nodes_(nodes), options_(options), report_(report), primitives_(report) {}
+      : nodes_(nodes), options_(options), report_(report), primitives_(report), fonts_(options.fonts) {}
 
   std::vector<Step> plan() {
     const auto [first, last] = what_counts();
@@ -94,6 +95,7 @@ class Planner {
     if (kind == NodeKind::square) return square(node, report_);
     if (kind == NodeKind::circle) return circle(node, report_);
     if (kind == NodeKind::polygon) return polygon(node, report_);
+    if (kind == NodeKind::text) return text(node, fonts_, report_);
     if (kind == NodeKind::import) return import(node, name_of(node), options_, report_);
     if (kind == NodeKind::surface) return surface(node, name_of(node), options_, report_);
     const std::optional<Solid> solid = kind == NodeKind::cube       ? primitives_.cube(node)
@@ -136,6 +138,7 @@ class Planner {
   const CsgOptions& options_;
   Report& report_;
   Primitives primitives_;
+  Fonts fonts_;
   std::vector<Step> steps_;
   std::vector<Open> open_;
   std::map<std::string, std::uint32_t> number_of_;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "extensions/openscad/arguments.h"
 #include "extensions/openscad/model_file.h"
+#include "extensions/openscad/picture.h"
 #include "extensions/openscad/rational_mesh.h"
 
 namespace strata::openscad {
@@ -37,6 +39,15 @@ Rows rows_of(std::string_view text, const Arguments& arguments) {
     if (!heights.empty()) rows.push_back(std::move(heights));
   }
   return rows;
+}
+
+Rows rows_of_picture(const std::string& bytes, const Arguments& arguments) {
+  const bool is_inverted = arguments.truth("invert", false);
+  try {
+    return heights_of(picture_of_png(bytes), is_inverted);
+  } catch (const std::runtime_error& e) {
+    arguments.fail("file", "is a picture that is not read: " + std::string(e.what()));
+  }
 }
 
 class Field {
@@ -108,8 +119,8 @@ Part surface(const SyntaxNode& node, const std::string& name, const CsgOptions& 
     return {};
   }
   const std::string path = path_of_file(arguments, options);
-  if (extension_of(path) == "png") arguments.fail("file", "is not supported: pictures are not read");
-  Rows rows = rows_of(bytes_of(path), arguments);
+  const std::string bytes = bytes_of(path);
+  Rows rows = is_png(bytes) ? rows_of_picture(bytes, arguments) : rows_of(bytes, arguments);
   const bool has_cells =
       rows.size() >= 2 && std::any_of(rows.begin(), rows.end(), [](const auto& r) { return r.size() >= 2; });
   if (!has_cells) {

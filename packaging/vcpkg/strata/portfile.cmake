@@ -10,7 +10,7 @@ vcpkg_check_features(OUT_FEATURE_OPTIONS options FEATURES assimp STRATA_WITH_ASS
 vcpkg_cmake_configure(
   SOURCE_PATH "${SOURCE_PATH}"
   OPTIONS ${options} -DSTRATA_BUILD_TESTS=OFF -DSTRATA_BUILD_ORACLE=OFF -DSTRATA_INSTALL=ON
-    -DSTRATA_WITH_PNG=OFF -DSTRATA_WITH_JPEG=OFF)
+    -DSTRATA_WITH_PNG=OFF -DSTRATA_WITH_JPEG=OFF -DSTRATA_WITH_FONTS=OFF)
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(CONFIG_PATH lib/cmake/strata)
 vcpkg_fixup_pkgconfig()
