@@ -57,7 +57,7 @@ def shape_in(path):
     twice = 0.0
     for path_data in re.findall(r' d="([^"]*)"', path.read_text(), re.DOTALL):
         for loop in path_data.split("M")[1:]:
-            numbers = [float(n) for n in re.findall(r"-?[\d.]+(?:e-?\d+)?", loop)]
+            numbers = [float(n) for n in re.findall(r"-?[\d.]+(?:e[-+]?\d+)?", loop)]
             points = list(zip(numbers[::2], numbers[1::2]))
             twice += sum(x * v - u * y for (x, y), (u, v) in zip(points, points[1:] + points[:1]))
     return abs(twice / 2), ()

@@ -1,4 +1,3 @@
-#!/usr/bin/env node
 // The package strata-csg for JavaScript as an engine of `strata verify`, called as `strata eval` is; results are exact.
 //
 // `strata verify --engine strata-node --memory 0` asks for it: WebAssembly reserves more address space than it uses. tools/web builds it.
