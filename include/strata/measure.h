@@ -46,7 +46,8 @@ struct Topology {
 /// What can be said about one mesh, from a few passes.
 struct Measures {
   Topology topology;
-  std::optional<double> volume;  ///< the nearest double; none if the mesh is not closed
+  std::optional<double> volume;          ///< the nearest double; none if the mesh is not closed
+  std::optional<Rational> exact_volume;  ///< of a closed mesh without rational vertices
   double area = 0;
   /// 0 if not counted. Sets of coplanar triangles of one orientation, connected over whole edges. Of the boundary of a
   /// solid whose triangles meet in whole edges these are the facets of its canonical form.

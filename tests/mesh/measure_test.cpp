@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/mesh/closed_volume.h"
 #include "core/mesh/edge_table.h"
 #include "shapes.h"
 
@@ -72,6 +73,37 @@ TEST_CASE("the volume of triangles at random equals a sum of rationals", "[mesh]
     if (i >= 2) mesh.mesh.triangles.push_back({i - 2, i - 1, i});
   }
   CHECK(volume(mesh) == volume_by_rationals(mesh));
+}
+
+TEST_CASE("the volume of closed meshes is that of prisms, for coordinates of all kinds", "[mesh][property]") {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> fraction(-1, 1);
+  std::uniform_int_distribution<int> range(0, 3), wide(-1000, 1000), narrow(-8, 0);
+  for (int round = 0; round < 300; ++round) {
+    // Tetrahedra, which may overlap and be inside out; some with coordinates on no common lattice.
+    Mesh mesh;
+    const int kind = range(random), scale = wide(random);
+    for (std::uint32_t i = 0; i < 40; i += 4) {
+      for (int k = 0; k < 4; ++k) {
+        Vertex v;
+        for (double& x : v) {
+          x = kind == 0 ? (fraction(random) < 0 ? -1 : 1) * (2 - 0x1p-52) : fraction(random);
+          x = std::ldexp(x, kind == 3 ? wide(random) : scale + (kind == 2 ? narrow(random) : 0));
+        }
+        mesh.vertices.push_back(v);
+      }
+      for (const Triangle& t : {Triangle{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}})
+        mesh.triangles.push_back({t[0] + i, t[1] + i, t[2] + i});
+    }
+    const ClosedVolume closed = volume_of_closed(ExactMeshView(mesh, {}));
+    const Rational expected = volume_by_rationals({mesh, {}});
+    REQUIRE(closed.exact == expected);
+    REQUIRE(closed.nearest == to_nearest_double(expected));
+  }
+  CHECK(volume_of_closed({}).exact == Rational(0));
+  const ExactMesh thirds = in_thirds(box({0, 0, 0}, {1, 1, 1}));
+  CHECK(volume_of_closed(thirds).nearest == to_nearest_double(Rational(1, 27)));
+  CHECK(!volume_of_closed(thirds).exact);
 }
 
 TEST_CASE("exact vertices take part in the volume with their exact places", "[mesh]") {

@@ -48,6 +48,7 @@ strata::Measures measure(const ExactMesh& mesh, const Settings& settings, bool c
 /// The fraction, which has about a hundred digits for each vertex that is no three doubles.
 Json exact_volume(const ExactMesh& mesh, const strata::Measures& measures) {
   constexpr std::size_t most_rational_vertices = 1000;
+  if (measures.exact_volume) return measures.exact_volume->str();
   if (!measures.volume || mesh.exact.size() > most_rational_vertices) return nullptr;
   return strata::volume(mesh).str();
 }

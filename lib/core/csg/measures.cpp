@@ -1,6 +1,9 @@
 #include <tbb/parallel_invoke.h>
 
+#include <utility>
+
 #include "core/csg/arena.h"
+#include "core/mesh/closed_volume.h"
 #include "core/mesh/connections.h"
 #include "strata/measure.h"
 
@@ -10,12 +13,14 @@ Measures measure(const ExactMesh& mesh, const Options& options, bool count_facet
   Measures result;
   arena_for(options, mesh.mesh.triangles.size()).execute([&] {
     Connections connected;
-    double signed_volume = 0;
+    ClosedVolume volume;
     tbb::parallel_invoke([&] { connected = connections(mesh, count_facets ? Facets::count : Facets::skip); },
-                         [&] { signed_volume = nearest_volume(mesh); }, [&] { result.area = area(mesh); });
+                         [&] { volume = volume_of_closed(mesh); }, [&] { result.area = area(mesh); });
     result.topology = connected.topology;
     result.facets = connected.facets;
-    if (connected.topology.open_edges == 0) result.volume = signed_volume;
+    if (connected.topology.open_edges != 0) return;
+    result.volume = volume.nearest;
+    result.exact_volume = std::move(volume.exact);
   });
   return result;
 }

@@ -34,6 +34,12 @@ Product product(Wide p, std::int64_t q) {
   return {(p >> 64) * q, static_cast<Wide>(bottom * static_cast<std::uint64_t>(q) - correction)};
 }
 
+std::array<std::uint64_t, 4> limbs_of(const Product& p) {
+  const Wide high = p.high + (p.low >> 64);
+  return {static_cast<std::uint64_t>(p.low), static_cast<std::uint64_t>(high), static_cast<std::uint64_t>(high >> 64),
+          static_cast<std::uint64_t>(high >> 127)};
+}
+
 }  // namespace
 
 // The largest coordinate is below 2^(e + 1), e its exponent, so it is below 2^61 units of 2^(e - 60).
@@ -52,10 +58,18 @@ bool LatticeSum::add_determinant(const Vertex& a, const Vertex& b, const Vertex&
     return static_cast<Wide>(q[i]) * r[j] - static_cast<Wide>(q[j]) * r[i];
   };
   const Product x = product(minor(1, 2), p[0]), y = product(minor(2, 0), p[1]), z = product(minor(0, 1), p[2]);
-  const Wide low = x.low + y.low + z.low;
-  const Wide high = x.high + y.high + z.high + (low >> 64);
-  add({static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high), static_cast<std::uint64_t>(high >> 64),
-       static_cast<std::uint64_t>(high >> 127)});
+  add(limbs_of({x.high + y.high + z.high, x.low + y.low + z.low}));
+  return true;
+}
+
+// The sum of heights is below 3 * 2^61, differences are below 2^62, their products below 2^124, and twice the area below
+// 2^125. Of the product `high` is below 2^124 and `low` below 3 * 2^125.
+bool LatticeSum::add_prism(const Vertex& a, const Vertex& b, const Vertex& c) {
+  Lattice p, q, r;
+  if (!to_lattice(a, scale_, unit_, p) || !to_lattice(b, scale_, unit_, q) || !to_lattice(c, scale_, unit_, r))
+    return false;
+  const Wide area = static_cast<Wide>(q[0] - p[0]) * (r[1] - p[1]) - static_cast<Wide>(q[1] - p[1]) * (r[0] - p[0]);
+  add(limbs_of(product(area, p[2] + q[2] + r[2])));
   return true;
 }
 

@@ -8,7 +8,7 @@
 
 namespace strata {
 
-/// An exact sum of determinants of points that are integers times one power of two: 2^unit times integers below 2^61 in
+/// An exact sum of volumes between points that are integers times one power of two: 2^unit times integers below 2^61 in
 /// magnitude, which is where doubles within a factor of 256 of the largest coordinate are. For up to 2^60 of them.
 class LatticeSum {
  public:
@@ -17,6 +17,8 @@ class LatticeSum {
 
   /// Adds det(a, b, c). If a coordinate is not on the lattice, adds nothing and returns false. O(1).
   [[nodiscard]] bool add_determinant(const Vertex& a, const Vertex& b, const Vertex& c);
+  /// Adds six times the signed volume between the triangle a b c and the plane z = 0, in the same way.
+  [[nodiscard]] bool add_prism(const Vertex& a, const Vertex& b, const Vertex& c);
   /// Adds a sum on the same lattice.
   void add(const LatticeSum& other) { add(other.sum_); }
   [[nodiscard]] Rational value() const;

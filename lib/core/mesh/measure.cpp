@@ -11,6 +11,7 @@
 #include "core/exact/big_integer.h"
 #include "core/exact/pairwise_sum.h"
 #include "core/exact/scaled_root.h"
+#include "core/mesh/closed_volume.h"
 #include "core/mesh/lattice_sum.h"
 #include "core/mesh/product_sum.h"
 #include "core/mesh/split_vertices.h"
@@ -173,6 +174,32 @@ class SplitVolumeSum {
   std::uint64_t rounded_triangles_ = 0;
 };
 
+/// Six times the volume between some triangles and the plane z = 0.
+class PrismSum {
+ public:
+  PrismSum(MeshView mesh, double largest) : mesh_(mesh), largest_(largest), sum_(largest) {}
+  PrismSum(PrismSum& other, tbb::split) : PrismSum(other.mesh_, other.largest_) {}
+
+  void operator()(const Range& range) {
+    for (std::size_t f = range.begin(); f != range.end() && is_complete_; ++f) {
+      const Triangle& t = mesh_.triangles[f];
+      is_complete_ = sum_.add_prism(mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]);
+    }
+  }
+  void join(const PrismSum& other) {
+    sum_.add(other.sum_);
+    is_complete_ = is_complete_ && other.is_complete_;
+  }
+  [[nodiscard]] bool is_complete() const { return is_complete_; }  ///< all coordinates are on the lattice
+  [[nodiscard]] Rational value() const { return sum_.value(); }
+
+ private:
+  MeshView mesh_;
+  double largest_;
+  LatticeSum sum_;
+  bool is_complete_ = true;
+};
+
 /// A sum with what its roundings lost (Neumaier 1974).
 struct CompensatedSum {
   long double sum = 0, lost = 0;
@@ -206,6 +233,15 @@ double nearest_volume(ExactMeshView mesh) {
   const double lower = to_nearest_double(Rational((sum.value() - bound) / 6));
   const double upper = to_nearest_double(Rational((sum.value() + bound) / 6));
   return lower == upper ? lower : to_nearest_double(volume(mesh));
+}
+
+ClosedVolume volume_of_closed(ExactMeshView mesh) {
+  if (!mesh.exact.empty()) return {nearest_volume(mesh), std::nullopt};
+  PrismSum prisms(mesh.mesh, largest_coordinate(mesh.mesh.vertices));
+  tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), grain), prisms);
+  Rational exact = prisms.is_complete() ? Rational(prisms.value() / 6) : volume(mesh);
+  const double nearest = to_nearest_double(exact);
+  return {nearest, std::move(exact)};
 }
 
 // Ranges are divided in the same places for any number of threads, so that roundings are the same.
