@@ -62,8 +62,8 @@ bool LatticeSum::add_determinant(const Vertex& a, const Vertex& b, const Vertex&
   return true;
 }
 
-// The sum of heights is below 3 * 2^61, differences are below 2^62, their products below 2^124, and twice the area below
-// 2^125. Of the product `high` is below 2^124 and `low` below 3 * 2^125.
+// The sum of heights is below 3 * 2^61, differences are below 2^62, their products below 2^124, and twice the area
+// below 2^125. Of the product `high` is below 2^124 and `low` below 3 * 2^125.
 bool LatticeSum::add_prism(const Vertex& a, const Vertex& b, const Vertex& c) {
   Lattice p, q, r;
   if (!to_lattice(a, scale_, unit_, p) || !to_lattice(b, scale_, unit_, q) || !to_lattice(c, scale_, unit_, r))
