@@ -132,6 +132,10 @@ TEST_CASE("pieces of a sweep have walls in common, other neighbours have none", 
   CHECK(groups[0] == std::vector<std::uint32_t>{0, 1, 2, 3, 4});
   CHECK(groups[1].size() == 8);
   CHECK(groups_with_coincident_facets(operands, boxes_of(operands, std::vector<std::uint32_t>{0, 2, 4, 6})).empty());
+  CancelToken token;
+  token.cancel();
+  CHECK_THROWS_AS(groups_with_coincident_facets(operands, boxes_of(operands, numbers(meshes.size())), Monitor(&token)),
+                  Cancelled);
 }
 
 TEST_CASE("only operands that overlap most others are a crowd", "[csg]") {

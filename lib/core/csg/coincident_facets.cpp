@@ -33,8 +33,8 @@ std::vector<std::uint32_t> with_neighbours(std::span<const OperandBox> united) {
 /// Finds pairs of coincident faces with opposite orientation in a hash table of all faces.
 class Walls {
  public:
-  Walls(std::span<const Operand> operands, std::span<const std::uint32_t> united)
-      : operands_(operands), sets_(operands.size()) {
+  Walls(std::span<const Operand> operands, std::span<const std::uint32_t> united, const Monitor& monitor)
+      : operands_(operands), monitor_(monitor), sets_(operands.size()) {
     std::size_t faces = 0;
     for (const std::uint32_t o : united) faces += operands[o].mesh.triangles.size();
     faces_.reserve(faces);
@@ -56,6 +56,7 @@ class Walls {
     hashes_.clear();
     for (const Vertex& v : mesh.vertices) hashes_.push_back(hash_of(v));
     for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+      if (f % (1 << 12) == 0) monitor_.check();
       std::uint64_t key = 0;
       for (const std::uint32_t v : mesh.triangles[f]) {
         if (v >= hashes_.size()) return;  // refused later
@@ -89,6 +90,7 @@ class Walls {
   }
 
   std::span<const Operand> operands_;
+  const Monitor& monitor_;
   DisjointSets<std::uint32_t> sets_;
   std::vector<Face> faces_;
   HashIndex table_;  ///< numbers of faces_
@@ -99,10 +101,11 @@ class Walls {
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> groups_with_coincident_facets(std::span<const Operand> operands,
-                                                                      std::span<const OperandBox> united) {
+                                                                      std::span<const OperandBox> united,
+                                                                      const Monitor& monitor) {
   const std::vector<std::uint32_t> near = with_neighbours(united);
   if (near.empty()) return {};
-  Walls walls(operands, near);
+  Walls walls(operands, near, monitor);
   if (!walls.any()) return {};
   std::unordered_map<std::uint32_t, std::size_t> last_group;  // per set
   std::vector<std::vector<std::uint32_t>> groups;

@@ -18,7 +18,7 @@ EarlyUnions::EarlyUnions(const Rule& rule, std::span<const Operand> given, const
   if (given.size() < few || options.input != InputClass::solid) return;
   for (const auto& united : rule.unions()) {
     const std::vector<OperandBox> boxes = boxes_of(given, united);
-    auto groups = groups_with_coincident_facets(given, boxes);
+    auto groups = groups_with_coincident_facets(given, boxes, Monitor(options.cancel));
     if (groups.empty()) groups = groups_of_overlapping_operands(boxes);
     std::move(groups.begin(), groups.end(), std::back_inserter(groups_));
   }
