@@ -5,12 +5,15 @@
 
 #include <algorithm>
 
+#include "strata/monitor.h"
+
 namespace strata {
 
 PreparedOperands::PreparedOperands(std::span<const Operand> given, const Options& options)
     : given_(given), input_(options.input) {
   prepared_.reserve(given.size());
   for (std::size_t i = 0; i < given.size(); ++i) {
+    Monitor(options.cancel).check();
     const Operand& operand = given[i];
     const bool is_known = operand.is_checked && !operand.exact.empty();
     prepared_.push_back(is_known ? Prepared{} : prepare({operand.mesh, operand.exact}, options, i));
