@@ -8,6 +8,7 @@
 
 #include "strata/errors.h"
 #include "strata/mesh.h"
+#include "strata/monitor.h"
 #include "strata/options.h"
 
 namespace strata {
@@ -15,9 +16,11 @@ namespace strata {
 /// Diagnosis without intersecting faces: all defects except self-intersection and inside-out shells. Lists so many of
 /// each kind with coordinates and face numbers, and counts the rest.
 /// O(n log n).
-[[nodiscard]] std::vector<Defect> diagnose(MeshView mesh, std::size_t listed = few_defects);
+[[nodiscard]] std::vector<Defect> diagnose(MeshView mesh, std::size_t listed = few_defects,
+                                           const Monitor& monitor = {});
 /// The same for exact positions. Nothing is repaired: with rationals, triangles of zero area are errors.
-[[nodiscard]] std::vector<Defect> diagnose(ExactMeshView mesh, std::size_t listed = few_defects);
+[[nodiscard]] std::vector<Defect> diagnose(ExactMeshView mesh, std::size_t listed = few_defects,
+                                           const Monitor& monitor = {});
 
 /// What happens to a mesh that becomes an operand of this class: the notes on what is resolved, or the defects of the
 /// InputError by which it is refused. Self-intersections are searched for class `automatic` only. O(n log n).

@@ -55,8 +55,8 @@ struct Measures {
 };
 
 /// The functions above at once, in parallel. Requires indices in range and finite coordinates. Of the options,
-/// `threads` counts; the result does not depend on it. O(n log d), and k^2 for k triangles at one edge. Counting facets
-/// takes about half as long again.
+/// `threads` and `cancel` count; the result does not depend on threads. Throws Cancelled. O(n log d), and k^2 for k
+/// triangles at one edge. Counting facets takes about half as long again.
 [[nodiscard]] Measures measure(const ExactMesh& mesh, const Options& options = {}, bool count_facets = true);
 
 /// An oriented plane a x + b y + c z = d with coprime integer coefficients; (a, b, c) points outwards.

@@ -28,7 +28,7 @@ class Scene {
   /// Requires closed meshes without degenerate faces, as solids have. Solids may touch, overlap and cross each other
   /// and themselves. Throws InputError where an index is out of range, a coordinate not finite or a face degenerate,
   /// naming the solid; std::length_error for more than 2^32 - 2 faces or vertices.
-  explicit Scene(std::vector<ExactMesh> solids);
+  explicit Scene(std::vector<ExactMesh> solids, const Monitor& monitor = {});
 
   [[nodiscard]] std::uint32_t solid_count() const;
   [[nodiscard]] std::uint32_t face_count() const;
@@ -52,7 +52,7 @@ class Scene {
 };
 
 /// The scene of some solids, numbered as they are listed: copies of their exact meshes. O(size of the meshes).
-[[nodiscard]] Scene scene_of(std::span<const Solid> solids);
+[[nodiscard]] Scene scene_of(std::span<const Solid> solids, const Monitor& monitor = {});
 
 /// Where a point lies: outside of a closed set, on its boundary, or in its interior.
 enum class Where : std::uint8_t { out, on, in };

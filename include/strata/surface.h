@@ -29,9 +29,9 @@ class Surface {
   Surface();  ///< without triangles
   /// Of a mesh. Vertices at one position become one, -0 becomes 0; triangles without area, which are no surface, are
   /// left out, with a note. Throws InputError for indices out of range and coordinates that are not finite. O(n).
-  explicit Surface(const Mesh& mesh);
+  explicit Surface(const Mesh& mesh, const Monitor& monitor = {});
   /// The same with rational vertices. Throws std::invalid_argument where the doubles are not the nearest ones.
-  explicit Surface(const ExactMesh& mesh);
+  explicit Surface(const ExactMesh& mesh, const Monitor& monitor = {});
   /// The boundary of a solid, with its attributes.
   explicit Surface(const Solid& solid);
   /// A rectangle of a plane that reaches beyond a box on all sides, seen counter-clockwise from in front: what cuts the

@@ -21,7 +21,7 @@ using namespace nb::literals;
 
 Scene scene(const SolidList& solids) {
   const std::vector<Solid> operands = solids.value();
-  return run([&] { return scene_of(operands); });
+  return run(Watch{}, [&](const Computation& c) { return scene_of(operands, c.monitor()); });
 }
 
 /// Points that are doubles.

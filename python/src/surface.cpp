@@ -22,8 +22,8 @@ using namespace nb::literals;
 Surface surface_of(nb::handle object, const char* role) {
   if (nb::isinstance<Surface>(object)) return nb::cast<Surface>(object);
   const MeshHandle mesh = MeshLike{nb::borrow(object)}.value(role);
-  return run([&] {
-    const Surface surface(mesh->copy());
+  return run(Watch{}, [&](const Computation& c) {
+    const Surface surface(mesh->copy(), c.monitor());
     if (!mesh->attributes) return surface;
     const AttributedMesh given{mesh->exact_view(), mesh->attributes.get()};
     return surface.with_attributes(carry_attributes({&given, 1}, surface.exact_mesh(), surface.sources()));

@@ -21,26 +21,26 @@ TEST_CASE("what a cell's list says of itself is checked", "[cells]") {
   const GridBox near{{0, 0, 0}, {4, 4, 4}};
   const auto violations = [&] { return validate(input, std::span<const Cell>(cells)); };
   SECTION("nothing is wrong") {
-    cell.faces.push_back({near, 2});
-    cell.faces.push_back({near, 7});
+    cell.faces.push_back({near, 2, false});
+    cell.faces.push_back({near, 7, false});
     CHECK(violations().empty());
   }
   SECTION("a cell that is not mixed") {
-    cell.faces.push_back({near, 2});
+    cell.faces.push_back({near, 2, false});
     cell.mixed = false;
     CHECK(reports(violations(), "cell 0 is not mixed and lists faces"));
   }
   SECTION("a face that does not exist") {
-    cell.faces.push_back({near, 12});
+    cell.faces.push_back({near, 12, false});
     CHECK(reports(violations(), "cell 0 lists face 12, which does not exist"));
   }
   SECTION("order") {
-    cell.faces.push_back({near, 7});
-    cell.faces.push_back({near, 7});
+    cell.faces.push_back({near, 7, false});
+    cell.faces.push_back({near, 7, false});
     CHECK(reports(violations(), "cell 0 lists faces out of order"));
   }
   SECTION("a face elsewhere: cells are half-open") {
-    cell.faces.push_back({{{8, 0, 0}, {9, 4, 4}}, 7});
+    cell.faces.push_back({{{8, 0, 0}, {9, 4, 4}}, 7, false});
     CHECK(reports(violations(), "cell 0 lists face 7, which is not near"));
   }
 }

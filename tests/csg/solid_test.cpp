@@ -162,6 +162,7 @@ TEST_CASE("an operation can be cancelled", "[csg]") {
   const Mesh a = box({0, 0, 0}, {1, 1, 1});
   const std::vector<MeshView> operands{a, a};
   CHECK_THROWS_AS(combine(Operation::union_, std::span<const MeshView>(operands), {.cancel = &cancel}), Cancelled);
+  CHECK_THROWS_AS(measure(ExactMesh{a, {}}, {.cancel = &cancel}), Cancelled);
 }
 
 TEST_CASE("progress grows from zero to one", "[csg]") {

@@ -284,3 +284,23 @@ TEST_CASE("a surface that cannot be oriented is refused", "[mesh]") {
   }
   CHECK_THROWS_AS(prepare_soup(strip, Holes::refused), InputError);
 }
+
+TEST_CASE("preparing, screening and diagnosis stop when they are told to") {
+  const Mesh mesh = globe(100);  // more steps than there are between two looks
+  Mesh open = mesh;
+  open.triangles.pop_back();
+  CancelToken token;
+  token.cancel();
+  const Monitor monitor(&token);
+  Options options;
+  options.cancel = &token;
+  CHECK_THROWS_AS(screen(mesh, monitor), Cancelled);
+  CHECK_THROWS_AS(prepare_closed(mesh, false, 0, monitor), Cancelled);
+  CHECK_THROWS_AS(prepare_soup(open, Holes::filled, 0, 99, monitor), Cancelled);
+  CHECK_THROWS_AS(prepare_exact(ExactMeshView(mesh, {}), 0, monitor), Cancelled);
+  CHECK_THROWS_AS(diagnose(open, 5, monitor), Cancelled);
+  for (const InputClass input : {InputClass::solid, InputClass::soup}) {
+    options.input = input;
+    CHECK_THROWS_AS(prepare(ExactMeshView(open, {}), options), Cancelled);
+  }
+}

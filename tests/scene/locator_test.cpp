@@ -96,5 +96,8 @@ TEST_CASE("where nothing is, all is out", "[layers]") {
   CHECK(nothing.locate(Vertex{1, 2, 3}).contacts.empty());
   CancelToken stop;
   stop.cancel();
-  CHECK_THROWS_AS(Locator(test::scene_of({test::icosphere({0, 0, 0}, 1, 4)}), Monitor(&stop)), Cancelled);
+  const Scene ball = test::scene_of({test::icosphere({0, 0, 0}, 1, 4)});
+  CHECK_THROWS_AS(Locator(ball, Monitor(&stop)), Cancelled);
+  CHECK_THROWS_AS(LayerDecomposition(ball, Origin::point({0, 0, 0}), Monitor(&stop)), Cancelled);
+  CHECK_THROWS_AS(Scene({ball.solid(0)}, Monitor(&stop)), Cancelled);
 }

@@ -298,6 +298,7 @@ TEST_CASE("an arrangement can be cancelled, and reports progress", "[surface]") 
   const std::vector surfaces{sheet(0, 0, 1, 1, 0)};
   CHECK_THROWS_AS(arrange(surfaces, {.cancel = &token}), Cancelled);
   CHECK_THROWS_AS(imprint(surfaces, {.cancel = &token}), Cancelled);
+  CHECK_THROWS_AS(Surface(surfaces[0].exact_mesh(), Monitor(&token)), Cancelled);
   double last = 0;
   const Arrangement a = arrange(surfaces, {.progress = [&](double f) { last = f; }});
   CHECK(last == 1);

@@ -7,11 +7,11 @@
 
 namespace strata {
 
-/// A face and its grid box.
+/// A face and its grid box. Arrays of millions are written once: so there are no initial values.
 struct CellFace {
   GridBox box;
-  std::uint32_t face = 0;
-  bool is_thinned = false;  ///< not in all bricks of its box
+  std::uint32_t face;
+  bool is_thinned;  ///< not in all bricks of its box
 };
 
 /// Faces of one cell: a plain array, because millions of them are written once and read once.
@@ -42,7 +42,7 @@ class FaceList {
 /// faces in any other cell belong to one operand; the winding numbers about all other operands are the origin's
 /// throughout. The bricks of a region count as one cell; `box` is one of them.
 struct Cell {
-  GridBox box;
+  GridBox box{};
   InputComplex::Coordinates origin{};
   std::shared_ptr<const Windings> windings;  ///< at the origin (in the sense of walk.h)
   FaceList faces;                            ///< of a mixed cell, by increasing face number

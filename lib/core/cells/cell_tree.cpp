@@ -108,7 +108,7 @@ void CellTree::make_cells(const InputComplex& input, const CellOptions& options)
   };
   const std::size_t regions = regions_->regions().size(), mixed = regions_->mixed().size();
   for (std::size_t n = 0; n < regions; ++n) cells.push_back(cell_of_target(n));
-  BrickFaces brick_faces(input, raster, *codes_, *regions_, near.faces);
+  BrickFaces brick_faces(input, raster, *codes_, *regions_, near.faces, monitor);
   const Refinement refinement(input, options, space_.grid, cells);
   std::vector<Branch> branches(mixed);
   tbb::parallel_for(std::size_t{0}, mixed, [&](std::size_t n) {

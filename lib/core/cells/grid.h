@@ -9,8 +9,8 @@ namespace strata {
 
 /// A box of integer grid coordinates, closed on both sides; as the box of a cell, half-open.
 struct GridBox {
-  std::array<std::int32_t, 3> lower{};
-  std::array<std::int32_t, 3> upper{};
+  std::array<std::int32_t, 3> lower;
+  std::array<std::int32_t, 3> upper;
 
   /// The closed box between two points.
   static GridBox between(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t, 3>& b) {

@@ -8,6 +8,7 @@
 #include <atomic>
 
 #include "core/cells/face_blocks.h"
+#include "core/containers/concatenated.h"
 
 namespace strata {
 
@@ -30,7 +31,8 @@ NearFaces find_near_faces(const InputComplex& input, const Grid& grid, const Bri
       line_at[y + bricks.size(1) * z] = {g[1], g[2]};
     }
   const std::vector<FaceBlock> blocks = face_blocks(input);
-  std::vector<NearFaces> found(blocks.size());
+  std::vector<std::vector<CellFace>> faces(blocks.size());
+  std::vector<std::vector<LineFace>> line_faces(blocks.size());
   const auto may_matter = [&](const BrickBox& box) {
     constexpr std::uint32_t many = 64;
     if (box.size() > many) return true;
@@ -42,7 +44,6 @@ NearFaces find_near_faces(const InputComplex& input, const Grid& grid, const Bri
   };
   for_each_face_block(input, blocks, monitor, [&](const FaceBlockView& block) {
     const auto points = block.points;
-    NearFaces& here = found[block.number];
     for (std::uint32_t i = 0; i < block.faces.size(); ++i) {
       if (i % Occupancy::run_length == 0 && !may_matter(occupancy.run(block.number, i / Occupancy::run_length))) {
         i += static_cast<std::uint32_t>(Occupancy::run_length) - 1;
@@ -57,28 +58,25 @@ NearFaces find_near_faces(const InputComplex& input, const Grid& grid, const Bri
       lines.for_each(box, [&](std::uint32_t, std::uint32_t, std::uint32_t) { lined = true; });
       if (!near && !lined) continue;
       const CellFace face{grid.box(points[a], points[b], points[c]), block.first_face + i, raster.thins(box)};
-      if (near) here.faces.push_back(face);
+      if (near) faces[block.number].push_back(face);
       lines.for_each(box, [&](std::uint32_t line, std::uint32_t y, std::uint32_t z) {
         const auto& [gy, gz] = line_at[y + bricks.size(1) * z];
         if (face.box.lower[1] <= gy && gy <= face.box.upper[1] && face.box.lower[2] <= gz && gz <= face.box.upper[2])
-          here.line_faces.push_back({line, face.face});
+          line_faces[block.number].push_back({line, face.face});
       });
     }
   });
-  NearFaces all;
-  for (const NearFaces& f : found) {
-    all.faces.insert(all.faces.end(), f.faces.begin(), f.faces.end());
-    all.line_faces.insert(all.line_faces.end(), f.line_faces.begin(), f.line_faces.end());
-  }
+  NearFaces all{concatenated(std::move(faces), monitor), concatenated(std::move(line_faces), monitor)};
   tbb::parallel_sort(all.line_faces.begin(), all.line_faces.end());
   return all;
 }
 
 BrickFaces::BrickFaces(const InputComplex& input, const Raster& raster, const BrickCodes& codes, const Regions& regions,
-                       std::span<const CellFace> near)
+                       std::span<const CellFace> near, const Monitor& monitor)
     : near_(near), first_(regions.mixed().size() + 1) {
   const auto for_each = [&](const auto& visit) {  // visit(index of a near face, number of a mixed brick)
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, near.size(), 1 << 12), [&](const auto& range) {
+      monitor.check();
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
         const auto operand = input.operand_of_face(near[i].face);
         const auto points = input.points(operand);

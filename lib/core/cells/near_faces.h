@@ -5,6 +5,7 @@
 
 #include "core/cells/cell.h"
 #include "core/cells/regions.h"
+#include "core/containers/fresh_array.h"
 
 namespace strata {
 
@@ -33,15 +34,15 @@ class Lines {
 
 /// A face whose box meets a line.
 struct LineFace {
-  std::uint32_t line = 0, face = 0;
+  std::uint32_t line, face;
 
   friend auto operator<=>(const LineFace&, const LineFace&) = default;
 };
 
 /// The faces that the cells need. All others are skipped.
 struct NearFaces {
-  std::vector<CellFace> faces;       ///< those in mixed bricks, by increasing face
-  std::vector<LineFace> line_faces;  ///< sorted
+  FreshArray<CellFace> faces;       ///< those in mixed bricks, by increasing face
+  FreshArray<LineFace> line_faces;  ///< sorted
 };
 
 /// One streaming pass over all faces.
@@ -53,7 +54,7 @@ struct NearFaces {
 class BrickFaces {
  public:
   BrickFaces(const InputComplex& input, const Raster& raster, const BrickCodes& codes, const Regions& regions,
-             std::span<const CellFace> near);
+             std::span<const CellFace> near, const Monitor& monitor);
 
   /// Of mixed brick number n: by increasing face.
   [[nodiscard]] FaceList take(std::uint32_t n);

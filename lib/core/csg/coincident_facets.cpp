@@ -8,6 +8,7 @@
 #include "core/containers/box_sweep.h"
 #include "core/containers/hash_index.h"
 #include "core/containers/point_hash.h"
+#include "core/exact/pace.h"
 #include "core/kernel/disjoint_sets.h"
 
 namespace strata {
@@ -39,6 +40,7 @@ class Walls {
     for (const std::uint32_t o : united) faces += operands[o].mesh.triangles.size();
     faces_.reserve(faces);
     table_ = HashIndex(faces);
+    monitor.check();
     for (const std::uint32_t o : united) add(o);
   }
 
@@ -54,9 +56,13 @@ class Walls {
   void add(std::uint32_t operand) {
     const MeshView& mesh = operands_[operand].mesh;
     hashes_.clear();
-    for (const Vertex& v : mesh.vertices) hashes_.push_back(hash_of(v));
+    Pace pace(monitor_);
+    for (const Vertex& v : mesh.vertices) {
+      pace.step();
+      hashes_.push_back(hash_of(v));
+    }
     for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-      if (f % (1 << 12) == 0) monitor_.check();
+      pace.step();
       std::uint64_t key = 0;
       for (const std::uint32_t v : mesh.triangles[f]) {
         if (v >= hashes_.size()) return;  // refused later

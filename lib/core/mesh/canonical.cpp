@@ -2,6 +2,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/exact/pace.h"
 #include "core/mesh/planar_chain.h"
 #include "core/mesh/planar_facets.h"
 #include "core/mesh/planar_levels.h"
@@ -73,14 +74,21 @@ void add_facets(PointTable& points, const PlaneFacets& facets, CanonicalForm& fo
 
 /// Numbers the points of the loops in lexicographic order, and stores them as the vertices of the form.
 void number_vertices(const PointTable& points, CanonicalForm& form, const Monitor& monitor) {
-  std::vector<std::uint32_t> used;
+  std::vector<bool> is_used(points.size(), false);
+  Pace pace(monitor);
   for (const CanonicalFacets& facets : form.planes) {
-    for (const auto& loop : facets.loops) used.insert(used.end(), loop.begin(), loop.end());
+    pace.step();
+    for (const auto& loop : facets.loops)
+      for (const std::uint32_t v : loop) is_used[v] = true;
   }
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  std::vector<std::uint32_t> used;
+  for (std::uint32_t v = 0; v < is_used.size(); ++v)
+    if (is_used[v]) used.push_back(v);
   if (points.has_added()) {
-    std::sort(used.begin(), used.end(), [&](std::uint32_t a, std::uint32_t b) { return points.compare(a, b) < 0; });
+    std::sort(used.begin(), used.end(), [&](std::uint32_t a, std::uint32_t b) {
+      pace.step();
+      return points.compare(a, b) < 0;
+    });
   }
   std::vector<std::uint32_t> number(points.size(), std::numeric_limits<std::uint32_t>::max());
   for (std::size_t i = 0; i < used.size(); ++i) {
@@ -115,11 +123,14 @@ CanonicalForm form_of(FacetsByPlane facets, const Monitor& monitor) {
     add_facets(facets.points, plane, form);
   }
   number_vertices(facets.points, form, monitor);
+  Pace pace(monitor);
   for (CanonicalFacets& plane : form.planes) {
+    pace.step();
     for (auto& loop : plane.loops) rotate_to_smallest(loop);
     std::sort(plane.loops.begin(), plane.loops.end());
   }
-  std::sort(form.planes.begin(), form.planes.end(), [](const CanonicalFacets& a, const CanonicalFacets& b) {
+  std::sort(form.planes.begin(), form.planes.end(), [&](const CanonicalFacets& a, const CanonicalFacets& b) {
+    pace.step();
     return a.plane.coefficients < b.plane.coefficients;
   });
   return form;

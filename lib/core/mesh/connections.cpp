@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/exact/pace.h"
 #include "core/kernel/disjoint_sets.h"
 #include "core/kernel/input_complex.h"
 #include "core/kernel/predicates.h"
@@ -36,11 +37,13 @@ using FlatPair = std::pair<Index, Index>;
 /// Looks at the stars of some vertices: counts what each adds, each edge at its lower vertex.
 class StarCensus {
  public:
-  StarCensus(const VertexStars& stars, std::span<const Triangle> triangles, const InputComplex* flat)
-      : stars_(stars), triangles_(triangles), flat_(flat) {}
-  StarCensus(StarCensus& other, tbb::split) : StarCensus(other.stars_, other.triangles_, other.flat_) {}
+  StarCensus(const VertexStars& stars, std::span<const Triangle> triangles, const InputComplex* flat,
+             const Monitor& monitor)
+      : stars_(stars), triangles_(triangles), flat_(flat), monitor_(monitor) {}
+  StarCensus(StarCensus& other, tbb::split) : StarCensus(other.stars_, other.triangles_, other.flat_, other.monitor_) {}
 
   void operator()(const tbb::blocked_range<Index>& range) {
+    monitor_.check();
     for (Index v = range.begin(); v != range.end(); ++v)
       if (!stars_.at(v).empty()) visit(v);
   }
@@ -170,15 +173,18 @@ class StarCensus {
   const VertexStars& stars_;
   std::span<const Triangle> triangles_;
   const InputComplex* flat_;  ///< the mesh, if facets are counted
+  const Monitor& monitor_;
   std::vector<Spoke> spokes_;
   Fans fans_;
 };
 
 /// Used vertices minus components.
-std::uint64_t spanning_edges(std::span<const Triangle> triangles, std::size_t vertex_count) {
+std::uint64_t spanning_edges(std::span<const Triangle> triangles, std::size_t vertex_count, const Monitor& monitor) {
   DisjointSets<Index> connected(vertex_count);
   std::uint64_t count = 0;
+  Pace pace(monitor);
   for (const Triangle& t : triangles) {
+    pace.step();
     if (repeats_vertex(t)) continue;
     count += connected.unite(t[0], t[1]);
     count += connected.unite(t[0], t[2]);
@@ -187,15 +193,16 @@ std::uint64_t spanning_edges(std::span<const Triangle> triangles, std::size_t ve
 }
 
 /// Of triangles on the first of their equal vertices. Facets are counted where there is a complex.
-Connections connections(std::span<const Triangle> triangles, std::size_t vertex_count, const InputComplex* complex) {
+Connections connections(std::span<const Triangle> triangles, std::size_t vertex_count, const InputComplex* complex,
+                        const Monitor& monitor) {
   const auto proper = static_cast<std::uint64_t>(
       std::count_if(triangles.begin(), triangles.end(), [](const Triangle& t) { return !repeats_vertex(t); }));
-  const VertexStars stars(triangles, vertex_count);
-  StarCensus census(stars, triangles, complex);
+  const VertexStars stars(triangles, vertex_count, monitor);
+  StarCensus census(stars, triangles, complex, monitor);
   std::uint64_t spanning = 0;
   tbb::parallel_invoke(
       [&] { tbb::parallel_reduce(tbb::blocked_range<Index>(0, static_cast<Index>(vertex_count), 1 << 12), census); },
-      [&] { spanning = spanning_edges(triangles, vertex_count); });
+      [&] { spanning = spanning_edges(triangles, vertex_count, monitor); });
   Connections result;
   result.topology = {census.vertices - spanning,
                      static_cast<std::int64_t>(census.vertices + proper) - static_cast<std::int64_t>(census.edges),
@@ -210,15 +217,15 @@ Connections connections(std::span<const Triangle> triangles, std::size_t vertex_
 
 }  // namespace
 
-Connections connections(ExactMeshView mesh, Facets facets) {
-  const std::vector<Triangle> triangles = on_first_vertices(mesh);
+Connections connections(ExactMeshView mesh, Facets facets, const Monitor& monitor) {
+  const std::vector<Triangle> triangles = on_first_vertices(mesh, monitor);
   InputComplex complex;
   if (facets == Facets::count) complex.add(mesh.mesh.vertices, triangles, mesh.exact);
-  return connections(triangles, mesh.mesh.vertices.size(), facets == Facets::count ? &complex : nullptr);
+  return connections(triangles, mesh.mesh.vertices.size(), facets == Facets::count ? &complex : nullptr, monitor);
 }
 
 Topology topology_of(const NearestMesh& mesh) {
-  return connections(on_first_vertices(mesh), mesh.mesh.vertices.size(), nullptr).topology;
+  return connections(on_first_vertices(mesh), mesh.mesh.vertices.size(), nullptr, {}).topology;
 }
 
 Topology topology(const ExactMesh& mesh) { return connections(mesh, Facets::skip).topology; }

@@ -16,7 +16,7 @@ struct Connections {
 enum class Facets : bool { skip, count };
 
 /// Requires indices in range; to count facets, finite coordinates. O(n log d) for vertices of degree d, in parallel.
-[[nodiscard]] Connections connections(ExactMeshView mesh, Facets facets);
+[[nodiscard]] Connections connections(ExactMeshView mesh, Facets facets, const Monitor& monitor = {});
 
 /// As `topology` of the exact mesh.
 [[nodiscard]] Topology topology_of(const NearestMesh& mesh);

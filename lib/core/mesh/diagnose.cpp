@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/exact/pace.h"
 #include "core/mesh/defect_list.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/equal_vertices.h"
@@ -31,14 +32,16 @@ struct SoundMesh {
   [[nodiscard]] ExactMeshView exact_view() const { return {view(), exact}; }
 };
 
-void find_zero_areas(const SoundMesh& mesh, std::vector<Defect>& defects, std::size_t listed) {
+void find_zero_areas(const SoundMesh& mesh, std::vector<Defect>& defects, std::size_t listed, const Monitor& monitor) {
   const bool rational = !mesh.exact.empty();
   DefectList list(DefectKind::degenerate_triangle, rational ? Severity::error : Severity::note,
                   rational ? "remove the face and divide its neighbours: among rationals that is not done for you"
                            : "nothing to do: zero-area triangles are removed exactly, their neighbours divided",
                   listed);
   const ZeroAreaTest is_zero(mesh.exact_view());
+  Pace pace(monitor);
   for (std::size_t i = 0; i < mesh.faces.triangles.size(); ++i) {
+    pace.step();
     if (!is_zero(i)) continue;
     const std::uint32_t face = mesh.faces.sources[i];
     list.add(centre(mesh.view(), mesh.faces.triangles[i]), {face},
@@ -53,7 +56,7 @@ Triangle rotated(Triangle t) {
   return t;
 }
 
-void find_duplicates(const SoundMesh& mesh, std::vector<Defect>& defects, std::size_t listed) {
+void find_duplicates(const SoundMesh& mesh, std::vector<Defect>& defects, std::size_t listed, const Monitor& monitor) {
   DefectList list(DefectKind::duplicate_face, Severity::error,
                   "remove all but one of these faces (input class repair does)", listed);
   const auto& triangles = mesh.faces.triangles;
@@ -61,7 +64,9 @@ void find_duplicates(const SoundMesh& mesh, std::vector<Defect>& defects, std::s
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     if (!repeats_vertex(triangles[i])) order.push_back(i);
   }
+  Pace pace(monitor);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    pace.step();
     const Triangle s = rotated(triangles[a]), t = rotated(triangles[b]);
     return s != t ? s < t : a < b;
   });
@@ -75,11 +80,11 @@ void find_duplicates(const SoundMesh& mesh, std::vector<Defect>& defects, std::s
   list.append_to(defects);
 }
 
-void find_inside_out(const SoundMesh& mesh, std::vector<Defect>& defects) {
-  const Screening facts = screen(mesh.view());
+void find_inside_out(const SoundMesh& mesh, std::vector<Defect>& defects, const Monitor& monitor) {
+  const Screening facts = screen(mesh.view(), monitor);
   const bool is_inside_out = mesh.exact.empty()
                                  ? facts.orientation < 0
-                                 : facts.chain_closed && orientation(mesh.exact_view()) == Sign::negative;
+                                 : facts.chain_closed && orientation(mesh.exact_view(), monitor) == Sign::negative;
   if (!is_inside_out) return;
   DefectList list(DefectKind::inside_out, Severity::error, "reverse all faces (input class repair does)");
   list.add({}, {}, [] { return std::string("the volume is negative: faces are clockwise seen from outside"); });
@@ -87,8 +92,8 @@ void find_inside_out(const SoundMesh& mesh, std::vector<Defect>& defects) {
 }
 
 /// Identifies equal vertices with the first of them.
-void weld(SoundMesh& mesh) {
-  const std::vector<std::uint32_t> first = equal_vertices(mesh.exact_view());
+void weld(SoundMesh& mesh, const Monitor& monitor) {
+  const std::vector<std::uint32_t> first = equal_vertices(mesh.exact_view(), monitor);
   for (Triangle& t : mesh.faces.triangles) t = {first[t[0]], first[t[1]], first[t[2]]};
 }
 
@@ -101,9 +106,11 @@ void leave_out_repair(std::vector<Defect>& defects) {
 
 }  // namespace
 
-std::vector<Defect> diagnose(MeshView mesh, std::size_t listed) { return diagnose(ExactMeshView(mesh, {}), listed); }
+std::vector<Defect> diagnose(MeshView mesh, std::size_t listed, const Monitor& monitor) {
+  return diagnose(ExactMeshView(mesh, {}), listed, monitor);
+}
 
-std::vector<Defect> diagnose(ExactMeshView given, std::size_t listed) {
+std::vector<Defect> diagnose(ExactMeshView given, std::size_t listed, const Monitor& monitor) {
   const MeshView mesh = given.mesh;
   std::vector<Defect> defects;
   if (mesh.triangles.empty()) {
@@ -112,14 +119,15 @@ std::vector<Defect> diagnose(ExactMeshView given, std::size_t listed) {
     list.append_to(defects);
     return defects;
   }
-  SoundMesh sound{mesh.vertices, given.exact, sound_faces(mesh, Severity::error, defects, listed)};
-  find_zero_areas(sound, defects, listed);
-  if (!screen(sound.view()).chain_closed) {  // equal vertices that are listed several times do not count as an opening
-    weld(sound);
+  SoundMesh sound{mesh.vertices, given.exact, sound_faces(mesh, Severity::error, defects, listed, monitor)};
+  find_zero_areas(sound, defects, listed, monitor);
+  if (!screen(sound.view(), monitor)
+           .chain_closed) {  // equal vertices that are listed several times do not count as an opening
+    weld(sound, monitor);
   }
-  find_duplicates(sound, defects, listed);
-  find_open_edges(sound.vertices, sound.faces, defects, listed);
-  find_inside_out(sound, defects);
+  find_duplicates(sound, defects, listed, monitor);
+  find_open_edges(sound.vertices, sound.faces, defects, listed, monitor);
+  find_inside_out(sound, defects, monitor);
   if (!given.exact.empty()) leave_out_repair(defects);
   return defects;
 }

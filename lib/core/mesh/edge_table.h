@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/exact/pace.h"
 #include "strata/mesh.h"
 
 namespace strata {
@@ -20,12 +21,15 @@ struct EdgeUse {
 
 /// All sides of all triangles, sorted by undirected edge, then by triangle. Triangles that repeat a vertex are left
 /// out. Indices must be below vertex_count. O(n log d) for vertices of degree d.
-[[nodiscard]] std::vector<EdgeUse> edge_table(std::span<const Triangle> triangles, std::size_t vertex_count);
+[[nodiscard]] std::vector<EdgeUse> edge_table(std::span<const Triangle> triangles, std::size_t vertex_count,
+                                              const Monitor& monitor = {});
 
 /// Calls visit(std::span<const EdgeUse>) once per undirected edge, in order.
 template <class Visit>
-void for_each_edge(std::span<const EdgeUse> table, Visit&& visit) {
+void for_each_edge(std::span<const EdgeUse> table, Visit&& visit, const Monitor& monitor = {}) {
+  Pace pace(monitor);
   for (std::size_t begin = 0, end = 0; begin < table.size(); begin = end) {
+    pace.step();
     while (end < table.size() && table[end].same_edge(table[begin])) ++end;
     visit(table.subspan(begin, end - begin));
   }

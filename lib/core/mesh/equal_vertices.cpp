@@ -22,11 +22,12 @@ Bits bits(const Vertex& v) {
 
 /// `equal` decides among vertices whose doubles are the same.
 template <class Equal>
-std::vector<std::uint32_t> first_equal(std::span<const Vertex> vertices, Equal equal) {
+std::vector<std::uint32_t> first_equal(std::span<const Vertex> vertices, Equal equal, const Monitor& monitor = {}) {
   ConcurrentHashIndex table(vertices.size());
   std::vector<std::uint32_t> first(vertices.size());
   const auto for_each_vertex = [&](const auto& visit) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices.size(), 1 << 12), [&](const auto& range) {
+      monitor.check();
       for (std::size_t n = range.begin(); n != range.end(); ++n) {
         const auto v = static_cast<std::uint32_t>(n);
         const Bits key = bits(vertices[v]);
@@ -49,18 +50,22 @@ std::vector<Triangle> with_vertices(std::span<const Triangle> triangles, const s
 
 }  // namespace
 
-std::vector<std::uint32_t> equal_vertices(std::span<const Vertex> vertices) {
-  return first_equal(vertices, [](std::uint32_t, std::uint32_t) { return true; });
+std::vector<std::uint32_t> equal_vertices(std::span<const Vertex> vertices, const Monitor& monitor) {
+  return first_equal(
+      vertices, [](std::uint32_t, std::uint32_t) { return true; }, monitor);
 }
 
-std::vector<std::uint32_t> equal_vertices(ExactMeshView mesh) {
-  if (mesh.exact.empty()) return equal_vertices(mesh.mesh.vertices);
+std::vector<std::uint32_t> equal_vertices(ExactMeshView mesh, const Monitor& monitor) {
+  if (mesh.exact.empty()) return equal_vertices(mesh.mesh.vertices, monitor);
   std::vector<const RationalPoint*> exact(mesh.mesh.vertices.size(), nullptr);
   for (const ExactVertex& e : mesh.exact) exact[e.vertex] = &e.position;
-  return first_equal(mesh.mesh.vertices, [&](std::uint32_t a, std::uint32_t b) {
-    if (!exact[a] && !exact[b]) return true;
-    return exact[a] && exact[b] ? *exact[a] == *exact[b] : mesh.position(a) == mesh.position(b);
-  });
+  return first_equal(
+      mesh.mesh.vertices,
+      [&](std::uint32_t a, std::uint32_t b) {
+        if (!exact[a] && !exact[b]) return true;
+        return exact[a] && exact[b] ? *exact[a] == *exact[b] : mesh.position(a) == mesh.position(b);
+      },
+      monitor);
 }
 
 std::vector<std::uint32_t> equal_vertices(const NearestMesh& mesh) {
@@ -72,8 +77,8 @@ std::vector<std::uint32_t> equal_vertices(const NearestMesh& mesh) {
   });
 }
 
-std::vector<Triangle> on_first_vertices(ExactMeshView mesh) {
-  return with_vertices(mesh.mesh.triangles, equal_vertices(mesh));
+std::vector<Triangle> on_first_vertices(ExactMeshView mesh, const Monitor& monitor) {
+  return with_vertices(mesh.mesh.triangles, equal_vertices(mesh, monitor));
 }
 
 std::vector<Triangle> on_first_vertices(const NearestMesh& mesh) {

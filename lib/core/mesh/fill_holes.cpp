@@ -23,16 +23,18 @@ struct MissingEdge {
 };
 
 /// By vertex from which they go out, then in the order of edges.
-std::vector<MissingEdge> missing_edges(std::span<const Vertex> vertices, const SourcedTriangles& faces) {
+std::vector<MissingEdge> missing_edges(std::span<const Vertex> vertices, const SourcedTriangles& faces,
+                                       const Monitor& monitor) {
   std::vector<MissingEdge> missing;
-  for_each_edge(edge_table(faces.triangles, vertices.size()), [&](std::span<const EdgeUse> uses) {
+  const auto add_missing = [&](std::span<const EdgeUse> uses) {
     const std::int64_t net = net_uses(uses);
     for (std::int64_t k = 0; k < std::abs(net); ++k) {
       const EdgeUse& use = uses.front();
       const Index beside = faces.sources[use.triangle];
       missing.push_back(net > 0 ? MissingEdge{use.high, use.low, beside} : MissingEdge{use.low, use.high, beside});
     }
-  });
+  };
+  for_each_edge(edge_table(faces.triangles, vertices.size(), monitor), add_missing, monitor);
   std::stable_sort(missing.begin(), missing.end(),
                    [](const MissingEdge& a, const MissingEdge& b) { return a.from < b.from; });
   return missing;
@@ -210,24 +212,26 @@ class Filling {
 
 }  // namespace
 
-std::uint64_t open_uses(std::span<const Vertex> vertices, std::span<const Triangle> triangles) {
+std::uint64_t open_uses(std::span<const Vertex> vertices, std::span<const Triangle> triangles, const Monitor& monitor) {
   std::uint64_t sum = 0;
-  for_each_edge(edge_table(triangles, vertices.size()),
-                [&](std::span<const EdgeUse> uses) { sum += static_cast<std::uint64_t>(std::abs(net_uses(uses))); });
+  const auto add = [&](std::span<const EdgeUse> uses) { sum += static_cast<std::uint64_t>(std::abs(net_uses(uses))); };
+  for_each_edge(edge_table(triangles, vertices.size(), monitor), add, monitor);
   return sum;
 }
 
-std::vector<Hole> find_holes(std::span<const Vertex> vertices, const SourcedTriangles& faces) {
-  return Loops(missing_edges(vertices, faces)).find();
+std::vector<Hole> find_holes(std::span<const Vertex> vertices, const SourcedTriangles& faces, const Monitor& monitor) {
+  return Loops(missing_edges(vertices, faces, monitor)).find();
 }
 
 void fill_holes(std::span<const Vertex> vertices, std::span<const Hole> holes, SourcedTriangles& faces,
-                RepeatedEdges repeated_edges) {
+                RepeatedEdges repeated_edges, const Monitor& monitor) {
   std::vector<Edge> edges;
   if (repeated_edges == RepeatedEdges::avoided) edges = edges_between(holes, faces.triangles, vertices.size());
   std::vector<std::vector<Triangle>> fillings(holes.size());
-  tbb::parallel_for(std::size_t{0}, holes.size(),
-                    [&](std::size_t i) { fillings[i] = Filling(vertices, edges, holes[i].loop).triangles(); });
+  tbb::parallel_for(std::size_t{0}, holes.size(), [&](std::size_t i) {
+    monitor.check();
+    fillings[i] = Filling(vertices, edges, holes[i].loop).triangles();
+  });
   for (std::size_t i = 0; i < holes.size(); ++i)
     for (const Triangle& t : fillings[i]) faces.add(t, holes[i].face_beside);
 }

@@ -5,6 +5,7 @@
 
 #include "core/mesh/zero_area.h"
 #include "strata/mesh.h"
+#include "strata/monitor.h"
 
 namespace strata {
 
@@ -15,11 +16,13 @@ struct Hole {
 };
 
 /// The sum over all edges of how far their directed uses are from cancelling: 0 for a closed chain. O(n log d).
-[[nodiscard]] std::uint64_t open_uses(std::span<const Vertex> vertices, std::span<const Triangle> triangles);
+[[nodiscard]] std::uint64_t open_uses(std::span<const Vertex> vertices, std::span<const Triangle> triangles,
+                                      const Monitor& monitor = {});
 
 /// The edges that are missing for a closed chain, as loops: there are such, because the boundary of a boundary is zero.
 /// A loop is divided where it comes back to one of its vertices. O(n log d).
-[[nodiscard]] std::vector<Hole> find_holes(std::span<const Vertex> vertices, const SourcedTriangles& faces);
+[[nodiscard]] std::vector<Hole> find_holes(std::span<const Vertex> vertices, const SourcedTriangles& faces,
+                                           const Monitor& monitor = {});
 
 /// Edges within a filling that faces have already.
 enum class RepeatedEdges : bool { allowed, avoided };
@@ -32,7 +35,7 @@ enum class RepeatedEdges : bool { allowed, avoided };
 /// cross one another and the rest, or have zero area. Their source is the face beside. Requires finite coordinates. O(n
 /// log d), and per loop of k edges O(k log k + min(k, most_optimal)^3).
 void fill_holes(std::span<const Vertex> vertices, std::span<const Hole> holes, SourcedTriangles& faces,
-                RepeatedEdges repeated_edges = RepeatedEdges::allowed);
+                RepeatedEdges repeated_edges = RepeatedEdges::allowed, const Monitor& monitor = {});
 inline constexpr std::size_t most_optimal = 150;
 
 }  // namespace strata

@@ -109,11 +109,12 @@ class DoublesSum {
 /// Six times the volume of some triangles.
 class VolumeSum {
  public:
-  VolumeSum(ExactMeshView mesh, const std::vector<bool>& is_exact, double largest)
-      : mesh_(mesh), is_exact_(is_exact), largest_(largest), doubles_(largest) {}
-  VolumeSum(VolumeSum& other, tbb::split) : VolumeSum(other.mesh_, other.is_exact_, other.largest_) {}
+  VolumeSum(ExactMeshView mesh, const std::vector<bool>& is_exact, double largest, const Monitor& monitor)
+      : mesh_(mesh), is_exact_(is_exact), largest_(largest), monitor_(monitor), doubles_(largest) {}
+  VolumeSum(VolumeSum& other, tbb::split) : VolumeSum(other.mesh_, other.is_exact_, other.largest_, other.monitor_) {}
 
   void operator()(const Range& range) {
+    monitor_.check();
     for (std::size_t f = range.begin(); f != range.end(); ++f) add(mesh_.mesh.triangles[f]);
   }
   void join(VolumeSum& other) {
@@ -134,6 +135,7 @@ class VolumeSum {
   ExactMeshView mesh_;
   const std::vector<bool>& is_exact_;  ///< empty when all vertices are doubles
   double largest_;
+  const Monitor& monitor_;
   DoublesSum doubles_;
   PairwiseSum rationals_;
 };
@@ -142,11 +144,13 @@ class VolumeSum {
 /// the determinants of all choices of parts.
 class SplitVolumeSum {
  public:
-  SplitVolumeSum(MeshView mesh, const SplitVertices& split, double largest)
-      : mesh_(mesh), split_(split), largest_(largest), sum_(largest) {}
-  SplitVolumeSum(SplitVolumeSum& other, tbb::split) : SplitVolumeSum(other.mesh_, other.split_, other.largest_) {}
+  SplitVolumeSum(MeshView mesh, const SplitVertices& split, double largest, const Monitor& monitor)
+      : mesh_(mesh), split_(split), largest_(largest), monitor_(monitor), sum_(largest) {}
+  SplitVolumeSum(SplitVolumeSum& other, tbb::split)
+      : SplitVolumeSum(other.mesh_, other.split_, other.largest_, other.monitor_) {}
 
   void operator()(const Range& range) {
+    monitor_.check();
     for (std::size_t f = range.begin(); f != range.end(); ++f) add(mesh_.triangles[f]);
   }
   void join(SplitVolumeSum& other) {
@@ -170,6 +174,7 @@ class SplitVolumeSum {
   MeshView mesh_;
   const SplitVertices& split_;
   double largest_;
+  const Monitor& monitor_;
   DoublesSum sum_;
   std::uint64_t rounded_triangles_ = 0;
 };
@@ -177,10 +182,12 @@ class SplitVolumeSum {
 /// Six times the volume between some triangles and the plane z = 0.
 class PrismSum {
  public:
-  PrismSum(MeshView mesh, double largest) : mesh_(mesh), largest_(largest), sum_(largest) {}
-  PrismSum(PrismSum& other, tbb::split) : PrismSum(other.mesh_, other.largest_) {}
+  PrismSum(MeshView mesh, double largest, const Monitor& monitor)
+      : mesh_(mesh), largest_(largest), monitor_(monitor), sum_(largest) {}
+  PrismSum(PrismSum& other, tbb::split) : PrismSum(other.mesh_, other.largest_, other.monitor_) {}
 
   void operator()(const Range& range) {
+    monitor_.check();
     for (std::size_t f = range.begin(); f != range.end() && is_complete_; ++f) {
       const Triangle& t = mesh_.triangles[f];
       is_complete_ = sum_.add_prism(mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]);
@@ -196,6 +203,7 @@ class PrismSum {
  private:
   MeshView mesh_;
   double largest_;
+  const Monitor& monitor_;
   LatticeSum sum_;
   bool is_complete_ = true;
 };
@@ -211,44 +219,49 @@ struct CompensatedSum {
   }
 };
 
-}  // namespace
-
-Rational volume(ExactMeshView mesh) {
+Rational volume_of(ExactMeshView mesh, const Monitor& monitor) {
   std::vector<bool> is_exact(mesh.exact.empty() ? 0 : mesh.mesh.vertices.size(), false);
   for (const ExactVertex& e : mesh.exact) is_exact[e.vertex] = true;
-  VolumeSum sum(mesh, is_exact, largest_coordinate(mesh.mesh.vertices));
+  VolumeSum sum(mesh, is_exact, largest_coordinate(mesh.mesh.vertices), monitor);
   tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), grain), sum);
   return sum.value() / 6;
 }
 
 // If coordinates are below L in magnitude and change by at most e, a determinant, of six products, changes by at most
 // 6 ((L + e)^3 - L^3) <= 18 (L + e)^2 e.
-double nearest_volume(ExactMeshView mesh) {
+double nearest_volume_of(ExactMeshView mesh, const Monitor& monitor) {
   const SplitVertices split(mesh);
   const double largest = largest_coordinate(mesh.mesh.vertices);
-  SplitVolumeSum sum(mesh.mesh, split, largest);
+  SplitVolumeSum sum(mesh.mesh, split, largest, monitor);
   tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), grain), sum);
   const Rational error = to_rational(split.error()), size = 2 * to_rational(largest) + 2 * error;
   const Rational bound = 18 * Rational(sum.rounded_triangles()) * size * size * error;
   const double lower = to_nearest_double(Rational((sum.value() - bound) / 6));
   const double upper = to_nearest_double(Rational((sum.value() + bound) / 6));
-  return lower == upper ? lower : to_nearest_double(volume(mesh));
+  return lower == upper ? lower : to_nearest_double(volume_of(mesh, monitor));
 }
 
-ClosedVolume volume_of_closed(ExactMeshView mesh) {
-  if (!mesh.exact.empty()) return {nearest_volume(mesh), std::nullopt};
-  PrismSum prisms(mesh.mesh, largest_coordinate(mesh.mesh.vertices));
+}  // namespace
+
+Rational volume(ExactMeshView mesh) { return volume_of(mesh, {}); }
+double nearest_volume(ExactMeshView mesh) { return nearest_volume_of(mesh, {}); }
+double area(const ExactMesh& mesh) { return area_of(mesh, {}); }
+
+ClosedVolume volume_of_closed(ExactMeshView mesh, const Monitor& monitor) {
+  if (!mesh.exact.empty()) return {nearest_volume_of(mesh, monitor), std::nullopt};
+  PrismSum prisms(mesh.mesh, largest_coordinate(mesh.mesh.vertices), monitor);
   tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), grain), prisms);
-  Rational exact = prisms.is_complete() ? Rational(prisms.value() / 6) : volume(mesh);
+  Rational exact = prisms.is_complete() ? Rational(prisms.value() / 6) : volume_of(mesh, monitor);
   const double nearest = to_nearest_double(exact);
   return {nearest, std::move(exact)};
 }
 
 // Ranges are divided in the same places for any number of threads, so that roundings are the same.
-double area(const ExactMesh& mesh) {
+double area_of(const ExactMesh& mesh, const Monitor& monitor) {
   const SplitVertices split(mesh);
   const auto& v = mesh.mesh.vertices;
   const auto add = [&](const Range& range, CompensatedSum sum) {
+    monitor.check();
     for (std::size_t f = range.begin(); f != range.end(); ++f) {
       const Triangle& t = mesh.mesh.triangles[f];
       long double term =

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "strata/mesh.h"
+#include "strata/monitor.h"
 
 namespace strata {
 
@@ -18,7 +19,7 @@ struct Sheets {
 /// Reverses triangles so that the two at an edge have opposite directions there. The first triangle of each sheet is
 /// unchanged. A sheet that cannot be oriented keeps edges that do not cancel. Requires that no triangle repeats a
 /// vertex. O(n log d) for vertices of degree d.
-Sheets orient_sheets(std::vector<Triangle>& triangles, std::size_t vertex_count);
+Sheets orient_sheets(std::vector<Triangle>& triangles, std::size_t vertex_count, const Monitor& monitor = {});
 
 /// The changes made by orient_outwards.
 struct Shells {
@@ -31,6 +32,6 @@ struct Shells {
 /// for sheets inside each other's boxes, O(n log n) otherwise. `trusted`: sheets that stay as they are where they face
 /// outwards, also inside others; none are if it is empty.
 Shells orient_outwards(std::span<const Vertex> vertices, std::vector<Triangle>& triangles, const Sheets& sheets,
-                       const std::vector<bool>& trusted = {});
+                       const std::vector<bool>& trusted = {}, const Monitor& monitor = {});
 
 }  // namespace strata

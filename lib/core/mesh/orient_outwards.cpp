@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/exact/pace.h"
 #include "core/kernel/predicates.h"
 #include "core/mesh/orient.h"
 #include "core/mesh/product_sum.h"
@@ -53,13 +54,14 @@ int winding_yz(std::span<const Vertex> vertices, const Exactly& exactly, const T
 }
 
 Shell make_shell(std::span<const Vertex> vertices, const std::vector<Triangle>& triangles, const Sheets& sheets,
-                 std::size_t sheet) {
+                 std::size_t sheet, Pace& pace) {
   Shell shell{sheet, {}, {}, {}};
   for (const std::uint32_t t : sheets.triangles[sheet]) {
     shell.vertices.insert(shell.vertices.end(), triangles[t].begin(), triangles[t].end());
   }
   auto& list = shell.vertices;
   std::sort(list.begin(), list.end(), [&](std::uint32_t a, std::uint32_t b) {
+    pace.step();
     return std::pair(vertices[a][2], a) < std::pair(vertices[b][2], b);
   });
   list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -82,14 +84,17 @@ bool box_inside(const Shell& inner, const Shell& outer) {
 
 /// Winding number of the outer shell about every vertex of the inner one, by the faces beyond it along x.
 std::vector<int> windings(std::span<const Vertex> vertices, const std::vector<Triangle>& triangles,
-                          const Exactly& exactly, const Shell& inner, const std::vector<std::uint32_t>& outer_faces) {
+                          const Exactly& exactly, const Shell& inner, const std::vector<std::uint32_t>& outer_faces,
+                          const Monitor& monitor) {
   std::vector<int> result(inner.vertices.size(), 0);
+  Pace pace(monitor);
   for (const std::uint32_t f : outer_faces) {
     const Triangle& t = triangles[f];
     const auto [low, high] = std::minmax({vertices[t[0]][2], vertices[t[1]][2], vertices[t[2]][2]});
     auto v = std::lower_bound(inner.vertices.begin(), inner.vertices.end(), low,
                               [&](std::uint32_t a, double z) { return vertices[a][2] < z; });
     for (; v != inner.vertices.end() && vertices[*v][2] < high; ++v) {
+      pace.step();
       const int winding = winding_yz(vertices, exactly, t, *v);
       if (winding != 0 && winding * exactly.side(t, *v) < 0) result[v - inner.vertices.begin()] += winding;
     }
@@ -98,10 +103,11 @@ std::vector<int> windings(std::span<const Vertex> vertices, const std::vector<Tr
 }
 
 bool lies_inside(std::span<const Vertex> vertices, const std::vector<Triangle>& triangles, const Exactly& exactly,
-                 const Shell& inner, const Shell& outer, const std::vector<std::uint32_t>& outer_faces) {
+                 const Shell& inner, const Shell& outer, const std::vector<std::uint32_t>& outer_faces,
+                 const Monitor& monitor) {
   std::vector<std::uint32_t> of_outer = outer.vertices;
   std::sort(of_outer.begin(), of_outer.end());
-  const std::vector<int> winding = windings(vertices, triangles, exactly, inner, outer_faces);
+  const std::vector<int> winding = windings(vertices, triangles, exactly, inner, outer_faces, monitor);
   bool any = false;
   for (std::size_t i = 0; i < winding.size(); ++i) {
     if (std::binary_search(of_outer.begin(), of_outer.end(), inner.vertices[i])) continue;
@@ -114,15 +120,16 @@ bool lies_inside(std::span<const Vertex> vertices, const std::vector<Triangle>& 
 /// Counts for every shell the shells inside which it lies. Shells are processed by increasing lower x; those that end
 /// before are removed.
 void find_depths(std::span<const Vertex> vertices, const std::vector<Triangle>& triangles, const Sheets& sheets,
-                 std::vector<Shell>& shells) {
+                 std::vector<Shell>& shells, const Monitor& monitor) {
   const Exactly exactly(vertices);
   std::sort(shells.begin(), shells.end(), [](const Shell& a, const Shell& b) {
     return a.lower[0] != b.lower[0] ? a.lower[0] < b.lower[0] : a.sheet < b.sheet;
   });
   std::vector<const Shell*> active;
   const auto count_if_inside = [&](Shell& inner, const Shell& outer) {
+    monitor.check();
     if (box_inside(inner, outer)) {
-      inner.depth += lies_inside(vertices, triangles, exactly, inner, outer, sheets.triangles[outer.sheet]);
+      inner.depth += lies_inside(vertices, triangles, exactly, inner, outer, sheets.triangles[outer.sheet], monitor);
     }
   };
   for (std::size_t i = 0; i < shells.size(); ++i) {
@@ -140,9 +147,10 @@ void reverse(std::vector<Triangle>& triangles, const std::vector<std::uint32_t>&
 }
 
 int volume_sign(std::span<const Vertex> vertices, const std::vector<Triangle>& triangles,
-                const std::vector<std::uint32_t>& sheet) {
+                const std::vector<std::uint32_t>& sheet, Pace& pace) {
   ProductSum volume;
   for (const std::uint32_t f : sheet) {
+    pace.step();
     const Triangle& t = triangles[f];
     volume.add_determinant(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
   }
@@ -152,19 +160,20 @@ int volume_sign(std::span<const Vertex> vertices, const std::vector<Triangle>& t
 }  // namespace
 
 Shells orient_outwards(std::span<const Vertex> vertices, std::vector<Triangle>& triangles, const Sheets& sheets,
-                       const std::vector<bool>& trusted) {
+                       const std::vector<bool>& trusted, const Monitor& monitor) {
   std::vector<bool> reversed(sheets.triangles.size(), false);
   std::vector<Shell> shells;
+  Pace pace(monitor);
   for (std::size_t s = 0; s < sheets.triangles.size(); ++s) {
     if (!sheets.closed[s]) continue;
-    const int sign = volume_sign(vertices, triangles, sheets.triangles[s]);
+    const int sign = volume_sign(vertices, triangles, sheets.triangles[s], pace);
     if (sign == 0) continue;
     reversed[s] = sign < 0;
     if (reversed[s]) reverse(triangles, sheets.triangles[s]);
-    shells.push_back(make_shell(vertices, triangles, sheets, s));
+    shells.push_back(make_shell(vertices, triangles, sheets, s, pace));
   }
   Shells result;
-  find_depths(vertices, triangles, sheets, shells);
+  find_depths(vertices, triangles, sheets, shells, monitor);
   for (const Shell& shell : shells) {
     if (shell.depth % 2 == 0) continue;
     if (!trusted.empty() && trusted[shell.sheet] && !reversed[shell.sheet]) continue;

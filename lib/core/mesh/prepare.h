@@ -10,6 +10,7 @@
 #include "strata/check.h"
 #include "strata/errors.h"
 #include "strata/mesh.h"
+#include "strata/monitor.h"
 #include "strata/options.h"
 
 namespace strata {
@@ -27,10 +28,10 @@ struct Screening {
 /// One parallel streaming pass over vertices and triangles. O(n), no allocation in proportion to n. Decisions are made
 /// in doubles with proven error bounds, and exactly where these do not suffice. A mesh without triangles is closed and
 /// has orientation 0.
-[[nodiscard]] Screening screen(MeshView mesh);
+[[nodiscard]] Screening screen(MeshView mesh, const Monitor& monitor = {});
 
 /// Only Screening::chain_closed.
-[[nodiscard]] bool chain_is_closed(MeshView mesh);
+[[nodiscard]] bool chain_is_closed(MeshView mesh, const Monitor& monitor = {});
 
 /// An operand that satisfies what the engine requires: closed and oriented, without degenerate triangles. `mesh` is
 /// empty when the input itself does.
@@ -46,16 +47,17 @@ struct Prepared {
 /// neighbours are divided at the vertices that lie inside them, so that the boundary remains closed and no point moves.
 /// With `allow_inside_out` a negative volume is no error. Throws InputError with the full diagnosis otherwise. An empty
 /// mesh is the empty solid.
-[[nodiscard]] Prepared prepare_closed(MeshView mesh, bool allow_inside_out, std::size_t operand = 0);
+[[nodiscard]] Prepared prepare_closed(MeshView mesh, bool allow_inside_out, std::size_t operand = 0,
+                                      const Monitor& monitor = {});
 
 /// Accepts a closed oriented mesh whose vertices may be rationals, by exact tests on these. A mesh that is open only
 /// because vertices are listed twice is welded, as above. No other defect is resolved, so triangles of zero area are
 /// refused. Throws InputError with the full diagnosis, std::invalid_argument when `exact` is not by increasing index or
 /// the mesh does not hold the nearest doubles. O(n), with rational arithmetic where doubles do not decide.
-[[nodiscard]] Prepared prepare_exact(ExactMeshView mesh, std::size_t operand = 0);
+[[nodiscard]] Prepared prepare_exact(ExactMeshView mesh, std::size_t operand = 0, const Monitor& monitor = {});
 
 /// Sign of the signed volume of a closed mesh, exact. O(n), rational where doubles do not decide.
-[[nodiscard]] Sign orientation(ExactMeshView mesh);
+[[nodiscard]] Sign orientation(ExactMeshView mesh, const Monitor& monitor = {});
 
 /// What becomes of loops of open edges.
 enum class Holes : bool { refused, filled };
@@ -67,12 +69,13 @@ enum class Holes : bool { refused, filled };
 /// and consistent keeps its orientation, and faces that enclose no volume are refused, and so are loops of more edges
 /// than given.
 [[nodiscard]] Prepared prepare_soup(MeshView mesh, Holes holes, std::size_t operand = 0,
-                                    std::size_t most_edges = std::numeric_limits<std::size_t>::max());
+                                    std::size_t most_edges = std::numeric_limits<std::size_t>::max(),
+                                    const Monitor& monitor = {});
 
 /// Accepts a mesh as what the caller declares it to be, by the function above that is meant for it: `prepare_exact` if
 /// it has vertices that are not doubles, whatever its class; else `prepare_closed` for `automatic`, `solid` and
-/// `overlapping`, and `prepare_soup` for `repair` and `soup`. Throws as these do. Of the options, `input` and
-/// `most_hole_edges` count.
+/// `overlapping`, and `prepare_soup` for `repair` and `soup`. Throws as these do. Of the options, `input`,
+/// `most_hole_edges` and `cancel` count.
 [[nodiscard]] Prepared prepare(ExactMeshView mesh, const Options& options, std::size_t operand = 0);
 
 }  // namespace strata

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/exact/bounded.h"
+#include "core/exact/pace.h"
 #include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
 #include "core/mesh/prepare_steps.h"
@@ -29,11 +30,12 @@ BoundedVertex about(const Vertex& p, const Vertex& origin) {
 }
 
 /// Six times the signed volume, with a bound. Partial sums have a few thousand terms, so that the bounds hold.
-Bounded bounded_volume(MeshView mesh) {
+Bounded bounded_volume(MeshView mesh, const Monitor& monitor) {
   constexpr std::size_t block = 4096;
   const Vertex origin = mesh.vertices[mesh.triangles[0][0]];
   Bounded total;
   for (std::size_t first = 0; first < mesh.triangles.size(); first += block) {
+    monitor.check();
     Bounded sum;
     for (const Triangle& t : mesh.triangles.subspan(first, std::min(block, mesh.triangles.size() - first))) {
       const auto a = about(mesh.vertices[t[0]], origin), b = about(mesh.vertices[t[1]], origin),
@@ -46,10 +48,11 @@ Bounded bounded_volume(MeshView mesh) {
   return total;
 }
 
-bool has_zero_area(ExactMeshView mesh) {
+bool has_zero_area(ExactMeshView mesh, const Monitor& monitor) {
   const ZeroAreaTest is_zero(mesh);
   std::atomic<bool> found = false;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.mesh.triangles.size(), 1024), [&](const auto& range) {
+    monitor.check();
     for (std::size_t f = range.begin(); f != range.end() && !found; ++f)
       if (is_zero(f)) found = true;
   });
@@ -58,9 +61,11 @@ bool has_zero_area(ExactMeshView mesh) {
 
 }  // namespace
 
-void require_nearest_doubles(ExactMeshView mesh) {
+void require_nearest_doubles(ExactMeshView mesh, const Monitor& monitor) {
+  Pace pace(monitor);
   const ExactVertex* before = nullptr;
   for (const ExactVertex& e : mesh.exact) {
+    pace.step();
     if (e.vertex >= mesh.mesh.vertices.size() || (before != nullptr && before->vertex >= e.vertex))
       throw std::invalid_argument("exact places are not those of vertices by increasing index");
     for (std::size_t i = 0; i < 3; ++i)
@@ -71,24 +76,24 @@ void require_nearest_doubles(ExactMeshView mesh) {
   }
 }
 
-Sign orientation(ExactMeshView mesh) {
+Sign orientation(ExactMeshView mesh, const Monitor& monitor) {
   if (mesh.mesh.triangles.empty()) return Sign::zero;
-  if (const auto sign = bounded_volume(mesh.mesh).sign()) return *sign;
+  if (const auto sign = bounded_volume(mesh.mesh, monitor).sign()) return *sign;
   return sign_of(volume(mesh).sign());
 }
 
-Prepared prepare_exact(ExactMeshView mesh, std::size_t operand) {
-  const auto refuse = [&] { throw InputError(diagnose(mesh), operand); };
-  require_nearest_doubles(mesh);
+Prepared prepare_exact(ExactMeshView mesh, std::size_t operand, const Monitor& monitor) {
+  const auto refuse = [&] { throw InputError(diagnose(mesh, few_defects, monitor), operand); };
+  require_nearest_doubles(mesh, monitor);
   Prepared result;
   if (mesh.mesh.triangles.empty()) return result;
-  const Screening facts = screen(mesh.mesh);
+  const Screening facts = screen(mesh.mesh, monitor);
   if (!facts.finite || !facts.indices_valid) refuse();
   if (!facts.chain_closed) {
-    const std::vector<std::uint32_t> first = equal_vertices(mesh);
+    const std::vector<std::uint32_t> first = equal_vertices(mesh, monitor);
     Mesh welded{{mesh.mesh.vertices.begin(), mesh.mesh.vertices.end()}, {}};
     for (const Triangle& t : mesh.mesh.triangles) welded.triangles.push_back({first[t[0]], first[t[1]], first[t[2]]});
-    if (!chain_is_closed(welded)) refuse();
+    if (!chain_is_closed(welded, monitor)) refuse();
     std::uint64_t count = 0;
     for (std::uint32_t v = 0; v < first.size(); ++v) count += first[v] != v;
     result.notes.push_back(weld_note(count));
@@ -96,7 +101,7 @@ Prepared prepare_exact(ExactMeshView mesh, std::size_t operand) {
     std::iota(result.source_face.begin(), result.source_face.end(), 0U);
     result.mesh = std::move(welded);
   }
-  if (has_zero_area(mesh) || orientation(mesh) == Sign::negative) refuse();
+  if (has_zero_area(mesh, monitor) || orientation(mesh, monitor) == Sign::negative) refuse();
   return result;
 }
 

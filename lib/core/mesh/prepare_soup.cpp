@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "core/exact/pace.h"
 #include "core/mesh/defect_list.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/fill_holes.h"
@@ -14,26 +15,42 @@ namespace {
 
 std::string number(std::uint64_t n) { return std::to_string(n); }
 
+/// What is made a solid, and what is told of it.
+struct Soup {
+  MeshView mesh;
+  std::size_t operand;
+  const Monitor& monitor;
+  std::vector<Defect> notes;
+
+  /// With the notes so far.
+  [[noreturn]] void refuse(std::vector<Defect> errors) const {
+    errors.insert(errors.end(), notes.begin(), notes.end());
+    throw InputError(std::move(errors), operand);
+  }
+};
+
 /// Keeps the faces for which `keep` holds.
 template <class Keep>
-void keep_if(SourcedTriangles& faces, Keep keep) {
+void keep_if(SourcedTriangles& faces, const Monitor& monitor, Keep keep) {
   SourcedTriangles kept;
+  Pace pace(monitor);
   for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
+    pace.step();
     if (keep(i)) kept.add(faces.triangles[i], faces.sources[i]);
   }
   faces = std::move(kept);
 }
 
-void drop_repeated_vertices(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes) {
+void drop_repeated_vertices(Soup& soup, SourcedTriangles& faces) {
   DefectList list(DefectKind::degenerate_triangle, Severity::note, "the face was dropped");
-  keep_if(faces, [&](std::size_t i) {
+  keep_if(faces, soup.monitor, [&](std::size_t i) {
     const Triangle& t = faces.triangles[i];
     if (!repeats_vertex(t)) return true;
     const std::uint32_t f = faces.sources[i];
-    list.add(mesh.vertices[t[0]], {f}, [&] { return "two corners of face " + number(f) + " are one point"; });
+    list.add(soup.mesh.vertices[t[0]], {f}, [&] { return "two corners of face " + number(f) + " are one point"; });
     return false;
   });
-  list.append_to(notes);
+  list.append_to(soup.notes);
 }
 
 /// True if the corners, in order, are an even permutation of their increasing order.
@@ -48,11 +65,13 @@ Triangle sorted(Triangle t) {
 enum class OppositePairs : bool { dropped, one_kept };
 
 /// Of the faces with the same three vertices at most one is kept.
-void drop_duplicates(MeshView mesh, OppositePairs opposite, SourcedTriangles& faces, std::vector<Defect>& notes) {
+void drop_duplicates(Soup& soup, OppositePairs opposite, SourcedTriangles& faces) {
   const auto& triangles = faces.triangles;
   std::vector<std::uint32_t> order(triangles.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  Pace pace(soup.monitor);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    pace.step();
     const Triangle s = sorted(triangles[a]), t = sorted(triangles[b]);
     return s != t ? s < t : a < b;
   });
@@ -61,6 +80,7 @@ void drop_duplicates(MeshView mesh, OppositePairs opposite, SourcedTriangles& fa
                   opposite == OppositePairs::dropped ? "equal faces were reduced to one, opposite pairs to none"
                                                      : "equal and opposite faces were reduced to one");
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    pace.step();
     std::int64_t net = 0;
     for (; end < order.size() && sorted(triangles[order[end]]) == sorted(triangles[order[begin]]); ++end) {
       net += is_even(triangles[order[end]]) ? 1 : -1;
@@ -74,21 +94,21 @@ void drop_duplicates(MeshView mesh, OppositePairs opposite, SourcedTriangles& fa
       same.push_back(faces.sources[order[i]]);
     }
     const std::size_t count = same.size();
-    list.add(mesh.vertices[triangles[order[begin]][0]], std::move(same),
+    list.add(soup.mesh.vertices[triangles[order[begin]][0]], std::move(same),
              [&] { return number(count) + " faces have the same three vertices"; });
   }
-  keep_if(faces, [&](std::size_t i) { return keep[i]; });
-  list.append_to(notes);
+  keep_if(faces, soup.monitor, [&](std::size_t i) { return keep[i]; });
+  list.append_to(soup.notes);
 }
 
 /// Drops sheets that are open and consist only of zero-area faces, until there are none.
-void drop_loose_flat_sheets(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes) {
+void drop_loose_flat_sheets(Soup& soup, SourcedTriangles& faces) {
   DefectList list(DefectKind::degenerate_triangle, Severity::note, "the face was dropped");
   for (bool dropped = true; dropped;) {
     dropped = false;
     std::vector<Triangle> oriented = faces.triangles;
-    const Sheets sheets = orient_sheets(oriented, mesh.vertices.size());
-    const ZeroAreaTest is_zero(MeshView(mesh.vertices, faces.triangles));
+    const Sheets sheets = orient_sheets(oriented, soup.mesh.vertices.size(), soup.monitor);
+    const ZeroAreaTest is_zero(MeshView(soup.mesh.vertices, faces.triangles));
     std::vector<bool> keep(faces.triangles.size(), true);
     for (std::size_t s = 0; s < sheets.triangles.size(); ++s) {
       const auto& members = sheets.triangles[s];
@@ -96,13 +116,13 @@ void drop_loose_flat_sheets(MeshView mesh, SourcedTriangles& faces, std::vector<
       dropped = true;
       for (const std::uint32_t t : members) {
         keep[t] = false;
-        list.add(mesh.vertices[faces.triangles[t][0]], {faces.sources[t]},
+        list.add(soup.mesh.vertices[faces.triangles[t][0]], {faces.sources[t]},
                  [&] { return "face " + number(faces.sources[t]) + " has zero area and bounds nothing"; });
       }
     }
-    if (dropped) keep_if(faces, [&](std::size_t i) { return keep[i]; });
+    if (dropped) keep_if(faces, soup.monitor, [&](std::size_t i) { return keep[i]; });
   }
-  list.append_to(notes);
+  list.append_to(soup.notes);
 }
 
 void add_note(std::vector<Defect>& notes, DefectKind kind, std::uint64_t count, std::string message,
@@ -117,11 +137,6 @@ void add_note(std::vector<Defect>& notes, DefectKind kind, std::uint64_t count, 
   notes.push_back(std::move(note));
 }
 
-void refuse(std::vector<Defect> errors, const std::vector<Defect>& notes, std::size_t operand) {
-  errors.insert(errors.end(), notes.begin(), notes.end());
-  throw InputError(std::move(errors), operand);
-}
-
 void note_reversed(std::vector<Defect>& notes, const Sheets& sheets) {
   add_note(notes, DefectKind::inconsistent_orientation, sheets.reversed,
            number(sheets.reversed) + " faces were reversed to run against their neighbours",
@@ -129,9 +144,9 @@ void note_reversed(std::vector<Defect>& notes, const Sheets& sheets) {
 }
 
 /// Closed sheets face outwards, or inwards as the walls of cavities; those that are trusted stay if they face outwards.
-void orient_shells(MeshView mesh, SourcedTriangles& faces, const Sheets& sheets, std::vector<Defect>& notes,
+void orient_shells(const Soup& soup, SourcedTriangles& faces, const Sheets& sheets, std::vector<Defect>& notes,
                    const std::vector<bool>& trusted = {}) {
-  const Shells shells = orient_outwards(mesh.vertices, faces.triangles, sheets, trusted);
+  const Shells shells = orient_outwards(soup.mesh.vertices, faces.triangles, sheets, trusted, soup.monitor);
   add_note(notes, DefectKind::inside_out, shells.reversed,
            number(shells.reversed) + " shells were reversed; of all shells, " + number(shells.cavities) +
                " lie inside an odd number of others and bound cavities, the rest faces outwards",
@@ -139,15 +154,16 @@ void orient_shells(MeshView mesh, SourcedTriangles& faces, const Sheets& sheets,
 }
 
 /// Orients all faces, or throws with the open edges and the notes so far.
-void orient(MeshView mesh, SourcedTriangles& faces, std::vector<Defect>& notes, std::size_t operand) {
-  const Sheets sheets = orient_sheets(faces.triangles, mesh.vertices.size());
+void orient(Soup& soup, SourcedTriangles& faces) {
+  const MeshView mesh = soup.mesh;
+  const Sheets sheets = orient_sheets(faces.triangles, mesh.vertices.size(), soup.monitor);
   std::vector<Defect> of_shells;
-  orient_shells(mesh, faces, sheets, of_shells);
+  orient_shells(soup, faces, sheets, of_shells);
   std::vector<Defect> errors;
-  find_open_edges(mesh.vertices, faces, errors);
-  if (!errors.empty()) refuse(std::move(errors), notes, operand);
-  note_reversed(notes, sheets);
-  notes.insert(notes.end(), of_shells.begin(), of_shells.end());
+  find_open_edges(mesh.vertices, faces, errors, few_defects, soup.monitor);
+  if (!errors.empty()) soup.refuse(std::move(errors));
+  note_reversed(soup.notes, sheets);
+  soup.notes.insert(soup.notes.end(), of_shells.begin(), of_shells.end());
 }
 
 Vertex middle_of(MeshView mesh, const Hole& hole) {
@@ -159,9 +175,9 @@ Vertex middle_of(MeshView mesh, const Hole& hole) {
 }
 
 /// Adds what is missing for a closed chain, or throws where a loop has more edges than wanted.
-void fill(MeshView mesh, SourcedTriangles& faces, std::size_t most_edges, RepeatedEdges repeated_edges,
-          std::vector<Defect>& notes, std::size_t operand) {
-  const std::vector<Hole> holes = find_holes(mesh.vertices, faces);
+void fill(Soup& soup, SourcedTriangles& faces, std::size_t most_edges, RepeatedEdges repeated_edges) {
+  const MeshView mesh = soup.mesh;
+  const std::vector<Hole> holes = find_holes(mesh.vertices, faces, soup.monitor);
   DefectList filled(DefectKind::open_edge, Severity::note, "it was filled: add what is missing there");
   DefectList refused(DefectKind::open_edge, Severity::error,
                      "add what is missing there, or allow holes of so many edges to be filled");
@@ -169,59 +185,61 @@ void fill(MeshView mesh, SourcedTriangles& faces, std::size_t most_edges, Repeat
     (hole.loop.size() > most_edges ? refused : filled).add(middle_of(mesh, hole), {hole.face_beside}, [&] {
       return "a hole is bounded by " + number(hole.loop.size()) + " open edges";
     });
-  filled.append_to(notes);
+  filled.append_to(soup.notes);
   if (refused.count() > 0) {
     std::vector<Defect> errors;
     refused.append_to(errors);
-    refuse(std::move(errors), notes, operand);
+    soup.refuse(std::move(errors));
   }
-  fill_holes(mesh.vertices, holes, faces, repeated_edges);
+  fill_holes(mesh.vertices, holes, faces, repeated_edges, soup.monitor);
 }
 
-int volume_sign(MeshView mesh, std::span<const Triangle> triangles) {
-  return to_int(orientation(ExactMeshView(MeshView(mesh.vertices, triangles), {})));
+int volume_sign(const Soup& soup, std::span<const Triangle> triangles) {
+  return to_int(orientation(ExactMeshView(MeshView(soup.mesh.vertices, triangles), {}), soup.monitor));
 }
 
 /// Reverses the sheets that are not closed by themselves, and together are, where their volume is negative.
-void orient_rest(MeshView mesh, SourcedTriangles& faces, const Sheets& sheets) {
+void orient_rest(const Soup& soup, SourcedTriangles& faces, const Sheets& sheets) {
   std::vector<std::uint32_t> rest;
   std::vector<Triangle> triangles;
   for (std::size_t s = 0; s < sheets.triangles.size(); ++s)
     if (!sheets.closed[s]) rest.insert(rest.end(), sheets.triangles[s].begin(), sheets.triangles[s].end());
   for (const std::uint32_t t : rest) triangles.push_back(faces.triangles[t]);
-  if (volume_sign(mesh, triangles) >= 0) return;
+  if (volume_sign(soup, triangles) >= 0) return;
   for (const std::uint32_t t : rest) std::swap(faces.triangles[t][1], faces.triangles[t][2]);
 }
 
 /// Makes the chain of faces closed. Faces are reversed only where that leaves less open. A sheet in which none was is
 /// trusted: it stays if it faces outwards, and if it is the wall of a cavity; inside out and in no other, it is
 /// reversed. Other sheets are oriented by what they lie in, as where holes are refused. Does it enclose something?
-bool closes(MeshView mesh, SourcedTriangles& faces, std::size_t most_edges, RepeatedEdges repeated_edges,
-            std::vector<Defect>& notes, std::size_t operand) {
+bool closes(Soup& soup, SourcedTriangles& faces, std::size_t most_edges, RepeatedEdges repeated_edges) {
+  const MeshView mesh = soup.mesh;
+  const Monitor& monitor = soup.monitor;
   std::vector<Triangle> given = faces.triangles;
-  if (const std::uint64_t open = open_uses(mesh.vertices, given); open != 0) {
-    const Sheets sheets = orient_sheets(faces.triangles, mesh.vertices.size());
-    if (open_uses(mesh.vertices, faces.triangles) < open)
-      note_reversed(notes, sheets);
+  if (const std::uint64_t open = open_uses(mesh.vertices, given, monitor); open != 0) {
+    const Sheets sheets = orient_sheets(faces.triangles, mesh.vertices.size(), monitor);
+    if (open_uses(mesh.vertices, faces.triangles, monitor) < open)
+      note_reversed(soup.notes, sheets);
     else
       faces.triangles = given;
-    fill(mesh, faces, most_edges, repeated_edges, notes, operand);
+    fill(soup, faces, most_edges, repeated_edges);
   }
-  if (volume_sign(mesh, faces.triangles) < 0) {  // inside out as a whole
+  if (volume_sign(soup, faces.triangles) < 0) {  // inside out as a whole
     for (Triangle& t : faces.triangles) std::swap(t[1], t[2]);
     for (Triangle& t : given) std::swap(t[1], t[2]);
-    add_note(notes, DefectKind::inside_out, faces.triangles.size(), "all faces were reversed: the mesh was inside out",
+    add_note(soup.notes, DefectKind::inside_out, faces.triangles.size(),
+             "all faces were reversed: the mesh was inside out",
              "nothing to do, or orient faces where the mesh is made");
   }
-  const Sheets sheets = orient_sheets(faces.triangles, mesh.vertices.size());
+  const Sheets sheets = orient_sheets(faces.triangles, mesh.vertices.size(), monitor);
   std::vector<bool> trusted;
   for (const auto& sheet : sheets.triangles)
     trusted.push_back(std::all_of(sheet.begin(), sheet.end(), [&](std::uint32_t t) {
       return t >= given.size() || faces.triangles[t] == given[t];
     }));
-  orient_shells(mesh, faces, sheets, notes, trusted);
-  orient_rest(mesh, faces, sheets);
-  return volume_sign(mesh, faces.triangles) > 0;
+  orient_shells(soup, faces, sheets, soup.notes, trusted);
+  orient_rest(soup, faces, sheets);
+  return volume_sign(soup, faces.triangles) > 0;
 }
 
 /// How faces are made a closed chain. Each way is for what the one before makes nothing of.
@@ -238,43 +256,44 @@ constexpr std::array closings{
 };
 
 /// Faces without repeated vertices become a closed chain that encloses something, or it throws.
-void close(MeshView mesh, SourcedTriangles& faces, std::size_t most_edges, std::vector<Defect>& notes,
-           std::size_t operand) {
+void close(Soup& soup, SourcedTriangles& faces, std::size_t most_edges) {
   const SourcedTriangles given = faces;
-  const std::vector<Defect> noted = notes;
+  const std::vector<Defect> noted = soup.notes;
   for (const auto& [opposite, repeated_edges] : closings) {
-    drop_duplicates(mesh, opposite, faces, notes);
-    drop_loose_flat_sheets(mesh, faces, notes);
-    if (closes(mesh, faces, most_edges, repeated_edges, notes, operand)) return;
+    drop_duplicates(soup, opposite, faces);
+    drop_loose_flat_sheets(soup, faces);
+    if (closes(soup, faces, most_edges, repeated_edges)) return;
     faces = given;
-    notes = noted;
+    soup.notes = noted;
   }
   Defect nothing;
   nothing.kind = DefectKind::empty_mesh;
   nothing.message = "the faces enclose no volume, even with all holes filled";
   nothing.remedy = "give a mesh whose faces surround something";
-  refuse({nothing}, notes, operand);
+  soup.refuse({nothing});
 }
 
 }  // namespace
 
-Prepared prepare_soup(MeshView mesh, Holes holes, std::size_t operand, std::size_t most_edges) {
+Prepared prepare_soup(MeshView mesh, Holes holes, std::size_t operand, std::size_t most_edges, const Monitor& monitor) {
   Prepared result;
   if (mesh.triangles.empty()) return result;
-  SourcedTriangles faces = sound_faces(mesh, Severity::note, result.notes);
-  const bool open = !screen({mesh.vertices, faces.triangles}).chain_closed;
-  const std::uint64_t welded = weld(mesh.vertices, faces.triangles);
-  if (open && welded > 0) result.notes.push_back(weld_note(welded));
-  drop_repeated_vertices(mesh, faces, result.notes);
+  Soup soup{mesh, operand, monitor, {}};
+  SourcedTriangles faces = sound_faces(mesh, Severity::note, soup.notes, few_defects, monitor);
+  const bool open = !screen({mesh.vertices, faces.triangles}, monitor).chain_closed;
+  const std::uint64_t welded = weld(mesh.vertices, faces.triangles, monitor);
+  if (open && welded > 0) soup.notes.push_back(weld_note(welded));
+  drop_repeated_vertices(soup, faces);
   if (holes == Holes::filled) {
-    close(mesh, faces, most_edges, result.notes, operand);
+    close(soup, faces, most_edges);
   } else {
-    drop_duplicates(mesh, OppositePairs::dropped, faces, result.notes);
-    drop_loose_flat_sheets(mesh, faces, result.notes);
-    orient(mesh, faces, result.notes, operand);
+    drop_duplicates(soup, OppositePairs::dropped, faces);
+    drop_loose_flat_sheets(soup, faces);
+    orient(soup, faces);
   }
-  const Removal removal = remove_zero_area(mesh.vertices, faces);
-  if (!removal.removed.empty()) result.notes.push_back(removal_note(mesh, removal));
+  const Removal removal = remove_zero_area(mesh.vertices, faces, monitor);
+  if (!removal.removed.empty()) soup.notes.push_back(removal_note(mesh, removal));
+  result.notes = std::move(soup.notes);
   result.mesh = Mesh{{mesh.vertices.begin(), mesh.vertices.end()}, std::move(faces.triangles)};
   result.source_face = std::move(faces.sources);
   return result;

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/exact/pace.h"
 #include "core/mesh/defect_list.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/equal_vertices.h"
@@ -22,7 +23,8 @@ bool is_finite(const Vertex& v) { return std::isfinite(v[0]) && std::isfinite(v[
 
 }  // namespace
 
-SourcedTriangles sound_faces(MeshView mesh, Severity severity, std::vector<Defect>& defects, std::size_t listed) {
+SourcedTriangles sound_faces(MeshView mesh, Severity severity, std::vector<Defect>& defects, std::size_t listed,
+                             const Monitor& monitor) {
   const bool dropped = severity == Severity::note;
   DefectList out_of_range(DefectKind::index_out_of_range, severity,
                           dropped ? "the face was dropped" : "remove the face or add the missing vertex", listed);
@@ -30,7 +32,9 @@ SourcedTriangles sound_faces(MeshView mesh, Severity severity, std::vector<Defec
                         dropped ? "the face was dropped" : "give the vertex finite coordinates or remove the face",
                         listed);
   SourcedTriangles sound;
+  Pace pace(monitor);
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    pace.step();
     const Triangle& t = mesh.triangles[f];
     const auto outside = std::find_if(t.begin(), t.end(), [&](std::uint32_t v) { return v >= mesh.vertices.size(); });
     if (outside != t.end()) {
@@ -53,8 +57,8 @@ SourcedTriangles sound_faces(MeshView mesh, Severity severity, std::vector<Defec
   return sound;
 }
 
-std::uint64_t weld(std::span<const Vertex> vertices, std::vector<Triangle>& triangles) {
-  const std::vector<std::uint32_t> first = equal_vertices(vertices);
+std::uint64_t weld(std::span<const Vertex> vertices, std::vector<Triangle>& triangles, const Monitor& monitor) {
+  const std::vector<std::uint32_t> first = equal_vertices(vertices, monitor);
   std::uint64_t welded = 0;
   for (std::uint32_t v = 0; v < first.size(); ++v) welded += first[v] != v;
   for (Triangle& t : triangles) t = {first[t[0]], first[t[1]], first[t[2]]};
@@ -88,12 +92,13 @@ Defect removal_note(MeshView mesh, const Removal& removal) {
 }
 
 void find_open_edges(std::span<const Vertex> vertices, const SourcedTriangles& faces, std::vector<Defect>& defects,
-                     std::size_t listed) {
+                     std::size_t listed, const Monitor& monitor) {
   DefectList open(DefectKind::open_edge, Severity::error,
                   "add the faces that are missing there, or remove loose ones (input class soup fills holes)", listed);
   DefectList turned(DefectKind::inconsistent_orientation, Severity::error,
                     "reverse the faces that run the same way along the edge (input class repair does)", listed);
-  for_each_edge(edge_table(faces.triangles, vertices.size()), [&](std::span<const EdgeUse> uses) {
+  const auto table = edge_table(faces.triangles, vertices.size(), monitor);
+  const auto visit = [&](std::span<const EdgeUse> uses) {
     const std::int64_t net = net_uses(uses);
     if (net == 0) return;
     std::vector<std::uint32_t> around;
@@ -106,7 +111,8 @@ void find_open_edges(std::span<const Vertex> vertices, const SourcedTriangles& f
     };
     DefectList& list = uses.size() % 2 == 0 ? turned : open;
     list.add(middle(vertices[uses[0].low], vertices[uses[0].high]), std::move(around), message);
-  });
+  };
+  for_each_edge(table, visit, monitor);
   open.append_to(defects);
   turned.append_to(defects);
 }

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/exact/pace.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/prepare.h"
 #include "core/mesh/product_sum.h"
@@ -28,8 +29,11 @@ struct Chunks {
       : items(n), size(std::max(min_chunk, (n + max_chunks - 1) / max_chunks)), count((n + size - 1) / size) {}
 
   template <class Visit>
-  void for_each(Visit visit) const {  // visit(chunk, first, last)
-    const auto one = [&](std::size_t k) { visit(k, k * size, std::min(items, (k + 1) * size)); };
+  void for_each(const Monitor& monitor, Visit visit) const {  // visit(chunk, first, last)
+    const auto one = [&](std::size_t k) {
+      monitor.check();
+      visit(k, k * size, std::min(items, (k + 1) * size));
+    };
     if (count == 1) return one(0);
     tbb::parallel_for(std::size_t{0}, count, one);
   }
@@ -123,7 +127,7 @@ Tally tally_of(MeshView mesh, std::size_t first, std::size_t last, const Vertex&
 /// in every component, each term has an error below 3 R (8.01 e U V) + 3 R (2 U V)(4e) + underflow <= 49 e R U V +
 /// (R+1) 2^-1070, and is at most 7 R U V in size. Adding m terms in sequence and then k partial sums adds an error of
 /// at most (m + k) e times the sum of sizes.
-int orientation(MeshView mesh, const Tally& total, const Vertex& o, const Chunks& chunks) {
+int orientation(MeshView mesh, const Tally& total, const Vertex& o, const Chunks& chunks, const Monitor& monitor) {
   double radius = 0;
   for (int i = 0; i < 3; ++i) radius = std::max(radius, std::max(total.box.upper[i] - o[i], o[i] - total.box.lower[i]));
   const auto terms = static_cast<double>(chunks.size + chunks.count);
@@ -132,7 +136,9 @@ int orientation(MeshView mesh, const Tally& total, const Vertex& o, const Chunks
   if (total.volume > error) return 1;
   if (total.volume < -error) return -1;
   ProductSum exact;
+  Pace pace(monitor);
   for (const Triangle& t : mesh.triangles) {
+    pace.step();
     exact.add_determinant(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
   }
   return exact.sign();
@@ -140,17 +146,17 @@ int orientation(MeshView mesh, const Tally& total, const Vertex& o, const Chunks
 
 }  // namespace
 
-bool chain_is_closed(MeshView mesh) {
+bool chain_is_closed(MeshView mesh, const Monitor& monitor) {
   const Chunks chunks(mesh.triangles.size());
   std::vector<Wide> parts(chunks.count);
-  chunks.for_each([&](std::size_t k, std::size_t first, std::size_t last) {
+  chunks.for_each(monitor, [&](std::size_t k, std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f)
       if (!repeats_vertex(mesh.triangles[f])) parts[k] += boundary_number(mesh.triangles[f]);
   });
   return std::accumulate(parts.begin(), parts.end(), Wide{0}) == 0;
 }
 
-Screening screen(MeshView mesh) {
+Screening screen(MeshView mesh, const Monitor& monitor) {
   Screening result;
   if (mesh.triangles.empty()) return result;
   const std::uint32_t somewhere = mesh.triangles[0][0];
@@ -158,8 +164,9 @@ Screening screen(MeshView mesh) {
   const Chunks chunks(mesh.triangles.size());
   const ZeroAreaTest is_zero(mesh);
   std::vector<Tally> parts(chunks.count);
-  chunks.for_each(
-      [&](std::size_t k, std::size_t first, std::size_t last) { parts[k] = tally_of(mesh, first, last, o, is_zero); });
+  chunks.for_each(monitor, [&](std::size_t k, std::size_t first, std::size_t last) {
+    parts[k] = tally_of(mesh, first, last, o, is_zero);
+  });
   Tally total;
   for (const Tally& part : parts) total.add(part);
   result.finite = total.finite || !total.indices_valid;
@@ -167,7 +174,7 @@ Screening screen(MeshView mesh) {
   result.degenerate = total.degenerate;
   result.bounds = total.box;
   result.chain_closed = total.indices_valid && total.chain == 0;
-  if (result.finite && result.chain_closed) result.orientation = orientation(mesh, total, o, chunks);
+  if (result.finite && result.chain_closed) result.orientation = orientation(mesh, total, o, chunks, monitor);
   return result;
 }
 

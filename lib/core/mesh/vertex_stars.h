@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "strata/mesh.h"
+#include "strata/monitor.h"
 
 namespace strata {
 
@@ -12,7 +13,7 @@ namespace strata {
 /// below vertex_count. O(n).
 class VertexStars {
  public:
-  VertexStars(std::span<const Triangle> triangles, std::size_t vertex_count);
+  VertexStars(std::span<const Triangle> triangles, std::size_t vertex_count, const Monitor& monitor = {});
 
   [[nodiscard]] std::size_t vertex_count() const { return begin_.size() - 1; }
   [[nodiscard]] std::span<const std::uint32_t> at(std::uint32_t vertex) const {

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/exact/pace.h"
 #include "core/kernel/disjoint_sets.h"
 #include "core/mesh/edge_table.h"
 
@@ -134,10 +135,12 @@ bool add_divided(std::span<const Vertex> vertices, const Groups& groups, const T
 
 }  // namespace
 
-Removal remove_zero_area(std::span<const Vertex> vertices, SourcedTriangles& faces) {
+Removal remove_zero_area(std::span<const Vertex> vertices, SourcedTriangles& faces, const Monitor& monitor) {
   std::vector<std::uint32_t> flat;
   const ZeroAreaTest is_zero(MeshView(vertices, faces.triangles));
+  Pace pace(monitor);
   for (std::uint32_t f = 0; f < faces.triangles.size(); ++f) {
+    pace.step();
     if (is_zero(f)) flat.push_back(f);
   }
   Removal result;
@@ -152,6 +155,7 @@ Removal remove_zero_area(std::span<const Vertex> vertices, SourcedTriangles& fac
   SourcedTriangles out;
   auto next_flat = flat.begin();
   for (std::uint32_t f = 0; f < faces.triangles.size(); ++f) {
+    pace.step();
     if (next_flat != flat.end() && *next_flat == f) {
       ++next_flat;
     } else {

@@ -7,6 +7,7 @@
 
 #include "core/kernel/predicates.h"
 #include "strata/mesh.h"
+#include "strata/monitor.h"
 
 namespace strata {
 
@@ -76,6 +77,6 @@ struct Removal {
 /// Removes all triangles of zero area and divides their neighbours' edges, so that a closed chain remains closed and
 /// covers the same surface. Vertices keep their numbers, except that those of zero-area triangles with equal
 /// coordinates become one. See the proof in zero_area.cpp. O(n + k log k) for k zero-area triangles.
-Removal remove_zero_area(std::span<const Vertex> vertices, SourcedTriangles& faces);
+Removal remove_zero_area(std::span<const Vertex> vertices, SourcedTriangles& faces, const Monitor& monitor = {});
 
 }  // namespace strata

@@ -8,6 +8,7 @@
 #include "core/cells/cell_tree.h"
 #include "core/cells/face_blocks.h"
 #include "core/exact/invariants.h"
+#include "core/exact/pace.h"
 #include "core/select/validate.h"
 #include "core/winding/corner_cache.h"
 
@@ -113,7 +114,9 @@ std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivi
     FaceJudge judge(input, classifier, block.operand);
     auto next = std::lower_bound(subdivided.begin(), subdivided.end(), first + block.first,
                                  [](const SubdividedFace& s, std::uint32_t f) { return s.face < f; });
+    Pace pace(monitor);
     for (std::uint32_t i = block.first; i < block.last; ++i) {
+      pace.step();
       if (next != subdivided.end() && next->face == first + i) {
         ++next;
       } else {

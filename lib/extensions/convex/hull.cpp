@@ -89,9 +89,11 @@ Polytope solid(const PointCloud& cloud, const std::array<std::uint32_t, 4>& simp
   hull.add(points, monitor);
   monitor.check();
   Loops loops = maximal_facets(hull, cloud.size());
+  monitor.check();
   std::vector<std::uint32_t> number(cloud.size());
   Polytope result = with_vertices(cloud, corners_of(loops, cloud.size()), number);
   renumber(loops, number);
+  monitor.check();
   result.facets = in_order(loops, result.vertices.size());
   return result;
 }

@@ -9,10 +9,10 @@
 
 namespace strata {
 
-DirectionIndex::DirectionIndex(const Scene& scene, const Origin& origin)
+DirectionIndex::DirectionIndex(const Scene& scene, const Origin& origin, const Monitor& monitor)
     : charts_of_(origin, input_complex_of(scene).vertex_count() == 0 ? InputComplex::Coordinates{}
                                                                      : input_complex_of(scene).vertex(0)) {
-  DirectionIndexBuilder(scene, origin, *this).build();
+  DirectionIndexBuilder(scene, origin, monitor, *this).build();
 }
 
 std::int32_t DirectionIndex::Chart::grid(std::size_t axis, double u) const {

@@ -44,7 +44,7 @@ class DirectionIndex {
  public:
   DirectionIndex() = default;
   /// O(n log n), in parallel.
-  DirectionIndex(const Scene& scene, const Origin& origin);
+  DirectionIndex(const Scene& scene, const Origin& origin, const Monitor& monitor);
 
   /// Calls `visit(face)` once for every face that the walk from the origin to q meets, q included, and for a few more,
   /// judged by rectangles and depths in one list, unless q's direction has too large an error. Requires that q is not

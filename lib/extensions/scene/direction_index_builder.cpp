@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/cells/face_blocks.h"
+#include "core/exact/pace.h"
 #include "core/kernel/approximation.h"
 #include "extensions/scene/closed_face.h"
 #include "extensions/scene/scene_data.h"
@@ -51,11 +52,14 @@ void DirectionIndexBuilder::find_faces_at_origin() {
   at_origin_.assign(input.face_count(), false);
   if (!origin_.is_point()) return;
   const Point o = Point::free(origin_.at);
-  for (std::uint32_t f = 0; f < input.face_count(); ++f)
+  Pace pace(monitor_);
+  for (std::uint32_t f = 0; f < input.face_count(); ++f) {
+    pace.step();
     if (is_on_closed_face(input, f, o)) {
       at_origin_[f] = true;
       index_.at_origin_.push_back(f);
     }
+  }
 }
 
 /// The spans per chart, by increasing face.
@@ -66,9 +70,12 @@ std::vector<std::vector<DirectionIndexBuilder::Span>> DirectionIndexBuilder::fin
   std::vector<std::vector<std::vector<Span>>> parts(blocks.size(), std::vector<std::vector<Span>>(charts));
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
     const std::uint32_t first = input.first_face(blocks[b].operand);
-    for (std::uint32_t f = first + blocks[b].first; f < first + blocks[b].last; ++f)
+    Pace pace(monitor_);
+    for (std::uint32_t f = first + blocks[b].first; f < first + blocks[b].last; ++f) {
+      pace.step();
       for (std::size_t c = 0; c < charts && !at_origin_[f]; ++c)
         if (const auto span = span_in(c, f)) parts[b][c].push_back(*span);
+    }
   });
   std::vector<std::vector<Span>> all(charts);
   for (std::size_t c = 0; c < charts; ++c)
@@ -187,8 +194,10 @@ void DirectionIndexBuilder::sort_into_squares(std::size_t c) const {
     return ChartSquare{{static_cast<std::int32_t>(n % row) << shift, static_cast<std::int32_t>(n / row) << shift},
                        1 << shift};
   };
+  Pace pace(monitor_);
   const auto for_each_entry = [&](const auto& visit) {
     for (std::uint32_t i = 0; i < chart.footprints.size(); ++i) {
+      pace.step();
       const Footprint& f = chart.footprints[i];
       for_each_square(f, bits, shift, [&](std::size_t n) {
         if (!f.is_large || reaches(c, f, square_of(n))) visit(n, i);
@@ -244,6 +253,7 @@ void DirectionIndexBuilder::refine(std::size_t c, std::deque<Square> squares, Pa
   for (const Square& s : squares) total += s.entries.size();
   const std::size_t most = growth * total;
   for (; !squares.empty(); squares.pop_front()) {
+    monitor_.check();
     Square& s = squares.front();
     if (s.entries.size() > few && s.place.side > 8 * margin && total < most) {
       auto quarters = quarter(c, s.place, s.entries);

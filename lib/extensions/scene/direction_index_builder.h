@@ -12,8 +12,8 @@ namespace strata {
 /// Builds a DirectionIndex.
 class DirectionIndexBuilder {
  public:
-  DirectionIndexBuilder(const Scene& scene, const Origin& origin, DirectionIndex& index)
-      : scene_(scene), origin_(origin), index_(index) {}
+  DirectionIndexBuilder(const Scene& scene, const Origin& origin, const Monitor& monitor, DirectionIndex& index)
+      : scene_(scene), origin_(origin), monitor_(monitor), index_(index) {}
 
   void build();
 
@@ -58,6 +58,7 @@ class DirectionIndexBuilder {
 
   const Scene& scene_;
   const Origin& origin_;
+  const Monitor& monitor_;
   DirectionIndex& index_;
   std::vector<bool> at_origin_;
 };

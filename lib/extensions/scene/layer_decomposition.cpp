@@ -32,7 +32,7 @@ LayerDecomposition::LayerDecomposition(Scene scene, const Origin& origin, const 
     : data_(Shared<Data>::make(std::move(scene), origin, monitor)) {}
 
 LayerDecomposition::Data::Data(Scene scene, const Origin& origin, const Monitor& monitor)
-    : covering(std::move(scene), origin, true), pieces(covering.scene()) {
+    : covering(std::move(scene), origin, true, monitor), pieces(covering.scene()) {
   monitor.report(0.3);
   const Sight sight(input_complex_of(covering.scene()), origin);
   Dominance dominance = find_dominance(sight, covering.index(), covering.orientations(), monitor);

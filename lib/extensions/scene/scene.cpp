@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/exact/pace.h"
 #include "core/kernel/predicates.h"
 #include "extensions/scene/scene_data.h"
 #include "strata/errors.h"
@@ -20,21 +21,24 @@ Defect defect(DefectKind kind, const char* message, std::vector<std::uint32_t> f
   return d;
 }
 
-void check_arrays(const Mesh& mesh, std::size_t solid) {
+void check_arrays(const Mesh& mesh, std::size_t solid, Pace& pace) {
   for (const Vertex& v : mesh.vertices)
     if (!std::isfinite(v[0]) || !std::isfinite(v[1]) || !std::isfinite(v[2]))
       throw InputError({defect(DefectKind::non_finite_coordinate, "a coordinate is not a finite number")}, solid);
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    pace.step();
     for (const std::uint32_t v : mesh.triangles[f])
       if (v >= mesh.vertices.size())
         throw InputError({defect(DefectKind::index_out_of_range, "a face names a vertex that does not exist",
                                  {static_cast<std::uint32_t>(f)})},
                          solid);
+  }
 }
 
-void check_faces(const InputComplex& input) {
+void check_faces(const InputComplex& input, const Monitor& monitor) {
   std::atomic<std::uint32_t> worst{input.face_count()};
   tbb::parallel_for(std::uint32_t{0}, input.face_count(), [&](std::uint32_t f) {
+    monitor.check();
     if (!is_degenerate(input, f)) return;
     std::uint32_t w = worst.load();
     while (f < w && !worst.compare_exchange_weak(w, f)) {
@@ -64,20 +68,22 @@ RationalPoint Scene::position(std::uint32_t v) const {
 }
 Triangle Scene::face(std::uint32_t face) const { return data_->input.face(face); }
 
-Scene::Scene(std::vector<ExactMesh> solids) : data_(Shared<Data>::make(std::move(solids))) {}
+Scene::Scene(std::vector<ExactMesh> solids, const Monitor& monitor)
+    : data_(Shared<Data>::make(std::move(solids), monitor)) {}
 
-Scene::Data::Data(std::vector<ExactMesh> listed) : solids(std::move(listed)) {
+Scene::Data::Data(std::vector<ExactMesh> listed, const Monitor& monitor) : solids(std::move(listed)) {
+  Pace pace(monitor);
   std::uint64_t vertices = 0, faces = 0;
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const Mesh& mesh = solids[i].mesh;
-    check_arrays(mesh, i);
+    check_arrays(mesh, i, pace);
     vertices += mesh.vertices.size();
     faces += mesh.triangles.size();
   }
   if (vertices > 0xfffffffdu || faces > 0xfffffffdu)
     throw std::length_error("a scene of more than 2^32 - 3 vertices or faces");
   for (const ExactMesh& s : solids) input.add(s.mesh.vertices, s.mesh.triangles, s.exact);
-  check_faces(input);
+  check_faces(input, monitor);
 }
 
 }  // namespace strata

@@ -7,7 +7,7 @@
 namespace strata {
 
 struct Scene::Data {
-  explicit Data(std::vector<ExactMesh> listed);
+  Data(std::vector<ExactMesh> listed, const Monitor& monitor);
 
   std::vector<ExactMesh> solids;
   InputComplex input;

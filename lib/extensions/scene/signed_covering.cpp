@@ -25,14 +25,15 @@ const Origin& checked(const Origin& origin) {
 
 }  // namespace
 
-SignedCovering::SignedCovering(Scene scene, const Origin& origin, bool keep_footprints)
-    : scene_(std::move(scene)), origin_(checked(origin)), index_(scene_, origin_) {
+SignedCovering::SignedCovering(Scene scene, const Origin& origin, bool keep_footprints, const Monitor& monitor)
+    : scene_(std::move(scene)), origin_(checked(origin)), index_(scene_, origin_, monitor) {
   if (!keep_footprints) index_.forget_footprints();
   const InputComplex& input = input_complex_of(scene_);
   const Sight sight(input, origin_);
   orientations_.resize(input.face_count());
   starts_.resize(input.face_count());
   tbb::parallel_for(std::uint32_t{0}, input.face_count(), [&](std::uint32_t f) {
+    monitor.check();
     orientations_[f] = starts_[f] = sight.orientation(input.face(f));
     if (starts_[f] == Sign::zero)
       starts_[f] = origin_.is_point() ? side_of_origin(input, f, origin_.at) : side_of_infinity(input, f, origin_.at);

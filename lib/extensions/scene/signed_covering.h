@@ -24,7 +24,7 @@ class SignedCovering {
  public:
   /// O(n log n). The scene is shared, not copied. Throws std::invalid_argument for an invalid origin.
   /// `keep_footprints`: the index keeps its squares until it forgets the footprints.
-  SignedCovering(Scene scene, const Origin& origin, bool keep_footprints = false);
+  SignedCovering(Scene scene, const Origin& origin, bool keep_footprints = false, const Monitor& monitor = {});
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const Origin& origin() const { return origin_; }

@@ -119,6 +119,7 @@ Arrangement arrange(std::span<const Surface> surfaces, const Options& options) {
     result.cells = std::move(cells.of_wall);
     result.cell_count = cells.count;
     result.sources = walls.boundary().sources;
+    monitor.check();
     for (const Cover& c : walls.boundary().covers)
       result.covers.push_back({c.triangle, walls.source(c.face), walls.is_reversed(c)});
   });

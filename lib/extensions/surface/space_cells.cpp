@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/containers/box_tree.h"
+#include "core/exact/pace.h"
 #include "core/kernel/disjoint_sets.h"
 #include "core/kernel/predicates.h"
 #include "core/kernel/ray_crossing.h"
@@ -29,9 +30,9 @@ class ConnectedSides {
  public:
   ConnectedSides(const Walls& walls, std::size_t vertex_count, const Monitor& monitor)
       : walls_(walls), sides_(2 * walls.size()), sets_(walls.size()) {
-    const std::vector<EdgeUse> uses = edge_table(walls.boundary().triangles, vertex_count);
-    monitor.check();
-    for_each_edge(uses, [this](std::span<const EdgeUse> around) { go_around(around); });
+    const std::vector<EdgeUse> uses = edge_table(walls.boundary().triangles, vertex_count, monitor);
+    for_each_edge(
+        uses, [this](std::span<const EdgeUse> around) { go_around(around); }, monitor);
   }
 
   /// The lowest side of its shell.
@@ -127,16 +128,19 @@ std::pair<std::vector<Index>, Index> numbered(std::size_t n, const Representativ
 /// Shells and connected sets of walls.
 class SpaceShells {
  public:
-  SpaceShells(const Walls& walls, const ExactMesh& mesh, const Monitor& monitor) : mesh_(mesh) {
+  SpaceShells(const Walls& walls, const ExactMesh& mesh, const Monitor& monitor) : mesh_(mesh), monitor_(monitor) {
     ConnectedSides connected(walls, mesh.mesh.vertices.size(), monitor);
     const auto [set_of_wall, sets] = numbered(walls.size(), [&](Index w) { return connected.set(w); });
+    monitor.check();
     auto [shell_of_side, shells] = numbered(2 * walls.size(), [&](Index s) { return connected.shell(s); });
+    monitor.check();
     shell_of_side_ = std::move(shell_of_side);
     sides_.emplace(shell_of_side_, shells);
     set_of_shell_.resize(shells);
     for (Index s = 0; s < shell_of_side_.size(); ++s) set_of_shell_[shell_of_side_[s]] = set_of_wall[s / 2];
     shells_of_set_.emplace(set_of_shell_, sets);
     walls_of_set_.emplace(set_of_wall, sets);
+    monitor.check();
     outer_.resize(sets);
     tbb::parallel_for(Index{0}, sets, [&](Index k) { outer_[k] = find_outer((*shells_of_set_)[k]); });
   }
@@ -161,15 +165,19 @@ class SpaceShells {
   /// Seen from outside, its triangles are counter-clockwise: those of walls whose back is part of it.
   [[nodiscard]] bool has_positive_volume(Index shell) const {
     std::vector<Triangle> triangles;
+    Pace pace(monitor_);
     for (const Index side : (*sides_)[shell]) {
+      pace.step();
       Triangle t = mesh_.mesh.triangles[side / 2];
       if (side == front_of(side / 2)) std::swap(t[1], t[2]);
       triangles.push_back(t);
     }
-    return orientation(ExactMeshView(MeshView(mesh_.mesh.vertices, triangles), mesh_.exact)) == Sign::positive;
+    const MeshView mesh(mesh_.mesh.vertices, triangles);
+    return orientation(ExactMeshView(mesh, mesh_.exact), monitor_) == Sign::positive;
   }
 
   const ExactMesh& mesh_;
+  const Monitor& monitor_;
   std::vector<Index> shell_of_side_, set_of_shell_, outer_;
   std::optional<Grouped> sides_, shells_of_set_, walls_of_set_;
 };
@@ -272,6 +280,7 @@ SpaceCells find_cells(const Walls& walls, const ExactMesh& mesh, const Monitor& 
   std::vector<Index> around(shells.sets(), none);
   if (shells.sets() > 1 && result.count > 1) around = Nesting(shells, mesh).find(monitor);
   for (Index k = 0; k < shells.sets(); ++k) cell[shells.outer(k)] = around[k] == none ? 0 : cell[around[k]];
+  monitor.check();
   for (Index w = 0; w < walls.size(); ++w)
     result.of_wall.push_back({cell[shells.of_side(front_of(w))], cell[shells.of_side(back_of(w))]});
   return result;

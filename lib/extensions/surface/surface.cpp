@@ -41,20 +41,22 @@ ExactMesh without_unused_vertices(ExactMeshView mesh, const std::vector<Triangle
   return result;
 }
 
-Surface::Data clean(ExactMeshView mesh) {
-  require_nearest_doubles(mesh);
+Surface::Data clean(ExactMeshView mesh, const Monitor& monitor) {
+  require_nearest_doubles(mesh, monitor);
   Surface::Data result;
   std::vector<Defect> errors;
-  SourcedTriangles faces = sound_faces(mesh.mesh, Severity::error, errors);
+  SourcedTriangles faces = sound_faces(mesh.mesh, Severity::error, errors, few_defects, monitor);
   if (!errors.empty()) throw InputError(std::move(errors));
-  const std::vector<std::uint32_t> first = equal_vertices(mesh);
+  const std::vector<std::uint32_t> first = equal_vertices(mesh, monitor);
   for (Triangle& t : faces.triangles)
     for (std::uint32_t& v : t) v = first[v];
 
   const ZeroAreaTest has_no_area(ExactMeshView({mesh.mesh.vertices, faces.triangles}, mesh.exact));
   DefectList left_out(DefectKind::degenerate_triangle, Severity::note, "it was left out");
   std::vector<Triangle> kept;
+  Pace pace(monitor);
   for (std::uint32_t f = 0; f < faces.triangles.size(); ++f) {
+    pace.step();
     const Triangle& t = faces.triangles[f];
     if (repeats_vertex(t) || has_no_area(f)) {
       left_out.add(mesh.mesh.vertices[t[0]], {f}, [&] { return "face " + std::to_string(f) + " has zero area"; });
@@ -76,8 +78,9 @@ Surface surface_of(ExactMesh mesh, std::vector<Source> sources) {
 
 Surface::Surface() : data_(Shared<Data>::make()) {}
 Surface::Surface(Shared<Data> data) : data_(std::move(data)) {}
-Surface::Surface(const Mesh& mesh) : data_(Shared<Data>::make(clean(ExactMeshView(mesh, {})))) {}
-Surface::Surface(const ExactMesh& mesh) : data_(Shared<Data>::make(clean(mesh))) {}
+Surface::Surface(const Mesh& mesh, const Monitor& monitor)
+    : data_(Shared<Data>::make(clean(ExactMeshView(mesh, {}), monitor))) {}
+Surface::Surface(const ExactMesh& mesh, const Monitor& monitor) : data_(Shared<Data>::make(clean(mesh, monitor))) {}
 // A solid's mesh need not be as a surface's is: sources lead to it.
 Surface::Surface(const Solid& solid) : Surface(solid.exact_mesh()) {
   if (solid.attributes().empty()) return;
