@@ -82,7 +82,8 @@ struct CanonicalForm {
   [[nodiscard]] std::size_t facet_count() const;  ///< connected facets: the outer loops
   [[nodiscard]] std::size_t edge_count() const;   ///< sides of all loops, undirected, each counted once
   [[nodiscard]] std::string text() const;         ///< a complete, readable dump
-  [[nodiscard]] std::uint64_t hash() const;       ///< equal for equal forms; the same on every machine
+  [[nodiscard]] std::uint64_t hash(
+      const Monitor& monitor = {}) const;  ///< equal for equal forms; the same on every machine
   friend bool operator==(const CanonicalForm& a, const CanonicalForm& b);
 };
 

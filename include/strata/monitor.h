@@ -42,6 +42,9 @@ class Monitor {
     if (cancel_ != nullptr && cancel_->is_cancelled()) throw Cancelled("cancelled by the caller");
   }
 
+  /// The token; null: there is none.
+  [[nodiscard]] const CancelToken* token() const { return cancel_; }
+
   /// Reports how far the work is, from 0 to 1. To be called between stages, never from two threads at once.
   void report(double fraction) const {
     if (progress_ != nullptr && *progress_) (*progress_)(fraction);

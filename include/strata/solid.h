@@ -71,14 +71,16 @@ class Solid {
   [[nodiscard]] double area() const;               ///< of the boundary, to a few units in the last place; O(n)
   [[nodiscard]] BoundingBox bounding_box() const;  ///< of the rounded mesh; O(n)
   [[nodiscard]] bool is_empty() const;             ///< O(1)
-  [[nodiscard]] CanonicalForm canonical() const;   ///< does not depend on the triangulation; O(n log n)
+  /// Does not depend on the triangulation. O(n log n).
+  [[nodiscard]] CanonicalForm canonical(const Monitor& monitor = {}) const;
 
   /// The image under an affine map, with the sources of this solid. Placement::exact: exact, and a solid whatever the
   /// map. Placement::rounded: vertices are doubles; it is checked as by the constructor from a Mesh, which throws
   /// InputError where rounding turned the solid inside out, but a thin part may come to cross itself, which `check`
   /// finds. Law: the volume is multiplied by |det|, if exact. O(n). Throws std::overflow_error where a coordinate is
   /// beyond all doubles.
-  [[nodiscard]] Solid transformed(const Transform& map, Placement placement = Placement::exact) const;
+  [[nodiscard]] Solid transformed(const Transform& map, Placement placement = Placement::exact,
+                                  const Monitor& monitor = {}) const;
   /// Moved, scaled about the origin (by a factor per axis, or one for all), mirrored in a plane through the origin or
   /// in any plane, rotated about an axis through the origin: `transformed` by the maps of these names, exactly. Throws
   /// std::invalid_argument for a factor, normal or quaternion 0.

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "strata/mesh.h"
+#include "strata/monitor.h"
 #include "strata/plane.h"
 #include "strata/rational.h"
 
@@ -77,6 +78,7 @@ enum class Placement {
 /// the map mirrors, so that outside stays outside. Under the identity the mesh comes back as it is, whatever the
 /// placement. O(size), in parallel; the result does not depend on the number of threads. Throws std::overflow_error
 /// where a coordinate is beyond all doubles.
-[[nodiscard]] ExactMesh transform(const ExactMesh& mesh, const Transform& map, Placement placement);
+[[nodiscard]] ExactMesh transform(const ExactMesh& mesh, const Transform& map, Placement placement,
+                                  const Monitor& monitor = {});
 
 }  // namespace strata

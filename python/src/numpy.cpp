@@ -9,13 +9,22 @@
 
 namespace strata::python {
 
+namespace {
+
+/// Whether an array of numpy.ma hides some of its numbers.
+bool is_masked(nb::handle object) { return nb::cast<bool>(numpy().attr("ma").attr("is_masked")(object)); }
+
+}  // namespace
+
 bool is_array(nb::handle object) {
   static PyObject* type = nullptr;  // kept for ever; it is written with the lock held
   if (type == nullptr) type = nb::object(numpy().attr("ndarray")).release().ptr();
-  return nb::isinstance(object, type);
+  if (Py_TYPE(object.ptr()) == reinterpret_cast<PyTypeObject*>(type)) return true;
+  return nb::isinstance(object, type) && !is_masked(object);
 }
 
 nb::object array_from(nb::handle source, const std::string& role, const char* expected) {
+  if (is_masked(source)) throw_value_error(role + ": some numbers are masked; fill them or leave their rows out");
   try {
     return numpy().attr("asarray")(source);
   } catch (nb::python_error& error) {

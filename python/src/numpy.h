@@ -11,10 +11,11 @@ namespace nb = nanobind;
 
 [[nodiscard]] inline nb::module_ numpy() { return nb::module_::import_("numpy"); }
 
-/// Whether an object is one of NumPy's arrays.
+/// Whether an object is one of NumPy's arrays, with no number masked.
 [[nodiscard]] bool is_array(nb::handle object);
 
-/// What NumPy makes of an object. Throws ValueError with `role` and `expected` for rows of different lengths.
+/// What NumPy makes of an object. Throws ValueError with `role` and `expected` for rows of different lengths, and
+/// for masked numbers.
 [[nodiscard]] nb::object array_from(nb::handle source, const std::string& role, const char* expected);
 
 /// The letter of NumPy for the kind of an array's numbers, such as "f"; the bytes of one; how many there are.

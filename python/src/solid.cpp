@@ -84,6 +84,20 @@ Solid with_attributes(const Solid& solid, const AttributesOption& attributes) {
   return solid.with_attributes(carried ? *carried : Attributes());
 }
 
+bool are_equal(const Solid& a, const Solid& b) {
+  if (&a.mesh() == &b.mesh()) return true;  // of one boundary
+  return run(Watch{}, [&](const Computation& c) { return a.canonical(c.monitor()) == b.canonical(c.monitor()); });
+}
+
+std::int64_t hash_of(const Solid& solid) {
+  const auto hash = [&](const Computation& c) { return solid.canonical(c.monitor()).hash(c.monitor()); };
+  return static_cast<std::int64_t>(run(Watch{}, hash) >> 2);
+}
+
+Solid moved(const Solid& solid, const Transform& map, Placement placement) {
+  return run(Watch{}, [&](const Computation& c) { return solid.transformed(map, placement, c.monitor()); });
+}
+
 void bind_measures(nb::class_<Solid>& type) {
   type.def_prop_ro(
           "vertices", [](const Solid& s) { return rows_of(s.mesh().vertices, nb::find(s)); },
@@ -135,7 +149,10 @@ void bind_measures(nb::class_<Solid>& type) {
                    "Least and greatest coordinates, shape (2, 3); infinite for the empty solid. O(n).")
       .def_prop_ro("is_empty", &Solid::is_empty, "Whether it has no points.")
       .def(
-          "canonical_text", [](const Solid& s) { return run([&] { return s.canonical().text(); }); },
+          "canonical_text",
+          [](const Solid& s) {
+            return run(Watch{}, [&](const Computation& c) { return s.canonical(c.monitor()).text(); });
+          },
           R"(Facets, edges and exact vertices as a text that does not depend on how the boundary is triangulated.
 
 Equal for equal point sets. O(n log n).
@@ -152,7 +169,7 @@ void bind_maps(nb::class_<Solid>& type) {
           "transformed",
           [](const Solid& s, const Matrix& matrix, bool rounded_) {
             const Transform map = matrix.value();
-            return run([&] { return s.transformed(map, rounded_ ? Placement::rounded : Placement::exact); });
+            return moved(s, map, rounded_ ? Placement::rounded : Placement::exact);
           },
           "matrix"_a, nb::kw_only(), "rounded"_a = false,
           R"(The image under an affine map.
@@ -182,7 +199,7 @@ Fraction(1, 3)
           "translated",
           [](const Solid& s, const Point& by) {
             const RationalPoint vector = by.value("by");
-            return run([&] { return s.translated(vector); });
+            return moved(s, Transform::translation(vector), Placement::exact);
           },
           "by"_a, R"(Moved by a vector, exactly.
 
@@ -195,11 +212,10 @@ Examples
           "scaled",
           [](const Solid& s, nb::object factors) {
             if (nb::hasattr(factors, "__len__")) {
-              const RationalPoint by = Point{factors}.value("factors");
-              return run([&] { return s.scaled(by); });
+              return moved(s, Transform::scaling(Point{factors}.value("factors")), Placement::exact);
             }
             const Rational by = to_rational(factors, "factors");
-            return run([&] { return s.scaled(by); });
+            return moved(s, Transform::scaling({by, by, by}), Placement::exact);
           },
           "factors"_a, nb::sig("def scaled(self, factors: Number | PointLike) -> Solid"),
           R"(Scaled about the origin, by one factor or a factor per axis, exactly. Negative ones mirror.
@@ -213,7 +229,7 @@ Fraction(8, 1)
           "mirrored",
           [](const Solid& s, const Point& normal) {
             const RationalPoint n = normal.value("normal");
-            return run([&] { return s.mirrored(n); });
+            return moved(s, Transform::mirror(n), Placement::exact);
           },
           "normal"_a, R"(Mirrored in the plane through the origin with this normal, exactly.
 
@@ -226,7 +242,8 @@ Examples
           "rotated",
           [](const Solid& s, const Point& axis, double degrees, bool exact) {
             const auto about = axis.doubles("axis");
-            return run([&] { return s.rotated(about, degrees, exact ? Placement::exact : Placement::rounded); });
+            const auto map = Transform::rotation(Quaternion::of_angle(about, degrees));
+            return moved(s, map, exact ? Placement::exact : Placement::rounded);
           },
           "axis"_a, "degrees"_a, nb::kw_only(), "exact"_a = false,
           R"(Rotated about an axis through the origin, counter-clockwise as seen from the axis's end.
@@ -404,11 +421,8 @@ True
       .def(
           "__xor__", [](const Solid& a, const Solid& b) { return combined(Operation::symmetric_difference, a, b); },
           nb::is_operator())
-      .def(
-          "__eq__", [](const Solid& a, const Solid& b) { return run([&] { return a == b; }); }, nb::is_operator(),
-          nb::sig("def __eq__(self, other: object, /) -> bool"))
-      .def("__hash__",
-           [](const Solid& s) { return static_cast<std::int64_t>(run([&] { return s.canonical().hash(); }) >> 2); })
+      .def("__eq__", are_equal, nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
+      .def("__hash__", hash_of)
       .def("__bool__", [](const Solid& s) { return !s.is_empty(); })
       .def("__repr__", describe)
       .def_static(

@@ -107,6 +107,13 @@ def test_empty_arrays():
         (np.zeros((3, 3)), [[0, 1, 2.0]], TypeError, "triangles: expected integers, found type float64"),
         (np.zeros((3, 3)), [[0, 1]], ValueError, "triangles: expected an array of shape"),
         (np.zeros((3, 3)), np.zeros((1, 3), dtype=bool), TypeError, "triangles: expected integers"),
+        (np.ma.masked_equal(np.eye(3), 1), [[0, 1, 2]], ValueError, "vertices: some numbers are masked"),
+        (
+            np.zeros((3, 3)),
+            np.ma.masked_equal(np.array([[0, 1, 2]], dtype=np.uint32), 2),
+            ValueError,
+            "triangles: some numbers are masked",
+        ),
     ],
 )
 def test_wrong_arrays_are_named(vertices, triangles, error, text):
@@ -114,6 +121,12 @@ def test_wrong_arrays_are_named(vertices, triangles, error, text):
         st.Solid((vertices, triangles))
     with pytest.raises(error, match=text):
         st.Mesh(vertices, triangles)
+
+
+def test_arrays_of_derived_types_are_taken(corner):
+    vertices, triangles = corner
+    for derived in (np.ma.asarray, lambda a: a.view(np.recarray)):
+        assert st.Solid((derived(vertices), derived(triangles))) == st.Solid(corner)
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])

@@ -5,14 +5,16 @@
 #include "strata/carry_attributes.h"
 
 namespace strata {
-Solid Solid::transformed(const Transform& map, Placement placement) const {
+Solid Solid::transformed(const Transform& map, Placement placement, const Monitor& monitor) const {
   const bool is_rounded = placement == Placement::rounded;
   if (map.is_identity() && (!is_rounded || exact_mesh().exact.empty())) return *this;
-  ExactMesh image = transform(exact_mesh(), map, placement);
+  ExactMesh image = transform(exact_mesh(), map, placement, monitor);
   Shared<Attributes> moved;
   if (data_->attributes) moved = Shared<Attributes>::make(transform(*data_->attributes, map));
   if (!is_rounded) return Solid(Shared<Data>::make(Data{std::move(image), sources(), notes(), std::move(moved)}));
-  const Solid rounded(image.mesh);  // checked again: triangles may have lost their area
+  Options options;
+  options.cancel = monitor.token();
+  const Solid rounded(image.mesh, options);  // checked again: triangles may have lost their area
   if (moved && rounded.mesh() != image.mesh)
     moved = Shared<Attributes>::make(
         carry_attributes(std::array{AttributedMesh{image, moved.get()}}, rounded.exact_mesh(), rounded.sources()));

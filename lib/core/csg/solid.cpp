@@ -137,7 +137,7 @@ Solid Solid::with_attributes(Attributes attributes) const {
 Rational Solid::volume() const { return strata::volume(data_->boundary); }
 double Solid::area() const { return strata::area(data_->boundary); }
 bool Solid::is_empty() const { return data_->boundary.mesh.triangles.empty(); }
-CanonicalForm Solid::canonical() const { return canonical_form(data_->boundary); }
+CanonicalForm Solid::canonical(const Monitor& monitor) const { return canonical_form(data_->boundary, monitor); }
 
 BoundingBox Solid::bounding_box() const {
   BoundingBox box;

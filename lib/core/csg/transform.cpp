@@ -123,12 +123,13 @@ Transform operator*(const Transform& a, const Transform& b) {
   return product;
 }
 
-ExactMesh transform(const ExactMesh& mesh, const Transform& map, Placement placement) {
+ExactMesh transform(const ExactMesh& mesh, const Transform& map, Placement placement, const Monitor& monitor) {
   ExactMesh image = mesh;
   if (map.is_identity()) return image;
   const std::size_t count = mesh.mesh.vertices.size();
   std::vector<std::optional<RationalPoint>> exact(count);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& range) {
+    monitor.check();
     for (std::size_t v = range.begin(); v != range.end(); ++v) {
       RationalPoint p = map(mesh.position(static_cast<std::uint32_t>(v)));
       bool is_rounded = false;

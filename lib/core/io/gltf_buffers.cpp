@@ -232,15 +232,22 @@ std::vector<std::uint32_t> GltfBuffers::indices(std::size_t index, std::size_t l
   if (value.has("sparse")) value.refuse("indices that are sparse are not read");
   const Layout where = layout(value, value.at("bufferView").index(), value.index_or("byteOffset", 0), count, type, 1);
   use(count);
-  std::vector<std::uint32_t> indices(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const char* const at = where.bytes.data() + i * where.stride;
-    indices[i] = type == unsigned_int ? load<std::uint32_t>(at, std::endian::little)
-                                      : static_cast<std::uint32_t>(number_at(at, type));
-    if (indices[i] >= limit)
-      value.refuse("vertex index " + std::to_string(indices[i]) + " is out of range, of " + std::to_string(limit));
-  }
-  return indices;
+  std::vector<std::uint32_t> indices;
+  resize_fresh(indices, count);
+  std::atomic<bool> are_below = true;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1 << 14), [&](const auto& range) {
+    bool all = true;
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const char* const at = where.bytes.data() + i * where.stride;
+      indices[i] = type == unsigned_int ? load<std::uint32_t>(at, std::endian::little)
+                                        : static_cast<std::uint32_t>(number_at(at, type));
+      all = all && indices[i] < limit;
+    }
+    if (!all) are_below = false;
+  });
+  if (are_below) return indices;
+  const auto wrong = std::find_if(indices.begin(), indices.end(), [&](std::uint32_t v) { return v >= limit; });
+  value.refuse("vertex index " + std::to_string(*wrong) + " is out of range, of " + std::to_string(limit));
 }
 
 }  // namespace strata::io

@@ -1,8 +1,10 @@
 #include "core/io/gltf_mesh.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <numeric>
 #include <span>
@@ -20,11 +22,19 @@ namespace {
 
 constexpr std::size_t triangle_list = 4, triangle_strip = 5, triangle_fan = 6;
 
+using Range = tbb::blocked_range<std::size_t>;
+constexpr std::size_t grain = 1 << 14;
+
 std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& v, std::size_t mode) {
   std::vector<Triangle> triangles;
-  triangles.reserve(mode == triangle_list ? v.size() / 3 : v.size());
-  if (mode == triangle_list)
-    for (std::size_t i = 0; i + 3 <= v.size(); i += 3) triangles.push_back({v[i], v[i + 1], v[i + 2]});
+  if (mode == triangle_list) {
+    resize_fresh(triangles, v.size() / 3);
+    tbb::parallel_for(Range(0, triangles.size(), grain), [&](const Range& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i) triangles[i] = {v[3 * i], v[3 * i + 1], v[3 * i + 2]};
+    });
+    return triangles;
+  }
+  triangles.reserve(v.size());
   if (mode == triangle_strip)
     for (std::size_t i = 0; i + 3 <= v.size(); ++i) triangles.push_back({v[i], v[i + 1 + i % 2], v[i + 2 - i % 2]});
   if (mode == triangle_fan)
@@ -115,7 +125,10 @@ class ListReader {
   /// Numbers the vertices that corners use, in order; returns which they are.
   static std::vector<std::uint32_t> number_used(std::vector<std::uint32_t>& corners, std::size_t count) {
     std::vector<std::uint8_t> is_used(count);
-    for (const std::uint32_t v : corners) is_used[v] = 1;
+    tbb::parallel_for(Range(0, corners.size(), grain), [&](const Range& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i)
+        std::atomic_ref(is_used[corners[i]]).store(1, std::memory_order_relaxed);
+    });
     std::vector<std::uint32_t> used(static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1)));
     if (used.size() == count) {
       std::iota(used.begin(), used.end(), 0U);
@@ -224,17 +237,27 @@ class FirstAtPlaces {
     return bits_ == 0 ? 0 : static_cast<std::size_t>(hash >> (64 - bits_));
   }
 
-  /// A stable counting sort by part.
+  /// A stable counting sort by part: each thread deals out blocks, to places of their own.
   void deal() {
-    ends_.assign((std::size_t{1} << bits_) + 1, 0);
-    for (const Vertex& v : vertices_) ++ends_[part_of(hash_of(v)) + 1];
-    std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
-    std::vector<std::size_t> place(ends_.begin(), ends_.end() - 1);
-    dealt_ = FreshArray<Dealt>(vertices_.size());
-    for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
-      const std::uint64_t hash = hash_of(vertices_[v]);
-      dealt_[place[part_of(hash)]++] = {hash, v};
+    const std::size_t parts = std::size_t{1} << bits_, blocks = (vertices_.size() + grain - 1) / grain;
+    std::vector<std::size_t> place(blocks * parts, 0);     // first a count
+    const auto for_each_vertex = [&](const auto& visit) {  // visit(vertex, hash, place of its block and part)
+      tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+        for (std::size_t v = block * grain; v < std::min(vertices_.size(), (block + 1) * grain); ++v) {
+          const std::uint64_t hash = hash_of(vertices_[v]);
+          visit(static_cast<std::uint32_t>(v), hash, place[block * parts + part_of(hash)]);
+        }
+      });
+    };
+    for_each_vertex([](std::uint32_t, std::uint64_t, std::size_t& count) { ++count; });
+    std::size_t sum = 0;
+    for (std::size_t part = 0; part < parts; ++part) {
+      ends_.push_back(sum);
+      for (std::size_t block = 0; block < blocks; ++block) sum += std::exchange(place[block * parts + part], sum);
     }
+    ends_.push_back(sum);
+    dealt_ = FreshArray<Dealt>(sum);
+    for_each_vertex([&](std::uint32_t v, std::uint64_t hash, std::size_t& next) { dealt_[next++] = {hash, v}; });
   }
 
   /// Vertices are in order, so the one that is in a table is the first.

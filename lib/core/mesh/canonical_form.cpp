@@ -27,6 +27,27 @@ bool is_outer(const CanonicalForm& form, const CanonicalPlane& plane, const std:
   return true;
 }
 
+/// Calls `write` with each line of the text.
+template <class Write>
+void write_lines(const CanonicalForm& form, const Write& write) {
+  write(std::to_string(form.vertices.size()) + " vertices\n");
+  for (std::size_t i = 0; i < form.vertices.size(); ++i) {
+    std::string line = std::to_string(i) + ":";
+    for (const Rational& x : form.vertices[i]) line.append(" ").append(x.str());
+    write(line + "\n");
+  }
+  write(std::to_string(form.planes.size()) + " planes\n");
+  for (const CanonicalFacets& facets : form.planes) {
+    const auto& [a, b, c, d] = facets.plane.coefficients;
+    write(a.str() + " x + " + b.str() + " y + " + c.str() + " z = " + d.str() + "\n");
+    for (const auto& loop : facets.loops) {
+      std::string line = " ";
+      for (const std::uint32_t v : loop) line.append(" ").append(std::to_string(v));
+      write(line + "\n");
+    }
+  }
+}
+
 }  // namespace
 
 std::size_t CanonicalForm::facet_count() const {
@@ -52,29 +73,18 @@ std::size_t CanonicalForm::edge_count() const {
 }
 
 std::string CanonicalForm::text() const {
-  std::string text = std::to_string(vertices.size()) + " vertices\n";
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    text += std::to_string(i) + ":";
-    for (const Rational& x : vertices[i]) text.append(" ").append(x.str());
-    text += "\n";
-  }
-  text += std::to_string(planes.size()) + " planes\n";
-  for (const CanonicalFacets& facets : planes) {
-    const auto& [a, b, c, d] = facets.plane.coefficients;
-    text += a.str() + " x + " + b.str() + " y + " + c.str() + " z = " + d.str() + "\n";
-    for (const auto& loop : facets.loops) {
-      text += " ";
-      for (const std::uint32_t v : loop) text.append(" ").append(std::to_string(v));
-      text += "\n";
-    }
-  }
-  return text;
+  std::string all;
+  write_lines(*this, [&](const std::string& line) { all += line; });
+  return all;
 }
 
 /// FNV-1a over the text, which determines the form.
-std::uint64_t CanonicalForm::hash() const {
+std::uint64_t CanonicalForm::hash(const Monitor& monitor) const {
   std::uint64_t h = 0xCBF29CE484222325U;
-  for (const char c : text()) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
+  write_lines(*this, [&](const std::string& line) {
+    monitor.check();
+    for (const char c : line) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
+  });
   return h;
 }
 

@@ -168,7 +168,7 @@ class Triangulation {
 
 Partition<3> partition_of(ExactMeshView mesh, const Monitor& monitor) {
   HyperplaneTable<3> table;
-  std::vector<Facet<3>> facets = triangle_facets(table, mesh);
+  std::vector<Facet<3>> facets = triangle_facets(table, mesh, monitor);
   Tree tree = built(table, std::move(facets), monitor);
   return compact(partition_from(std::move(table), std::move(tree)));
 }

@@ -25,17 +25,19 @@ Facet<3> facet(MeshPlanes& planes, Triangle t, MeshPlanes::Plane plane) {
 
 }  // namespace
 
-std::vector<Facet<3>> triangle_facets(MeshPlanes& planes) {
+std::vector<Facet<3>> triangle_facets(MeshPlanes& planes, const Monitor& monitor) {
   std::vector<Facet<3>> facets;
   facets.reserve(planes.mesh().mesh.triangles.size());
-  for (const Triangle& t : planes.mesh().mesh.triangles)
+  for (const Triangle& t : planes.mesh().mesh.triangles) {
+    monitor.check();
     if (const auto plane = planes.through(t)) facets.push_back(facet(planes, t, *plane));
+  }
   return facets;
 }
 
-std::vector<Facet<3>> triangle_facets(HyperplaneTable<3>& table, ExactMeshView mesh) {
+std::vector<Facet<3>> triangle_facets(HyperplaneTable<3>& table, ExactMeshView mesh, const Monitor& monitor) {
   MeshPlanes planes(table, mesh);
-  return triangle_facets(planes);
+  return triangle_facets(planes, monitor);
 }
 
 }  // namespace strata::bsp

@@ -50,7 +50,7 @@ class Divider {
   void divide(const Region& region, double share) {
     const std::optional<std::uint32_t> cut = choose_cut(boundary_, workspace_, region);
     if (!cut) {
-      pool_.add(inside_of(boundary_, maker_, region));
+      pool_.add(inside_of(boundary_, maker_, region, monitor_));
       done_ += share;
       return monitor_.report(share_of_division * done_);
     }
@@ -99,7 +99,10 @@ class Gatherer {
       if (pool_.is_gone(p)) continue;
       number_[p] = static_cast<std::uint32_t>(result_.pieces.size());
       std::vector<Decomposition::Polygon>& facets = result_.pieces.emplace_back();
-      for (const CellFacet& f : pool_[p].facets) facets.push_back(polygon_of(f));
+      for (const CellFacet& f : pool_[p].facets) {
+        monitor_.check();
+        facets.push_back(polygon_of(f));
+      }
     }
     add_walls_and_boundary();
     sort_points();
@@ -157,6 +160,7 @@ class Gatherer {
   /// Adds the walls between facets of opposite orientation that overlap. Two convex pieces have at most one wall.
   void add_walls(const std::vector<BoundedFacet>& facets) {
     for (const BoundedFacet& f : facets) {
+      monitor_.check();
       if (!f.facet->faces_plus) continue;
       for (const BoundedFacet& g : facets) {
         if (g.facet->faces_plus) continue;
@@ -172,6 +176,7 @@ class Gatherer {
     const bsp::Facet<3>& t = boundary_.facets[triangle];
     const CellFacet face = maker_.facet_of(t.piece, t.faces_plus);
     for (const BoundedFacet& f : facets) {
+      monitor_.check();
       if (f.facet->faces_plus != t.faces_plus) continue;
       if (const auto common = common_part(face, f))
         result_.boundary.push_back({f.piece, triangle, polygon_of(maker_.facet_of(*common, t.faces_plus))});

@@ -142,10 +142,10 @@ bsp::BoxPlanes box_about(HyperplaneTable<3>& table, const MeshView& mesh) {
 
 PreparedBoundary::PreparedBoundary(ExactMeshView mesh, const Monitor& monitor) : box(box_about(table, mesh.mesh)) {
   bsp::MeshPlanes planes(table, mesh);
-  facets = bsp::triangle_facets(planes);
+  facets = bsp::triangle_facets(planes, monitor);
   if (facets.size() != mesh.mesh.triangles.size()) throw std::invalid_argument("a triangle of a solid has no area");
   monitor.check();
-  wedges = wedges_of(table, facets, mesh);
+  wedges = wedges_of(table, facets, mesh, monitor);
   monitor.check();
   cut_planes = convex::cut_planes(planes, facets, wedges, monitor);
 }
@@ -176,10 +176,11 @@ RegionSides split(const PreparedBoundary& boundary, CellMaker& maker, Workspace&
 }
 
 // The region's own facets are first: only those that are left bound the others.
-Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region& region) {
+Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region& region, const Monitor& monitor) {
   const std::vector<OwnFacet> own = own_facets(boundary, region);
   Cell inside;
   for (const CellFacet& f : region.cell.facets) {
+    monitor.check();
     if (maker.is_of_box(f.plane)) continue;
     bsp::Piece<3> polygon = maker.piece_of(f);
     const bool is_left = std::all_of(own.begin(), own.end(), [&](const OwnFacet& facet) {
@@ -190,6 +191,7 @@ Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region&
   std::vector<bsp::HalfSpace> of_region;
   for (const CellFacet& f : inside.facets) of_region.push_back(behind(f.plane, f.faces_plus));
   for (const OwnFacet& facet : own) {
+    monitor.check();
     bsp::Piece<3> polygon = maker.whole(facet.plane);
     for (const std::vector<bsp::HalfSpace>* by :
          {&facet.by, static_cast<const std::vector<bsp::HalfSpace>*>(&of_region)})

@@ -78,6 +78,7 @@ struct RegionSides {
 
 /// The part of a region inside the solid, where `choose_cut` finds nothing to divide. O(faces * facets of the cell +
 /// squares of sides of facets).
-[[nodiscard]] Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region& region);
+[[nodiscard]] Cell inside_of(const PreparedBoundary& boundary, CellMaker& maker, const Region& region,
+                             const Monitor& monitor);
 
 }  // namespace strata::convex

@@ -14,22 +14,23 @@ class WedgeFinder {
     for (const ExactVertex& e : mesh.exact) is_given_[e.vertex] = false;
   }
 
-  std::vector<Wedge> all() {
-    const std::vector<std::uint32_t> first = equal_vertices(mesh_);
+  std::vector<Wedge> all(const Monitor& monitor) {
+    const std::vector<std::uint32_t> first = equal_vertices(mesh_, monitor);
     triangles_.assign(mesh_.mesh.triangles.begin(), mesh_.mesh.triangles.end());
     for (Triangle& t : triangles_)
       for (std::uint32_t& v : t) v = first[v];
-    const std::vector<EdgeUse> uses = edge_table(triangles_, mesh_.mesh.vertices.size());
+    const std::vector<EdgeUse> uses = edge_table(triangles_, mesh_.mesh.vertices.size(), monitor);
     const AcrossSolid across_solid(
         [&](const EdgeUse& use, const EdgeUse& other) { return outer_side(use.triangle, apex(other)); });
     std::vector<Wedge> wedges;
-    for_each_edge(uses, [&](std::span<const EdgeUse> around) {
+    const auto add_wedges = [&](std::span<const EdgeUse> around) {
       for (const EdgeUse& f : around)
         if (f.forward) {
           const EdgeUse& g = across_solid(f, around);
           wedges.push_back(wedge(f, g, across_solid.angle(f, g) == WedgeAngle::more));
         }
-    });
+    };
+    for_each_edge(uses, add_wedges, monitor);
     return wedges;
   }
 
@@ -67,9 +68,9 @@ class WedgeFinder {
 
 }  // namespace
 
-std::vector<Wedge> wedges_of(const HyperplaneTable<3>& table, std::span<const bsp::Facet<3>> facets,
-                             ExactMeshView mesh) {
-  return WedgeFinder(table, facets, mesh).all();
+std::vector<Wedge> wedges_of(const HyperplaneTable<3>& table, std::span<const bsp::Facet<3>> facets, ExactMeshView mesh,
+                             const Monitor& monitor) {
+  return WedgeFinder(table, facets, mesh).all(monitor);
 }
 
 }  // namespace strata::convex

@@ -21,6 +21,6 @@ struct Wedge {
 /// All wedges of a solid, in the order of its edges. `facets` are the triangles of `mesh` (`bsp::triangle_facets`), all
 /// of them. Equal vertices may be listed more than once. Exact; expected O(n log n).
 [[nodiscard]] std::vector<Wedge> wedges_of(const HyperplaneTable<3>& table, std::span<const bsp::Facet<3>> facets,
-                                           ExactMeshView mesh);
+                                           ExactMeshView mesh, const Monitor& monitor = {});
 
 }  // namespace strata::convex
