@@ -27,11 +27,11 @@ struct Branch {
     GridBox first, rest;
   };
 
-  GridBox box;
+  GridBox box{};
   InputComplex::Coordinates origin{};
   std::shared_ptr<const Windings> windings;
   FaceList faces;  ///< all whose boxes meet the cell, by increasing face
-  Content content;
+  Content content{};
   int axis = -1;  ///< of the cut: below are grid coordinates < split, above those >= split; -1: a leaf
   std::int32_t split = 0;
   std::uint32_t cell = 0;  ///< of a leaf
