@@ -1,7 +1,10 @@
 #include "core/csg/coincident_facets.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -31,56 +34,103 @@ std::vector<std::uint32_t> with_neighbours(std::span<const OperandBox> united) {
   return found;
 }
 
-/// Finds pairs of coincident faces with opposite orientation in a hash table of all faces.
+/// Finds pairs of coincident faces of different operands with opposite orientation. Faces are divided into buckets by a
+/// key that does not depend on the order of corners; the faces of a bucket are compared through a hash table.
 class Walls {
  public:
   Walls(std::span<const Operand> operands, std::span<const std::uint32_t> united, const Monitor& monitor)
-      : operands_(operands), monitor_(monitor), sets_(operands.size()) {
+      : operands_(operands), sets_(operands.size()) {
     std::size_t faces = 0;
-    for (const std::uint32_t o : united) faces += operands[o].mesh.triangles.size();
-    faces_.reserve(faces);
-    table_ = HashIndex(faces);
-    monitor.check();
-    for (const std::uint32_t o : united) add(o);
+    for (const std::uint32_t o : united) {
+      const std::size_t count = operands[o].mesh.triangles.size();
+      for (std::size_t f = 0; f < count; f += block_faces)
+        blocks_.push_back({o, static_cast<std::uint32_t>(f), std::min(count - f, block_faces), {}, {}});
+      faces += count;
+    }
+    std::vector<std::vector<Pair>> pairs(faces > block_faces ? most_buckets : 1);
+    tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
+      monitor.check();
+      fill(blocks_[b], pairs.size());
+    });
+    tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t bucket) {
+      monitor.check();
+      pairs[bucket] = pairs_of(bucket, Pace(monitor));
+    });
+    for (const std::vector<Pair>& of_bucket : pairs)
+      for (const auto& [a, b] : of_bucket) {
+        sets_.unite(a, b);
+        any_ = true;
+      }
   }
 
   [[nodiscard]] std::uint32_t set_of(std::uint32_t operand) { return sets_.find(operand); }
   [[nodiscard]] bool any() const { return any_; }
 
  private:
+  static constexpr int bucket_bits = 6;
+  static constexpr std::size_t most_buckets = 1 << bucket_bits, block_faces = 1 << 12;
+
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;  // of operands
+
   struct Face {
-    std::uint64_t key = 0;
-    std::uint32_t operand = 0, face = 0;
+    std::uint64_t key;
+    std::uint32_t operand, face;
+  };
+  /// Some successive faces of an operand. When filled: by bucket; those of bucket k begin at begin[k].
+  struct Block {
+    std::uint32_t operand, first;
+    std::size_t count;
+    std::vector<Face> faces;
+    std::array<std::uint32_t, most_buckets + 1> begin;
+
+    [[nodiscard]] std::span<const Face> bucket(std::size_t k) const {
+      return std::span(faces).subspan(begin[k], begin[k + 1] - begin[k]);
+    }
   };
 
-  void add(std::uint32_t operand) {
-    const MeshView& mesh = operands_[operand].mesh;
-    hashes_.clear();
-    Pace pace(monitor_);
-    for (const Vertex& v : mesh.vertices) {
-      pace.step();
-      hashes_.push_back(hash_of(v));
-    }
-    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-      pace.step();
-      std::uint64_t key = 0;
-      for (const std::uint32_t v : mesh.triangles[f]) {
-        if (v >= hashes_.size()) return;  // refused later
-        key += hashes_[v];
-      }
-      add(Face{key, operand, f});
-    }
+  static std::size_t bucket_of(const Face& f, std::size_t buckets) {
+    return f.key >> (64 - bucket_bits) & (buckets - 1);
   }
-  /// Every face is kept, equal or not.
-  void add(const Face& f) {
-    table_.find_or_add(f.key, static_cast<std::uint32_t>(faces_.size()), [&](std::uint32_t number) {
-      const Face& known = faces_[number];
-      if (known.key != f.key || known.operand == f.operand || !are_opposite(known, f)) return false;
-      sets_.unite(known.operand, f.operand);
-      any_ = true;
-      return false;
-    });
-    faces_.push_back(f);
+
+  void fill(Block& block, std::size_t buckets) const {
+    const MeshView& mesh = operands_[block.operand].mesh;
+    std::vector<Face> faces;
+    faces.reserve(block.count);
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const auto f = static_cast<std::uint32_t>(block.first + i);
+      const Triangle& t = mesh.triangles[f];
+      if (std::max({t[0], t[1], t[2]}) >= mesh.vertices.size()) break;  // refused later
+      faces.push_back({hash_of(mesh.vertices[t[0]]) + hash_of(mesh.vertices[t[1]]) + hash_of(mesh.vertices[t[2]]),
+                       block.operand, f});
+    }
+    block.begin.fill(0);
+    for (const Face& f : faces) ++block.begin[bucket_of(f, buckets) + 1];
+    std::partial_sum(block.begin.begin(), block.begin.end(), block.begin.begin());
+    block.faces.resize(faces.size());
+    auto next = block.begin;
+    for (const Face& f : faces) block.faces[next[bucket_of(f, buckets)]++] = f;
+  }
+
+  /// The operands of opposite faces in a bucket. Every face is kept in the table, equal to another one or not.
+  [[nodiscard]] std::vector<Pair> pairs_of(std::size_t bucket, Pace pace) const {
+    std::vector<Face> faces;
+    for (const Block& block : blocks_) {
+      const auto of_block = block.bucket(bucket);
+      faces.insert(faces.end(), of_block.begin(), of_block.end());
+    }
+    std::vector<Pair> pairs;
+    HashIndex table(faces.size());
+    for (std::uint32_t n = 0; n < faces.size(); ++n)
+      table.find_or_add(faces[n].key, n, [&](std::uint32_t there) {
+        pace.step();
+        const Face &f = faces[n], &known = faces[there];
+        const Pair pair(known.operand, f.operand);
+        if (known.key == f.key && known.operand != f.operand && (pairs.empty() || pairs.back() != pair) &&
+            are_opposite(known, f))
+          pairs.push_back(pair);
+        return false;
+      });
+    return pairs;
   }
 
   [[nodiscard]] std::array<Vertex, 3> corners(const Face& f) const {
@@ -96,11 +146,8 @@ class Walls {
   }
 
   std::span<const Operand> operands_;
-  const Monitor& monitor_;
+  std::vector<Block> blocks_;
   DisjointSets<std::uint32_t> sets_;
-  std::vector<Face> faces_;
-  HashIndex table_;  ///< numbers of faces_
-  std::vector<std::uint64_t> hashes_;
   bool any_ = false;
 };
 
