@@ -138,6 +138,19 @@ TEST_CASE("pieces of a sweep have walls in common, other neighbours have none", 
                   Cancelled);
 }
 
+// Catches: faces that are lost, or go to different buckets, where there are enough to be divided.
+TEST_CASE("walls are found among many faces", "[csg]") {
+  Random random(3);
+  const std::vector<Mesh> meshes = sweep(random, 1500);  // 18,000 faces
+  const std::vector<Operand> operands = operands_of(meshes);
+  const auto groups = groups_with_coincident_facets(operands, boxes_of(operands, numbers(meshes.size())));
+  REQUIRE(groups.size() == (meshes.size() + 31) / 32);
+  for (std::size_t o = 0; o < meshes.size(); ++o) {
+    REQUIRE(o % 32 < groups[o / 32].size());
+    CHECK(groups[o / 32][o % 32] == o);
+  }
+}
+
 TEST_CASE("only operands that overlap most others are a crowd", "[csg]") {
   std::vector<Mesh> meshes;
   for (int i = 0; i < 30; ++i) meshes.push_back(test::box({i + 0., 0, 0}, {i + 40., 1, 1}));  // all over x = 30
