@@ -165,3 +165,46 @@ TEST_CASE("3MF is the same for any number of threads, and strict where it loses 
   options.format = Format::off;
   CHECK_THROWS_AS(to_string(ExactMesh{file.mesh, {}}, options), IoError);
 }
+
+// Catches: lists cut where a piece does not stand alone, items out of order or twice, errors that name another line.
+TEST_CASE("3MF: long lists are read as short ones are, whatever stands between their elements", "[io][3mf]") {
+  constexpr int count = 20'000;
+  const auto vertex = [](int i, const std::string& end = "/>") {
+    return "<vertex x='" + std::to_string(i) + "' y='0.5' z='-1'" + end + "\n";
+  };
+  /// Vertices 0 to count - 1, with `in_middle` before number count / 2, and a triangle of the last three.
+  const auto with = [&](const std::string& in_middle, const std::string& end = "/>") {
+    std::string vertices;
+    for (int i = 0; i < count; ++i) vertices += (i == count / 2 ? in_middle : "") + vertex(i, end);
+    return archive(
+        model(object(1, "<mesh><vertices>" + vertices + "</vertices><triangles><triangle v1='19997' v2='19998' " +
+                            "v3='19999'/></triangles></mesh>"),
+              "<item objectid='1'/>"));
+  };
+  std::string others;
+  for (int i = 0; i < count; ++i) others += vertex(-1 - i);
+  const std::vector<std::string> nothing{"",
+                                         "<!-- " + others + " -->",
+                                         "<!-- <vertex/> </vertices> -->",
+                                         "<?odd <vertex/>?>",
+                                         "<![CDATA[" + others + "]]>",
+                                         "text",
+                                         "<other>" + others + "</other>",
+                                         "<other a=\"" + others + "\"/>",
+                                         "<other a='</vertices>'/>"};
+  for (const std::string& in_middle : nothing) {
+    CAPTURE(in_middle.substr(0, 40));
+    const MeshFile file = read(with(in_middle));
+    REQUIRE(file.mesh.vertices.size() == count);
+    for (int i = 0; i < count; ++i)
+      REQUIRE(file.mesh.vertices[static_cast<std::size_t>(i)] == Vertex{i + 0.0, 0.5, -1});
+    CHECK(file.mesh.triangles == std::vector<Triangle>{{19'997, 19'998, 19'999}});
+  }
+  CHECK(read(with("", "></vertex>")).mesh.vertices.size() == count);
+  CHECK_THAT(refused(with("<vertex x='1' y='2'/>")),
+             Catch::Matchers::EndsWith("line 10001: a vertex has not all of x, y and z"));
+  CHECK_THAT(refused(with("<vertex x='1' y='2' z='?'/>")), Catch::Matchers::Contains("line 10001"));
+  CHECK_THAT(refused(with("<vertex x='1' y='2' z='3'>")),
+             Catch::Matchers::Contains("ends an element that was not started"));
+  CHECK_THAT(refused(with("</vertices>")), Catch::Matchers::Contains("ends an element that was not started"));
+}

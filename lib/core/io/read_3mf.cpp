@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/containers/huge_pages.h"
 #include "core/io/readers.h"
 #include "core/io/scene_mesh.h"
 #include "core/io/srgb.h"
@@ -68,14 +69,14 @@ class SurfaceResolver {
         break;
       case ThreemfGroup::Kind::color:
         check(surface, 3, group.colors.size());
-        if (colors_.empty()) colors_.resize(12 * count_, 255);
+        if (colors_.empty()) resize_fresh(colors_, 12 * count_, std::uint8_t{255});
         for (std::size_t k = 0; k < 3; ++k)
           std::copy_n(group.colors[surface.corners[k]].begin(), 4, &colors_[12 * triangle_ + 4 * k]);
         break;
       case ThreemfGroup::Kind::texture:
         check(surface, 3, group.texcoords.size());
         set_material(first_material(group));
-        if (texcoords_.empty()) texcoords_.resize(6 * count_);
+        if (texcoords_.empty()) resize_fresh(texcoords_, 6 * count_);
         for (std::size_t k = 0; k < 3; ++k)
           std::copy_n(group.texcoords[surface.corners[k]].begin(), 2, &texcoords_[6 * triangle_ + 2 * k]);
         break;
@@ -111,7 +112,7 @@ class SurfaceResolver {
   }
 
   void set_material(std::size_t material) {
-    if (material_.empty()) material_.resize(count_, -1);
+    if (material_.empty()) resize_fresh(material_, count_, -1);
     material_[triangle_] = static_cast<std::int32_t>(material);
   }
 

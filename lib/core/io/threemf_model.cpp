@@ -1,10 +1,14 @@
 #include "core/io/threemf_model.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <limits>
 #include <utility>
 
+#include "core/containers/huge_pages.h"
 #include "core/io/face_list.h"
 #include "core/io/xml_scanner.h"
 
@@ -22,6 +26,61 @@ void for_each_word(std::string_view list, const Use& use) {
     use(list.substr(first, end - first));
     first = list.find_first_not_of(blanks, end);
   }
+}
+
+const std::string_view& required(const XmlScanner& xml, std::string_view attribute) {
+  const auto* value = xml.find(attribute);
+  if (value == nullptr)
+    xml.fail_here("<" + std::string(xml.name().substr(0, 32)) + "> has no attribute " + std::string(attribute));
+  return *value;
+}
+
+std::uint32_t required_index(const XmlScanner& xml, std::string_view attribute) {
+  return xml.index(required(xml, attribute), "a whole number");
+}
+
+double required_number(const XmlScanner& xml, std::string_view attribute) {
+  return xml.number(required(xml, attribute), "a number");
+}
+
+/// The children of that name of the element at which the scanner is, in order; read(scanner) gives each. Other children
+/// are skipped. Long lists are read in pieces, on all threads; where that fails, again by the scanner, which finds the
+/// first error.
+template <class Read>
+auto read_list(XmlScanner& xml, std::string_view name, const Read& read) {
+  using Item = decltype(read(xml));
+  const auto append = [&](XmlScanner& scanner, std::vector<Item>& items) {
+    while (scanner.next_child()) {
+      if (scanner.name() == name) items.push_back(read(scanner));
+      scanner.skip();
+    }
+  };
+  std::vector<Item> all;
+  if (const std::vector<std::string_view> pieces = xml.pieces(); pieces.size() > 1) {
+    std::vector<std::vector<Item>> of_piece(pieces.size());
+    std::atomic<bool> is_read = true;
+    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+      try {
+        XmlScanner piece(pieces[i]);
+        if (is_read) append(piece, of_piece[i]);
+      } catch (const Malformed&) {
+        is_read = false;
+      }
+    });
+    if (is_read) {
+      xml.pass(pieces);
+      std::size_t count = 0;
+      for (const auto& items : of_piece) count += items.size();
+      all.reserve(count);
+      prefer_huge_pages(all.data(), count * sizeof(Item));
+      for (auto& items : of_piece) {
+        all.insert(all.end(), items.begin(), items.end());
+        items = {};
+      }
+    }
+  }
+  append(xml, all);
+  return all;
 }
 
 class ModelParser {
@@ -63,21 +122,9 @@ class ModelParser {
     });
   }
 
-  std::uint32_t required_index(std::string_view attribute) {
-    const auto* value = xml_.find(attribute);
-    if (value == nullptr)
-      xml_.fail_here("<" + std::string(xml_.name().substr(0, 32)) + "> has no attribute " + std::string(attribute));
-    return xml_.index(*value, "a whole number");
-  }
   std::uint32_t index_or(std::string_view attribute, std::uint32_t otherwise) {
     const auto* value = xml_.find(attribute);
     return value == nullptr ? otherwise : xml_.index(*value, "a whole number");
-  }
-  double required_number(std::string_view attribute) {
-    const auto* value = xml_.find(attribute);
-    if (value == nullptr)
-      xml_.fail_here("<" + std::string(xml_.name().substr(0, 32)) + "> has no attribute " + std::string(attribute));
-    return xml_.number(*value, "a number");
   }
 
   void read_resources() {
@@ -101,7 +148,7 @@ class ModelParser {
   }
 
   ThreemfGroup& new_group(ThreemfGroup::Kind kind) {
-    const auto [place, is_new] = model_.groups.try_emplace(required_index("id"));
+    const auto [place, is_new] = model_.groups.try_emplace(required_index(xml_, "id"));
     if (!is_new) xml_.fail_here("two groups of surfaces have the id " + std::to_string(place->first));
     place->second.kind = kind;
     return place->second;
@@ -124,7 +171,7 @@ class ModelParser {
   }
 
   void read_texture() {
-    const std::uint32_t id = required_index("id");
+    const std::uint32_t id = required_index(xml_, "id");
     if (!model_.textures.try_emplace(id, ThreemfTexture{xml_.text_of("path"), xml_.text_of("contenttype"), {}}).second)
       xml_.fail_here("two textures have the id " + std::to_string(id));
     xml_.skip();
@@ -132,11 +179,10 @@ class ModelParser {
 
   void read_texcoords() {
     ThreemfGroup& group = new_group(ThreemfGroup::Kind::texture);
-    group.texture = required_index("texid");
-    while (xml_.next_child()) {
-      if (xml_.name() == "tex2coord") group.texcoords.push_back({required_number("u"), required_number("v")});
-      xml_.skip();
-    }
+    group.texture = required_index(xml_, "texid");
+    group.texcoords = read_list(xml_, "tex2coord", [](const XmlScanner& xml) {
+      return std::array<double, 2>{required_number(xml, "u"), required_number(xml, "v")};
+    });
   }
 
   void read_multi() {
@@ -195,7 +241,7 @@ class ModelParser {
   }
 
   void read_object() {
-    const std::uint32_t id = required_index("id");
+    const std::uint32_t id = required_index(xml_, "id");
     const auto [place, is_new] = model_.objects.try_emplace(id);
     if (!is_new) xml_.fail_here("two objects have the id " + std::to_string(id));
     ThreemfObject& object = place->second;
@@ -218,7 +264,7 @@ class ModelParser {
   void read_components(ThreemfObject& object) {
     while (xml_.next_child()) {
       if (xml_.name() == "component") {
-        object.components.push_back({xml_.text_of("path"), required_index("objectid"), transform()});
+        object.components.push_back({xml_.text_of("path"), required_index(xml_, "objectid"), transform()});
         ++model_.things;
       }
       xml_.skip();
@@ -240,46 +286,55 @@ class ModelParser {
   }
 
   void read_vertices(ScenePart& part) {
-    while (xml_.next_child()) {
-      if (xml_.name() == "vertex") {
-        unsigned found = 0;
-        Vertex p{};
-        for (const XmlScanner::Attribute& a : xml_.attributes()) {
-          const char axis = a.name.size() == 1 ? a.name[0] : ' ';
-          if (axis < 'x' || axis > 'z') continue;
-          p[static_cast<std::size_t>(axis - 'x')] = xml_.number(a.value, "a coordinate");
-          found |= 1U << static_cast<unsigned>(axis - 'x');
-        }
-        if (found != 7) xml_.fail_here("a vertex has not all of x, y and z");
-        part.vertices.push_back(p);
+    std::vector<Vertex> vertices = read_list(xml_, "vertex", [](const XmlScanner& xml) {
+      unsigned found = 0;
+      Vertex p{};
+      for (const XmlScanner::Attribute& a : xml.attributes()) {
+        const char axis = a.name.size() == 1 ? a.name[0] : ' ';
+        if (axis < 'x' || axis > 'z') continue;
+        p[static_cast<std::size_t>(axis - 'x')] = xml.number(a.value, "a coordinate");
+        found |= 1U << static_cast<unsigned>(axis - 'x');
       }
-      xml_.skip();
-    }
+      if (found != 7) xml.fail_here("a vertex has not all of x, y and z");
+      return p;
+    });
+    if (part.vertices.empty())
+      part.vertices = std::move(vertices);
+    else
+      part.vertices.insert(part.vertices.end(), vertices.begin(), vertices.end());
     if (part.vertices.size() > most_items) xml_.fail_here("more than 2^32 - 2 vertices");
+  }
+
+  struct GivenTriangle {
+    Triangle corners;
+    ThreemfSurface surface;  ///< what is not given is `none`
+  };
+
+  static GivenTriangle triangle(const XmlScanner& xml, std::size_t vertices) {
+    GivenTriangle t{{none, none, none}, {none, {none, none, none}}};
+    for (const XmlScanner::Attribute& a : xml.attributes()) {
+      if (a.name == "pid") t.surface.group = xml.index(a.value, "the id of a group");
+      if (a.name.size() != 2 || a.name[1] < '1' || a.name[1] > '3') continue;
+      const auto corner = static_cast<std::size_t>(a.name[1] - '1');
+      if (a.name[0] == 'v') t.corners[corner] = xml.index(a.value, "the index of a vertex");
+      if (a.name[0] == 'p') t.surface.corners[corner] = xml.index(a.value, "the index of a surface");
+    }
+    for (const std::uint32_t v : t.corners)
+      if (v >= vertices)
+        xml.fail_here(v == none ? std::string("a triangle has not all of v1, v2 and v3")
+                                : "vertex index " + std::to_string(v) + " is out of range: the mesh has " +
+                                      std::to_string(vertices) + " vertices");
+    return t;
   }
 
   void read_triangles(ThreemfObject& object) {
     const std::size_t vertices = object.part.vertices.size();
-    while (xml_.next_child()) {
-      if (xml_.name() == "triangle") {
-        Triangle t{none, none, none};
-        ThreemfSurface surface{none, {none, none, none}};
-        for (const XmlScanner::Attribute& a : xml_.attributes()) {
-          if (a.name == "pid") surface.group = xml_.index(a.value, "the id of a group");
-          if (a.name.size() != 2 || a.name[1] < '1' || a.name[1] > '3') continue;
-          const auto corner = static_cast<std::size_t>(a.name[1] - '1');
-          if (a.name[0] == 'v') t[corner] = xml_.index(a.value, "the index of a vertex");
-          if (a.name[0] == 'p') surface.corners[corner] = xml_.index(a.value, "the index of a surface");
-        }
-        for (const std::uint32_t v : t)
-          if (v >= vertices)
-            xml_.fail_here(v == none ? std::string("a triangle has not all of v1, v2 and v3")
-                                     : "vertex index " + std::to_string(v) + " is out of range: the mesh has " +
-                                           std::to_string(vertices) + " vertices");
-        add_surface(object, surface);
-        object.part.triangles.push_back(t);
-      }
-      xml_.skip();
+    const std::vector<GivenTriangle> given =
+        read_list(xml_, "triangle", [&](const XmlScanner& xml) { return triangle(xml, vertices); });
+    object.part.triangles.reserve(object.part.triangles.size() + given.size());
+    for (const GivenTriangle& t : given) {
+      add_surface(object, t.surface);
+      object.part.triangles.push_back(t.corners);
     }
   }
 
@@ -294,6 +349,7 @@ class ModelParser {
         if (surface.corners[k] == none) surface.corners[k] = surface.corners[0];
     }
     if (surface.group == 0 && object.surfaces.empty()) return;
+    if (object.surfaces.empty()) object.surfaces.reserve(object.part.triangles.capacity());
     object.surfaces.resize(object.part.triangles.size());
     object.surfaces.push_back(surface);
   }
@@ -301,7 +357,7 @@ class ModelParser {
   void read_build() {
     while (xml_.next_child()) {
       if (xml_.name() == "item") {
-        model_.items.push_back({xml_.text_of("path"), required_index("objectid"), transform()});
+        model_.items.push_back({xml_.text_of("path"), required_index(xml_, "objectid"), transform()});
         ++model_.things;
       }
       xml_.skip();

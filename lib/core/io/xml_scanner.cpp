@@ -177,6 +177,23 @@ void XmlScanner::skip() {
   }
 }
 
+std::vector<std::string_view> XmlScanner::pieces() const {
+  constexpr std::size_t least = 1 << 17;
+  std::vector<std::string_view> pieces;
+  if (closed_) return pieces;
+  const std::size_t end = std::min(text_.find("</", at_), text_.size());
+  for (std::size_t first = at_; first < end;) {
+    const std::size_t cut = end - first > least ? std::min(text_.find('<', first + least), end) : end;
+    pieces.push_back(text_.substr(first, cut - first));
+    first = cut;
+  }
+  return pieces;
+}
+
+void XmlScanner::pass(const std::vector<std::string_view>& pieces) {
+  for (const std::string_view piece : pieces) at_ += piece.size();
+}
+
 std::string_view XmlScanner::content() {
   if (closed_) {
     closed_ = false;

@@ -35,6 +35,13 @@ class XmlScanner {
   /// The text of an element without children, up to its end, which is passed.
   [[nodiscard]] std::string_view content();
 
+  /// What is before the next end tag, cut at starts of tags into texts of some 100 kB; a single one if it is short. If
+  /// a scanner of its own can read each of them, without Malformed, then together they find the elements that this one
+  /// would find. Other texts, such as a list with comments across a cut, have to be read by this scanner.
+  [[nodiscard]] std::vector<std::string_view> pieces() const;
+  /// Goes behind `pieces`, as if next_child had returned all elements in them.
+  void pass(const std::vector<std::string_view>& pieces);
+
   [[nodiscard]] std::size_t offset() const { return tag_; }  ///< of the last tag
   [[noreturn]] void fail_here(const std::string& reason) const { fail_at_line(tag_, reason); }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/containers/huge_pages.h"
 #include "core/io/input.h"
 
 namespace strata::io {
@@ -14,7 +15,9 @@ namespace strata::io {
 class UnpackedBytes {
  public:
   UnpackedBytes() = default;
-  explicit UnpackedBytes(std::size_t size) : bytes_(std::make_unique_for_overwrite<char[]>(size)), size_(size) {}
+  explicit UnpackedBytes(std::size_t size) : bytes_(std::make_unique_for_overwrite<char[]>(size)), size_(size) {
+    prefer_huge_pages(bytes_.get(), size);
+  }
   [[nodiscard]] std::string_view view() const { return {bytes_.get(), size_}; }
   [[nodiscard]] char* data() { return bytes_.get(); }
 
