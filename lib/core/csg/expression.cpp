@@ -1,7 +1,9 @@
 #include "strata/expression.h"
 
 #include <deque>
+#include <optional>
 
+#include "core/csg/common_frame.h"
 #include "core/csg/decision_diagram.h"
 #include "core/csg/expression_node.h"
 #include "strata/carry_attributes.h"
@@ -81,6 +83,35 @@ std::vector<bool> find_what_matters(const Expression::Node& root, const Numbered
   return diagram.support(whole, count);
 }
 
+/// The Boolean of some solids with their maps, in this order, by their formula.
+Solid evaluate_placed(const Formula& formula, std::span<const Occurrence> solids, const Options& options) {
+  std::vector<ExactMesh> images;
+  images.reserve(solids.size());
+  std::deque<Attributes> moved;
+  std::vector<Operand> operands;
+  for (const Occurrence& o : solids) {
+    const ExactMesh& mesh = o.leaf->solid.exact_mesh();
+    const bool is_moved = !o.map.is_identity();
+    if (is_moved) images.push_back(transform(mesh, o.map, o.placement, Monitor(options.cancel)));
+    const ExactMesh& placed = is_moved ? images.back() : mesh;
+    const Attributes* attributes = &o.leaf->solid.attributes();
+    if (is_moved && !attributes->empty()) attributes = &moved.emplace_back(transform(*attributes, o.map));
+    operands.push_back({MeshView(placed.mesh), placed.exact, true, attributes->empty() ? nullptr : attributes});
+  }
+  return combine_solids(formula, operands, options);
+}
+
+/// Where all solids can be combined first, and the result be moved. Attributes may hold directions, which are rounded
+/// when they are moved, and what is rounded in place has to be there.
+std::optional<Transform> frame_of(std::span<const Occurrence> solids) {
+  std::vector<PlacedVertices> placed;
+  for (const Occurrence& o : solids) {
+    if (o.placement != Placement::exact || !o.leaf->solid.attributes().channels.empty()) return std::nullopt;
+    placed.push_back({&o.map, o.leaf->solid.exact_mesh().mesh.vertices.size()});
+  }
+  return common_frame(placed);
+}
+
 }  // namespace
 
 Solid Expression::evaluate(const Options& options) const {
@@ -89,22 +120,12 @@ Solid Expression::evaluate(const Options& options) const {
   const std::vector<bool> matters = find_what_matters(*node_, numbering);
   const auto& all = numbering.occurrences();
   std::vector<std::uint32_t> operand(all.size());
-  std::vector<ExactMesh> images;
-  images.reserve(all.size());
-  std::deque<Attributes> moved;
-  std::vector<Operand> operands;
+  std::vector<Occurrence> solids;
   for (std::size_t n = 0; n < all.size(); ++n) {
-    if (!matters[n]) continue;
-    operand[n] = static_cast<std::uint32_t>(operands.size());
-    const ExactMesh& mesh = all[n].leaf->solid.exact_mesh();
-    const bool is_moved = !all[n].map.is_identity();
-    if (is_moved) images.push_back(transform(mesh, all[n].map, all[n].placement));
-    const ExactMesh& placed = is_moved ? images.back() : mesh;
-    const Attributes* attributes = &all[n].leaf->solid.attributes();
-    if (is_moved && !attributes->empty()) attributes = &moved.emplace_back(transform(*attributes, all[n].map));
-    operands.push_back({MeshView(placed.mesh), placed.exact, true, attributes->empty() ? nullptr : attributes});
+    operand[n] = static_cast<std::uint32_t>(solids.size());
+    if (matters[n]) solids.push_back(all[n]);
   }
-  Formula formula(static_cast<std::uint32_t>(operands.size()));
+  Formula formula(static_cast<std::uint32_t>(solids.size()));
   const auto whole = fold<Formula::Term>(
       *node_,
       [&](const Occurrence& o) {
@@ -114,7 +135,18 @@ Solid Expression::evaluate(const Options& options) const {
       [](const Formula::Term& t) { return !t; },
       [&](Kind kind, const std::vector<Formula::Term>& terms) { return formula.join(join_of(kind), terms); });
   formula.close(whole);
-  return combine_solids(formula, operands, options);
+
+  if (const std::optional<Transform> frame = frame_of(solids)) {
+    std::vector<Occurrence> before = solids;
+    const Transform back = frame->inverse();
+    for (Occurrence& o : before) o.map = back * o.map;
+    try {
+      return evaluate_placed(formula, before, options).transformed(*frame, Placement::exact, Monitor(options.cancel));
+    } catch (const std::overflow_error&) {
+      // A coordinate is beyond all doubles there.
+    }
+  }
+  return evaluate_placed(formula, solids, options);
 }
 
 Formula Expression::formula() const {
