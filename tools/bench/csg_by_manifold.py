@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """The .csg files beneath a folder, evaluated by Strata and by manifold3d, both from Python: volumes, and times side by side.
 
-    tools/bench/csg_by_manifold.py FOLDER
+    tools/bench/csg_by_manifold.py FOLDER [--repeat N]
 
-Needs strata-csg, manifold3d and NumPy. Times are those of reading a file and evaluating it, until the mesh is there. Models with nodes that
+Needs strata-csg, manifold3d and NumPy. Times are those of reading a file and evaluating it, until the mesh is there: the median of N. Models with nodes that
 are not translated here, and those that manifold3d does not survive, are named, not compared.
 """
 import argparse
@@ -11,6 +11,7 @@ import math
 import multiprocessing
 import pathlib
 import re
+import statistics
 import time
 
 import manifold3d as m3
@@ -265,27 +266,28 @@ def by_strata(path):
     return solid
 
 
-def timed(function, volume_of, path):
-    """The volume, and how long it took to make what has it."""
+def timed(function, path):
+    """What the function makes, and how long it takes."""
     start = time.perf_counter()
     made = function(path)
-    seconds = time.perf_counter() - start
-    return float(volume_of(made)), seconds
+    return made, time.perf_counter() - start
 
 
-def compare(path, connection):
-    """In a process of its own: manifold3d may end it. Sends ((volume, seconds) of manifold3d, of Strata), or why there are none."""
+def compare(path, repeat, connection):
+    """In a process of its own: manifold3d may end it. Sends (volume, median seconds) of manifold3d and of Strata, or why there are none."""
     _ = m3.Manifold.cube() - m3.Manifold.cube(), st.box((0, 0, 0), (1, 1, 1)) - st.box((0, 0, 0), (1, 1, 1))  # loads what is loaded once
     try:
-        connection.send((timed(by_manifold, m3.Manifold.volume, path), timed(by_strata, lambda solid: solid.volume, path)))
+        runs = [(*timed(by_manifold, path), *timed(by_strata, path)) for _ in range(repeat)]
+        theirs, their_seconds, ours, our_seconds = zip(*runs)
+        connection.send(((theirs[0].volume(), statistics.median(their_seconds)), (float(ours[0].volume), statistics.median(our_seconds))))
     except Exception as error:  # pylint: disable=broad-except
         connection.send(str(error).partition("\n")[0] or repr(error))
 
 
-def outcome_of(path):
+def outcome_of(path, repeat):
     context = multiprocessing.get_context("spawn")
     receiver, sender = context.Pipe(duplex=False)
-    process = context.Process(target=compare, args=(path, sender))
+    process = context.Process(target=compare, args=(path, repeat, sender))
     process.start()
     sender.close()
     try:
@@ -300,23 +302,22 @@ def outcome_of(path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("folder", type=pathlib.Path)
-    ours_total = theirs_total = 0.0
-    compared = different = 0
-    for model in sorted(parser.parse_args().folder.rglob("*.csg")):
-        outcome = outcome_of(model)
+    parser.add_argument("--repeat", type=int, default=1)
+    arguments = parser.parse_args()
+    equal, different = [], []  # pairs of seconds
+    for model in sorted(arguments.folder.rglob("*.csg")):
+        outcome = outcome_of(model, arguments.repeat)
         if isinstance(outcome, str):
             print(f"{model.name}: not compared: {outcome}", flush=True)
             continue
         (theirs, their_seconds), (ours, our_seconds) = outcome
-        compared += 1
-        ours_total += our_seconds
-        theirs_total += their_seconds
         is_different = abs(ours - theirs) > 1e-5 * abs(ours)
-        different += is_different
+        (different if is_different else equal).append((our_seconds, their_seconds))
         sizes = f", volume {ours:.9g}, theirs {theirs:.9g}" if is_different else ""
         print(f"{model.name}: {our_seconds:.4f} s, manifold3d {their_seconds:.4f} s{sizes}", flush=True)
-    print(f"{compared} compared, {different} different: {ours_total:.2f} s, manifold3d {theirs_total:.2f} s, "
-          f"ratio {theirs_total / max(ours_total, 1e-9):.2f}")
+    for pairs, what in (equal, "of the same volume"), (different, "of other volumes, of which one side does not make all"):
+        ours, theirs = (sum(column) for column in zip(*pairs)) if pairs else (0, 0)
+        print(f"{len(pairs)} {what}: {ours:.2f} s, manifold3d {theirs:.2f} s, ratio {theirs / max(ours, 1e-9):.2f}")
 
 
 if __name__ == "__main__":
