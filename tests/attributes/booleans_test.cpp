@@ -411,3 +411,28 @@ TEST_CASE("a sheet of an operand that changes nothing does not speak", "[attribu
   REQUIRE(r.mesh.triangles.size() == 24);
   for (const std::int32_t i : values_of<std::int32_t>(r.attributes, "identifier")) CHECK((i < 12 || i >= 100));
 }
+
+// Catches: corners that are turned round once too often or not at all where a map mirrors, values of another place.
+TEST_CASE("solids that are rotated and mirrored as a whole keep what they carry", "[attributes]") {
+  const Solid a = painted(make_box({-3, -1, -1}, {3, 1, 1}).mesh(), 0);
+  const Solid b = painted(make_box({-1, -3, -2}, {1, 3, 2}).mesh(), 100);
+  for (const int sign : {1, -1}) {
+    CAPTURE(sign);
+    const Transform map = Transform::rotation(Quaternion::of_angle({1, 2, 3}, 20)) * Transform::scaling({sign, 1, 1});
+    for (const Expression& e : {Expression(a) | Expression(b), Expression(a) - Expression(b)}) {
+      const Solid solid = e.transformed(map).evaluate();
+      const Transform back = map.inverse();
+      const auto& places = values_of<double>(solid.attributes(), "place");
+      const auto& identifiers = values_of<std::int32_t>(solid.attributes(), "identifier");
+      REQUIRE(identifiers.size() == solid.mesh().triangles.size());
+      for (std::size_t t = 0; t < identifiers.size(); ++t) {
+        const Source& s = solid.sources()[t];
+        CHECK(identifiers[t] == static_cast<std::int32_t>(100 * s.operand + s.face));
+        for (std::size_t k = 0; k < 3; ++k) {
+          const RationalPoint p = back(solid.exact_mesh().position(solid.mesh().triangles[t][k]));
+          for (std::size_t i = 0; i < 3; ++i) CHECK(places[9 * t + 3 * k + i] == to_nearest_double(p[i]));
+        }
+      }
+    }
+  }
+}

@@ -1,5 +1,6 @@
 #include "strata/expression.h"
 
+#include <algorithm>
 #include <deque>
 #include <optional>
 
@@ -101,12 +102,16 @@ Solid evaluate_placed(const Formula& formula, std::span<const Occurrence> solids
   return combine_solids(formula, operands, options);
 }
 
-/// Where all solids can be combined first, and the result be moved. Attributes may hold directions, which are rounded
-/// when they are moved, and what is rounded in place has to be there.
+/// Where all solids can be combined first, and the result be moved. Not if there are directions, which are rounded
+/// whenever they are moved, or vertices that are rounded where they are.
 std::optional<Transform> frame_of(std::span<const Occurrence> solids) {
   std::vector<PlacedVertices> placed;
   for (const Occurrence& o : solids) {
-    if (o.placement != Placement::exact || !o.leaf->solid.attributes().channels.empty()) return std::nullopt;
+    const std::vector<Channel>& channels = o.leaf->solid.attributes().channels;
+    if (o.placement != Placement::exact || std::any_of(channels.begin(), channels.end(), [](const Channel& c) {
+          return c.interpolation == Interpolation::spherical;
+        }))
+      return std::nullopt;
     placed.push_back({&o.map, o.leaf->solid.exact_mesh().mesh.vertices.size()});
   }
   return common_frame(placed);
