@@ -77,7 +77,7 @@ Json report_schema(const std::string& verb) {
   }
   const std::vector<std::string> known = verbs_with_schema();
   const std::string meant = nearest(verb, known);
-  throw UsageError(fmt::format("no report has a schema for '{}'{}; schemas are there for {}", verb,
-                               meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant),
-                               fmt::join(known, ", ")));
+  throw UsageError(fmt::format("no report has a schema for '{}'; {}", verb,
+                               meant.empty() ? fmt::format("schemas are there for {}", fmt::join(known, ", "))
+                                             : fmt::format("did you mean '{}'?", meant)));
 }
