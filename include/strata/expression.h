@@ -48,6 +48,10 @@ class Expression {
   /// solid still.
   [[nodiscard]] Expression transformed(const Transform& map, Placement placement = Placement::exact) const;
 
+  /// The same expression about other solids: `replace(solid)` takes the place of a solid, with its name and maps. It is
+  /// called once for all copies of one solid. O(size in memory).
+  [[nodiscard]] Expression with_solids(FunctionRef<Solid(const Solid&)> replace) const;
+
   /// The regularized solid, as `combine` makes it; operands are the primitives that matter, in order. Law: equal, as a
   /// point set, to evaluating step by step. Throws std::invalid_argument if it is not bounded, InputError, Cancelled,
   /// std::length_error, std::overflow_error where a mapped coordinate is beyond all doubles.

@@ -199,3 +199,25 @@ TEST_CASE("texts are read, and errors have places", "[csg]") {
   CHECK(position_of_error(std::string(100'000, '(')) == 1001);
   CHECK_THROWS_WITH(parsed("a & (b - d)", solids), Catch::Contains("column 10") && Catch::Contains("'d'"));
 }
+
+TEST_CASE("an expression about other solids keeps its names, maps and sharing", "[csg]") {
+  const Solid a = unit(0), b = unit(0.5);
+  const Expression x(a, "x"), y(b, "y");
+  const Expression whole = ((x | y) - x.transformed(Transform::translation({0, 0, Rational(1, 2)}))) ^ ~~(x & y);
+  int calls = 0;
+  const Expression grown = whole.with_solids([&](const Solid& solid) {
+    ++calls;
+    return solid.scaled(2);
+  });
+  CHECK(calls == 2);
+  CHECK(grown.text() == whole.text());
+  CHECK(grown.size() == whole.size());
+  CHECK(grown.primitives().size() == whole.primitives().size());
+  const Expression u(a.scaled(2), "x"), v(b.scaled(2), "y");
+  CHECK(grown.evaluate() ==
+        (((u | v) - u.transformed(Transform::translation({0, 0, Rational(1, 2)}))) ^ (u & v)).evaluate());
+
+  Expression chain = x;
+  for (int i = 0; i < 100'000; ++i) chain = chain | y;
+  CHECK(chain.with_solids([](const Solid& solid) { return solid; }).size() == chain.size());
+}

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <optional>
+#include <unordered_map>
 
 #include "core/csg/common_frame.h"
 #include "core/csg/decision_diagram.h"
@@ -58,6 +59,34 @@ Expression operator~(const Expression& a) { return Expression(complement_of(a.no
 
 Expression Expression::transformed(const Transform& map, Placement placement) const {
   return Expression(Pointer::make(node_, map, placement));
+}
+
+Expression Expression::with_solids(FunctionRef<Solid(const Solid&)> replace) const {
+  std::unordered_map<const ExactMesh*, Solid> solids;
+  std::unordered_map<const Node*, Pointer> made;
+  const auto make = [&](const Node& node) {
+    if (node.kind == Kind::solid) {
+      const auto [at, is_new] = solids.try_emplace(&node.solid.exact_mesh());
+      if (is_new) at->second = replace(node.solid);
+      return Pointer::make(at->second, node.name);
+    }
+    std::vector<Pointer> terms;
+    for (const Pointer& term : node.terms) terms.push_back(made.at(&*term));
+    return node.kind == Kind::moved ? Pointer::make(std::move(terms.front()), node.map, node.placement)
+                                    : Node::join(node.kind, std::move(terms));
+  };
+  std::vector<const Node*> open{&*node_};
+  while (!open.empty()) {
+    const Node& node = *open.back();
+    const std::size_t before = open.size();
+    if (!made.contains(&node))
+      for (const Pointer& term : node.terms)
+        if (!made.contains(&*term)) open.push_back(&*term);
+    if (open.size() != before) continue;
+    open.pop_back();
+    if (!made.contains(&node)) made.emplace(&node, make(node));
+  }
+  return Expression(made.at(&*node_));
 }
 
 std::size_t Expression::size() const { return node_->size; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -13,7 +14,9 @@
 #include "extensions/openscad/rotate_extrude.h"
 #include "extensions/openscad/shape_operations.h"
 #include "extensions/openscad/solid_operations.h"
+#include "strata/attributes.h"
 #include "strata/convex.h"
+#include "strata/srgb.h"
 
 namespace strata::openscad {
 namespace {
@@ -278,6 +281,40 @@ NodeOperation rotate_extrude(const SyntaxNode& node, const std::string& name, Re
   });
 }
 
+/// Light and opacity of a colour; none of one by name, or with a component below 0, as OpenSCAD writes colours that it
+/// does not know.
+std::optional<std::array<double, 4>> color_of(const Arguments& arguments) {
+  if (const Value* const value = arguments.find("c"); value == nullptr || value->kind != Value::Kind::vector)
+    return std::nullopt;
+  const std::vector<double> c = arguments.numbers("c", {0, 0, 0, 1});
+  if (!std::all_of(c.begin(), c.end(), [](double x) { return x >= 0; })) return std::nullopt;
+  return std::array{light_of_srgb(c[0]), light_of_srgb(c[1]), light_of_srgb(c[2]), std::min(c[3], 1.0)};
+}
+
+/// All faces of one material.
+Solid painted(const Solid& solid, const std::array<double, 4>& color) {
+  Attributes attributes;
+  attributes.channels = {{std::string(channel_names::material), Element::face, Interpolation::nearest, 1,
+                          std::vector<std::int32_t>(solid.mesh().triangles.size(), 0)}};
+  attributes.materials.emplace_back().color = color;
+  return solid.with_attributes(std::move(attributes));
+}
+
+NodeOperation colored(const SyntaxNode& node, Report& report) {
+  const std::optional<std::array<double, 4>> color = color_of(Arguments(node, {"c", "alpha"}, report));
+  if (!color) report.note(node.place, "a color that is not given as numbers from 0 is passed over");
+  return [color, &node](std::vector<Part> children, const Options& options, Report& notes) {
+    const Part part = all_of(std::move(children), node, options, notes);
+    if (!color || part.is_empty()) return part;
+    if (part.is_shape()) {
+      notes.note(node.place, "the color of a shape is passed over");
+      return part;
+    }
+    return Part::of(part.solid().with_solids([&](const Solid& solid) { return painted(solid, *color); }),
+                    part.is_union());
+  };
+}
+
 /// A Boolean operation of all children.
 template <class Join>
 NodeOperation joined(const SyntaxNode& node, const Join& join) {
@@ -288,22 +325,24 @@ NodeOperation joined(const SyntaxNode& node, const Join& join) {
 
 }  // namespace
 
+NodeOperation union_operation(const SyntaxNode& node) {
+  return joined(
+      node, [](std::vector<Part> parts, const Options& o) { return union_of(std::move(parts), Monitor(o.cancel)); });
+}
+
 NodeOperation operation_of(NodeKind kind, const SyntaxNode& node, const std::string& name, Placement placement,
                            Report& report) {
   switch (kind) {
     case NodeKind::multmatrix:
       return multmatrix(node, placement, report);
     case NodeKind::color:
+      return colored(node, report);
     case NodeKind::render:
-      report.note(node.place, std::string(node.name) + " is passed over");
-      return joined(node, [](std::vector<Part> parts, const Options& o) {
-        return union_of(std::move(parts), Monitor(o.cancel));
-      });
+      report.note(node.place, "render is passed over");
+      return union_operation(node);
     case NodeKind::union_:
       (void)Arguments(node, {}, report);  // there are none
-      return joined(node, [](std::vector<Part> parts, const Options& o) {
-        return union_of(std::move(parts), Monitor(o.cancel));
-      });
+      return union_operation(node);
     case NodeKind::difference:
       (void)Arguments(node, {}, report);
       return joined(node, [](std::vector<Part> parts, const Options& o) {

@@ -20,4 +20,7 @@ using NodeOperation = std::function<Part(std::vector<Part> children, const Optio
 [[nodiscard]] NodeOperation operation_of(NodeKind kind, const SyntaxNode& node, const std::string& name,
                                          Placement placement, Report& report);
 
+/// The union of all children, as of nodes without a meaning of their own.
+[[nodiscard]] NodeOperation union_operation(const SyntaxNode& node);
+
 }  // namespace strata::openscad
