@@ -82,6 +82,14 @@ class Eval(ToolTest):
         self.assertIn("roof", error)
         self.run_tool("eval", "missing.csg", "-o", "bad.off", expect=FILE)
 
+    def test_colors_of_models_are_materials(self):
+        model = self.file("colors.csg", "difference() { color([1, 0, 0, 1]) cube(2); color([0, 0, 1, 1]) cube(1); }")
+        self.run_tool("eval", model, "-o", "colors.3mf", "--strict")
+        self.assertEqual(len(self.report("info", "colors.3mf")["operands"][0]["materials"]), 2)
+        self.assertIn(b"materials left out", self.run_tool("eval", model, "-o", "colors.off").stderr)
+        self.run_tool("eval", model, "-o", "colors.off", "--strict", expect=FILE)
+        self.run_tool("eval", model, "-o", "colors.off", "--strict", "--attributes", "none")
+
     def test_models_tell_which_nodes_took_long(self):
         model = self.file("part.csg", "hull() { cube(1); sphere(2); }\nminkowski() { cube(1); cube(2); }\nhull() { cube(1); sphere(2); }")
         nodes = self.report("eval", model, "-o", "part.off")["nodes"]

@@ -104,6 +104,14 @@ strata::CsgModel read_model(const Settings& settings, Watch& watch) {
   }
 }
 
+/// About solids with the attributes that are wanted.
+strata::Expression with_chosen_attributes(const strata::Expression& expression, const AttributeSettings& settings) {
+  if (settings.names == std::vector<std::string>{"all"}) return expression;
+  return expression.with_solids([&](const strata::Solid& solid) {
+    return solid.attributes().empty() ? solid : solid.with_attributes(settings.chosen(solid.attributes()));
+  });
+}
+
 Json to_json(const std::vector<strata::CsgNode>& nodes) {
   std::vector<strata::CsgNode> slowest = nodes;
   std::stable_sort(slowest.begin(), slowest.end(), [](const auto& a, const auto& b) { return a.seconds > b.seconds; });
@@ -126,7 +134,8 @@ ExitCode run_model_file(Settings& settings) {
   report["nodes"] = to_json(model.nodes);
   if (model.shape) return write_shape(*model.shape, std::move(report), settings, watch, stopwatch);
   refuse_shape_format(settings);
-  return evaluate_and_write(model.expression, Json::array(), std::move(report), settings, watch, stopwatch,
+  const strata::Expression expression = with_chosen_attributes(model.expression, settings.attributes);
+  return evaluate_and_write(expression, Json::array(), std::move(report), settings, watch, stopwatch,
                             [&]() -> verify::NewCase {
                               throw std::runtime_error("a model is its own reproduction: " + settings.expression);
                             });
