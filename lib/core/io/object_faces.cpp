@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/attributes/index_lists.h"
+#include "core/containers/huge_pages.h"
 
 namespace strata::io {
 namespace {
@@ -84,10 +85,12 @@ std::vector<ObjectFaces> closed_objects(MeshView mesh, const Attributes& attribu
 
 ObjectFaces one_object(MeshView mesh, const Attributes& attributes) {
   ObjectFaces object;
-  object.faces.resize(mesh.triangles.size());
-  object.vertices.resize(mesh.vertices.size());
+  resize_fresh(object.faces, mesh.triangles.size());
+  resize_fresh(object.vertices, mesh.vertices.size());
   std::iota(object.faces.begin(), object.faces.end(), 0U);
   std::iota(object.vertices.begin(), object.vertices.end(), 0U);
+  object.triangles.reserve(mesh.triangles.size());
+  prefer_huge_pages(object.triangles.data(), mesh.triangles.size_bytes());
   object.triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
   const auto object_of = indices_of(attributes, channel_names::object);
   const bool is_one =

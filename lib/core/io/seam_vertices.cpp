@@ -56,23 +56,21 @@ std::vector<std::uint8_t> vertices_at_seams(const ObjectFaces& object, const std
 
 }  // namespace
 
-SeamVertices divide_at_seams(const ObjectFaces& object, const std::vector<const Channel*>& channels) {
+SeamVertices divide_at_seams(ObjectFaces& object, const std::vector<const Channel*>& channels) {
   constexpr std::uint32_t none = SeamVertices::none;
-  const std::size_t count = object.vertices.size();
-  SeamVertices result;
-  result.triangles = object.triangles;
   std::vector<std::uint32_t> corner = first_corners(object);
   const std::vector<std::uint8_t> is_at_seam = vertices_at_seams(object, channels, corner);
   if (std::find(is_at_seam.begin(), is_at_seam.end(), 1) == is_at_seam.end()) {
-    result.vertices = object.vertices;
-    result.corners = std::move(corner);
-    return result;
+    return {std::move(object.vertices), std::move(corner), std::move(object.triangles)};
   }
+  const std::vector<std::uint32_t> vertices = std::move(object.vertices);
+  SeamVertices result;
+  result.triangles = std::move(object.triangles);
   // Versions of a vertex are chained: the first one of vertex v is v itself, further ones follow behind all vertices.
-  std::vector<std::uint32_t> next(count, none);
-  for (std::size_t f = 0; f < object.triangles.size(); ++f)
+  std::vector<std::uint32_t> next(vertices.size(), none);
+  for (std::size_t f = 0; f < result.triangles.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
-      std::uint32_t at = object.triangles[f][k];
+      std::uint32_t at = result.triangles[f][k];
       if (is_at_seam[at] == 0) continue;
       const std::uint32_t own = corner_of(object, f, k);
       while (!are_equal(channels, corner[at], own)) {
@@ -88,10 +86,10 @@ SeamVertices divide_at_seams(const ObjectFaces& object, const std::vector<const 
   std::vector<std::uint32_t> number(corner.size());
   result.vertices.reserve(corner.size());
   result.corners.reserve(corner.size());
-  for (std::size_t v = 0; v < count; ++v)
+  for (std::size_t v = 0; v < vertices.size(); ++v)
     for (std::uint32_t at = static_cast<std::uint32_t>(v); at != none; at = next[at]) {
       number[at] = static_cast<std::uint32_t>(result.vertices.size());
-      result.vertices.push_back(object.vertices[v]);
+      result.vertices.push_back(vertices[v]);
       result.corners.push_back(corner[at]);
     }
   for (Triangle& t : result.triangles) t = {number[t[0]], number[t[1]], number[t[2]]};

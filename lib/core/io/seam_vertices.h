@@ -16,7 +16,8 @@ struct SeamVertices {
   static constexpr std::uint32_t none = 0xffff'ffff;
 };
 
-/// `channels` are those of corners to regard; the others do not divide vertices. O(corners times faces at a vertex).
-[[nodiscard]] SeamVertices divide_at_seams(const ObjectFaces& object, const std::vector<const Channel*>& channels);
+/// `channels` are those of corners to regard; the others do not divide vertices. The object keeps its name and its
+/// faces, and gives away the rest. O(corners times faces at a vertex).
+[[nodiscard]] SeamVertices divide_at_seams(ObjectFaces& object, const std::vector<const Channel*>& channels);
 
 }  // namespace strata::io

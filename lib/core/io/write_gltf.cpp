@@ -162,7 +162,7 @@ class DocumentWriter {
 
   void write_objects() {
     vertices_.reserve(objects_.size());
-    for (const ObjectFaces& object : objects_) {
+    for (ObjectFaces& object : objects_) {
       if (object.triangles.empty()) continue;
       vertices_.push_back(divide_at_seams(object, seams_));
       Json node = {{"mesh", json_["meshes"].size()}};
@@ -181,11 +181,14 @@ class DocumentWriter {
     const auto material = indices_of(attributes_, channel_names::material);
     const auto object_of = is_apart_ || !object.name.empty() ? std::span<const std::int32_t>()
                                                              : indices_of(attributes_, channel_names::object);
-    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::uint32_t>> lists;
+    using Key = std::pair<std::int32_t, std::int32_t>;
+    std::map<Key, std::vector<std::uint32_t>> lists;
+    auto last = lists.end();  // successive faces mostly have the same
     for (std::size_t i = 0; i < object.faces.size(); ++i) {
       const std::uint32_t f = object.faces[i];
-      lists[{object_of.empty() ? -1 : object_of[f], material.empty() ? -1 : material[f]}].push_back(
-          static_cast<std::uint32_t>(i));
+      const Key key(object_of.empty() ? -1 : object_of[f], material.empty() ? -1 : material[f]);
+      if (last == lists.end() || last->first != key) last = lists.try_emplace(key).first;
+      last->second.push_back(static_cast<std::uint32_t>(i));
     }
     Json all = Json::array();
     for (auto& [key, faces] : lists) {
