@@ -63,6 +63,7 @@ TEST_CASE("equal solids may have different colours, and the outermost counts", "
         Areas{{"10,0,0,10", 6}, {"0,0,10,5", 6}});
   CHECK(areas_of(shifted("group() {" + blue + cube + "}", 4) + red + "{ group() {" + blue + cube + "} }") ==
         Areas{{"10,0,0,10", 6}, {"0,0,10,5", 6}});
+  CHECK(areas_of("color([-1, -1, -1, 1]) {" + blue + cube + "}") == Areas{{"0,0,10,5", 6}});
   std::string deep = "cube(1);";
   for (int i = 0; i < 2000; ++i) deep = "color([0, 1, 0, 1]) {" + deep + "}";
   CHECK(areas_of(red + "{" + deep + "}") == Areas{{"10,0,0,10", 6}});

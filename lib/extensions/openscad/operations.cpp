@@ -281,16 +281,6 @@ NodeOperation rotate_extrude(const SyntaxNode& node, const std::string& name, Re
   });
 }
 
-/// Light and opacity of a colour; none of one by name, or with a component below 0, as OpenSCAD writes colours that it
-/// does not know.
-std::optional<std::array<double, 4>> color_of(const Arguments& arguments) {
-  if (const Value* const value = arguments.find("c"); value == nullptr || value->kind != Value::Kind::vector)
-    return std::nullopt;
-  const std::vector<double> c = arguments.numbers("c", {0, 0, 0, 1});
-  if (!std::all_of(c.begin(), c.end(), [](double x) { return x >= 0; })) return std::nullopt;
-  return std::array{light_of_srgb(c[0]), light_of_srgb(c[1]), light_of_srgb(c[2]), std::min(c[3], 1.0)};
-}
-
 /// All faces of one material.
 Solid painted(const Solid& solid, const std::array<double, 4>& color) {
   Attributes attributes;
@@ -298,21 +288,6 @@ Solid painted(const Solid& solid, const std::array<double, 4>& color) {
                           std::vector<std::int32_t>(solid.mesh().triangles.size(), 0)}};
   attributes.materials.emplace_back().color = color;
   return solid.with_attributes(std::move(attributes));
-}
-
-NodeOperation colored(const SyntaxNode& node, Report& report) {
-  const std::optional<std::array<double, 4>> color = color_of(Arguments(node, {"c", "alpha"}, report));
-  if (!color) report.note(node.place, "a color that is not given as numbers from 0 is passed over");
-  return [color, &node](std::vector<Part> children, const Options& options, Report& notes) {
-    const Part part = all_of(std::move(children), node, options, notes);
-    if (!color || part.is_empty()) return part;
-    if (part.is_shape()) {
-      notes.note(node.place, "the color of a shape is passed over");
-      return part;
-    }
-    return Part::of(part.solid().with_solids([&](const Solid& solid) { return painted(solid, *color); }),
-                    part.is_union());
-  };
 }
 
 /// A Boolean operation of all children.
@@ -330,13 +305,32 @@ NodeOperation union_operation(const SyntaxNode& node) {
       node, [](std::vector<Part> parts, const Options& o) { return union_of(std::move(parts), Monitor(o.cancel)); });
 }
 
+std::optional<std::array<double, 4>> color_of(const SyntaxNode& node, Report& report) {
+  const Arguments arguments(node, {"c", "alpha"}, report);
+  const Value* const value = arguments.find("c");
+  const bool is_vector = value != nullptr && value->kind == Value::Kind::vector;
+  const std::vector<double> c = is_vector ? arguments.numbers("c", {0, 0, 0, 1}) : std::vector<double>{-1};
+  if (std::all_of(c.begin(), c.end(), [](double x) { return x >= 0; }))
+    return std::array{light_of_srgb(c[0]), light_of_srgb(c[1]), light_of_srgb(c[2]), std::min(c[3], 1.0)};
+  report.note(node.place, "a color that is not given as numbers from 0 is passed over");
+  return std::nullopt;
+}
+
+NodeOperation color_operation(const SyntaxNode& node, const std::array<double, 4>& color) {
+  return [color, &node](std::vector<Part> children, const Options& options, Report& notes) {
+    const Part part = all_of(std::move(children), node, options, notes);
+    if (part.is_shape()) notes.note(node.place, "the color of a shape is passed over");
+    if (!part.is_solid()) return part;
+    return Part::of(part.solid().with_solids([&](const Solid& solid) { return painted(solid, color); }),
+                    part.is_union());
+  };
+}
+
 NodeOperation operation_of(NodeKind kind, const SyntaxNode& node, const std::string& name, Placement placement,
                            Report& report) {
   switch (kind) {
     case NodeKind::multmatrix:
       return multmatrix(node, placement, report);
-    case NodeKind::color:
-      return colored(node, report);
     case NodeKind::render:
       report.note(node.place, "render is passed over");
       return union_operation(node);
@@ -373,6 +367,7 @@ NodeOperation operation_of(NodeKind kind, const SyntaxNode& node, const std::str
       return linear_extrude(node, name, report);
     case NodeKind::rotate_extrude:
       return rotate_extrude(node, name, report);
+    case NodeKind::color:
     case NodeKind::cube:
     case NodeKind::sphere:
     case NodeKind::cylinder:
@@ -385,7 +380,7 @@ NodeOperation operation_of(NodeKind kind, const SyntaxNode& node, const std::str
     case NodeKind::surface:
     case NodeKind::roof:
     case NodeKind::unknown:
-      break;  // no operations
+      break;  // no operations, or those of other functions
   }
   throw std::logic_error("a node that is no operation");
 }

@@ -1,7 +1,9 @@
 #include "extensions/openscad/plan.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -40,8 +42,8 @@ class Planner {
   struct Open {
     std::uint32_t step = 0;
     std::size_t end = 0;
-    bool is_colored = false;      ///< it is a colour, or in one
-    bool is_inner_color = false;  ///< a colour in another one, which is a union
+    bool is_colored = false;  ///< it gives a colour, or is in a node that does
+    bool is_lost = false;     ///< a colour that does not count
   };
   static constexpr std::size_t none = ~std::size_t{0};
 
@@ -82,17 +84,18 @@ class Planner {
     step.node = &node;
     step.kind = kind;
     const bool is_leaf = kind < NodeKind::multmatrix;
-    const bool is_inner_color = kind == NodeKind::color && open_.back().is_colored;
-    if (is_inner_color) {  // of nested colours the outermost counts
-      step.operation = union_operation(node);
+    std::optional<std::array<double, 4>> color;
+    if (kind == NodeKind::color) {  // of nested ones the outermost counts
+      if (!open_.back().is_colored) color = color_of(node, report_);
+      step.operation = color ? color_operation(node, *color) : union_operation(node);
     } else if (is_leaf) {
       step.part = leaf(kind, node);
       if (node.end != n + 1) report_.fail(nodes_[n + 1].place, "nothing can be in a " + std::string(node.name));
     } else {
       step.operation = operation_of(kind, node, name_of(node), options_.placement, report_);
     }
-    open_.push_back({static_cast<std::uint32_t>(steps_.size()), node.end,
-                     kind == NodeKind::color || open_.back().is_colored, is_inner_color});
+    open_.push_back({static_cast<std::uint32_t>(steps_.size()), node.end, color || open_.back().is_colored,
+                     kind == NodeKind::color && !color});
     steps_.push_back(std::move(step));
     return n + 1;
   }
@@ -120,11 +123,11 @@ class Planner {
 
   /// Ends a node. An operation that there is already takes its place; leaves keep their names.
   void close() {
-    const auto [number, end, is_colored, is_inner_color] = open_.back();
+    const auto [number, end, is_colored, is_lost] = open_.back();
     open_.pop_back();
     if (open_.empty()) return;
     Step& step = steps_[number];
-    std::string key(is_inner_color ? "union()" : step.node->text);
+    std::string key(is_lost ? "union()" : step.node->text);
     for (const std::uint32_t child : step.children) key.append(",").append(std::to_string(equal_[child]));
     std::uint32_t known = number_of_.try_emplace(std::move(key), number).first->second;
     equal_.resize(steps_.size());
