@@ -13,13 +13,10 @@
 
 namespace strata::io {
 
-inline constexpr std::size_t items_per_block = 2048;
-
-/// Writes items 0..count-1 in order. `format(first, last, storage)` returns the bytes of some items, stored in a
-/// `Storage`. Blocks of items are formatted in parallel, while earlier ones are written.
+/// Writes items 0..count-1 in order. `format(first, last, storage)` returns the bytes of some items, at most `block`,
+/// stored in a `Storage`. Blocks of items are formatted in parallel, while earlier ones are written.
 template <class Storage, class Format>
-void write_formatted(Sink& sink, std::size_t count, const Format& format) {
-  constexpr std::size_t block = items_per_block;
+void write_formatted(Sink& sink, std::size_t count, std::size_t block, const Format& format) {
   struct Block {
     Storage storage;
     std::string_view bytes;
@@ -49,8 +46,10 @@ void write_formatted(Sink& sink, std::size_t count, const Format& format) {
 template <class Format>
 void write_blocks(Sink& sink, std::size_t count, std::size_t most, const Format& format) {
   using Bytes = std::unique_ptr<char[]>;
-  write_formatted<Bytes>(sink, count, [&](std::size_t first, std::size_t last, Bytes& bytes) {
-    if (!bytes) bytes = std::make_unique_for_overwrite<char[]>(items_per_block * most);
+  constexpr std::size_t bytes_per_block = 1U << 18;  // few calls of the system, and some blocks fit into a cache
+  const std::size_t block = std::min(bytes_per_block / most + 1, count);
+  write_formatted<Bytes>(sink, count, block, [&](std::size_t first, std::size_t last, Bytes& bytes) {
+    if (!bytes) bytes = std::make_unique_for_overwrite<char[]>(block * most);
     char* at = bytes.get();
     for (std::size_t i = first; i < last; ++i) at = format(i, at);
     return std::string_view(bytes.get(), static_cast<std::size_t>(at - bytes.get()));
@@ -60,7 +59,8 @@ void write_blocks(Sink& sink, std::size_t count, std::size_t most, const Format&
 /// `append(i, text)` appends item i, of any length, to a text.
 template <class Append>
 void write_texts(Sink& sink, std::size_t count, const Append& append) {
-  write_formatted<std::string>(sink, count, [&](std::size_t first, std::size_t last, std::string& text) {
+  constexpr std::size_t block = 2048;
+  write_formatted<std::string>(sink, count, block, [&](std::size_t first, std::size_t last, std::string& text) {
     text.clear();
     for (std::size_t i = first; i < last; ++i) append(i, text);
     return std::string_view(text);
