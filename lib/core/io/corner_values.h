@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <unordered_map>
@@ -17,6 +18,14 @@ class Numbered {
     const auto [place, is_new] = numbers_.try_emplace(value, static_cast<std::uint32_t>(values_.size()));
     if (is_new) values_.push_back(value);
     return place->second;
+  }
+  /// The same. `last` is the number last found at a vertex, or 0: most corners there have the same value, which is then
+  /// not searched for.
+  std::uint32_t number_of(const Value& value, std::uint32_t& last) {
+    using Bytes = std::array<unsigned char, sizeof(Value)>;  // -0 is not 0
+    const bool is_same = last < values_.size() && std::bit_cast<Bytes>(values_[last]) == std::bit_cast<Bytes>(value);
+    if (!is_same) last = number_of(value);
+    return last;
   }
   [[nodiscard]] const std::vector<Value>& values() const { return values_; }
 

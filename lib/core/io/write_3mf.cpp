@@ -123,6 +123,8 @@ class Surfaces {
   void number_surfaces() {
     if (material_.empty() && color_ == nullptr) return;
     surfaces_.resize(target_.mesh.triangles.size());
+    last_color_.resize(color_ != nullptr ? target_.mesh.vertices.size() : 0);
+    last_texcoord_.resize(texcoord_ != nullptr ? target_.mesh.vertices.size() : 0);
     for (std::size_t f = 0; f < surfaces_.size(); ++f) {
       const Surface material = material_of(f), color = color_of(f);
       if (material.group == 0 || color.group == 0)
@@ -138,8 +140,10 @@ class Surfaces {
     if (!has_texture(m)) return {base_group(), {bases_[m], bases_[m], bases_[m]}};
     Surface surface{texture_group(m), {}};
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t e = element_of_corner(*texcoord_, target_.mesh.triangles[f], f, k);
-      surface.corners[k] = texcoords_[m].number_of({value_of(*texcoord_, e, 0), value_of(*texcoord_, e, 1)});
+      const Triangle& t = target_.mesh.triangles[f];
+      const std::size_t e = element_of_corner(*texcoord_, t, f, k);
+      const std::array<double, 2> value{value_of(*texcoord_, e, 0), value_of(*texcoord_, e, 1)};
+      surface.corners[k] = texcoords_[m].number_of(value, last_texcoord_[t[k]]);
     }
     return surface;
   }
@@ -148,10 +152,11 @@ class Surfaces {
     if (color_ == nullptr) return {};
     Surface surface{color_group(), {}};
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t e = element_of_corner(*color_, target_.mesh.triangles[f], f, k);
+      const Triangle& t = target_.mesh.triangles[f];
+      const std::size_t e = element_of_corner(*color_, t, f, k);
       std::array<std::uint8_t, 4> color{255, 255, 255, 255};
       for (std::size_t i = 0; i < color_->components; ++i) color[i] = color_byte(value_of(*color_, e, i));
-      surface.corners[k] = colors_.number_of(color);
+      surface.corners[k] = colors_.number_of(color, last_color_[t[k]]);
     }
     return surface;
   }
@@ -245,6 +250,7 @@ class Surfaces {
   Numbered<std::array<std::uint8_t, 4>> colors_;
   std::vector<Numbered<std::array<double, 2>>> texcoords_;     ///< per material
   std::vector<Numbered<std::array<std::uint32_t, 2>>> pairs_;  ///< of material and colour, per material
+  std::vector<std::uint32_t> last_color_, last_texcoord_;      ///< the numbers last found at each vertex
   bool colors_are_rounded_ = false;
 };
 

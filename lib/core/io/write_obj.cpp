@@ -36,8 +36,10 @@ class ValueLines {
   ValueLines(MeshView mesh, const Channel* channel) : mesh_(mesh), channel_(channel) {
     if (channel == nullptr || channel->element == Element::vertex) return;
     numbers_.reserve(3 * mesh.triangles.size());
-    for (std::size_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner)
-      numbers_.push_back(different_.number_of(at(corner)));
+    std::vector<std::uint32_t> last(mesh.vertices.size());
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k)
+        numbers_.push_back(different_.number_of(at(3 * f + k), last[mesh.triangles[f][k]]));
   }
   [[nodiscard]] bool empty() const { return channel_ == nullptr; }
   void write(Sink& sink, std::string_view start) const {
