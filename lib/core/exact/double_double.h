@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/exact/bounded.h"
+#include "core/exact/two_product.h"
 #include "core/exact/two_sum.h"
 
 namespace strata {
@@ -31,7 +32,7 @@ struct DoubleDouble {
   }
   friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
   friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
-    const WithRest p = product(a.value, b.value);
+    const WithRest p = dekker_product(a.value, b.value);
     const WithRest r = quick_two_sum(p.value, p.rest + (a.value * b.low + a.low * b.value));
     const double carried = a.size() * b.error + b.size() * a.error + a.error * b.error;
     return {r.value, r.rest, carried + std::abs(r.value) * rounding + Bounded::underflow};
@@ -63,15 +64,6 @@ struct DoubleDouble {
   }
 
  private:
-  static WithRest split(double a) {  // Veltkamp: 26 bits each
-    const double c = 134217729.0 * a, high = c - (c - a);
-    return {high, a - high};
-  }
-  static WithRest product(double a, double b) {  // Dekker: exact unless it underflows
-    const double p = a * b;
-    const WithRest x = split(a), y = split(b);
-    return {p, ((x.value * y.value - p) + x.value * y.rest + x.rest * y.value) + x.rest * y.rest};
-  }
   [[nodiscard]] double size() const { return std::abs(value) * (1 + 0x1p-50); }
   [[nodiscard]] DoubleDouble without_error() const { return {value, low, 0}; }
 };

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/exact/two_product.h"
 #include "core/io/input.h"
 
 namespace strata::io {
@@ -19,7 +20,7 @@ struct LongSum {
   void add_product(double a, double b) {
     const double product = a * b;
     add(product);
-    low += std::fma(a, b, -product);
+    low += product_error(a, b, product);
   }
 };
 

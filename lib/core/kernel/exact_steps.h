@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/exact/sign.h"
+#include "core/exact/two_product.h"
 #include "core/exact/two_sum.h"
 
 namespace strata {
@@ -54,7 +55,7 @@ class ExactSteps {
   [[nodiscard]] WithRest product_with_rest(double a, double b) {
     const double p = a * b;
     exact_ &= (std::abs(p) > 0x1p-900) | (a == 0) | (b == 0);
-    return {p, std::fma(a, b, -p)};
+    return {p, product_error(a, b, p)};
   }
 
   bool exact_ = true;

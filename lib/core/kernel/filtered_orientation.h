@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/exact/sign.h"
+#include "core/exact/two_product.h"
 
 namespace strata {
 
@@ -33,7 +34,7 @@ using PlanePoint = std::array<double, 2>;
   if (left < right) return Sign::negative;
   if ((a == 0 || b == 0) && (c == 0 || d == 0)) return Sign::zero;
   if (!(std::abs(left) > 0x1p-900 && std::isfinite(left))) return std::nullopt;
-  const double left_rest = std::fma(a, b, -left), right_rest = std::fma(c, d, -right);
+  const double left_rest = product_error(a, b, left), right_rest = product_error(c, d, right);
   return left_rest == right_rest ? Sign::zero : left_rest > right_rest ? Sign::positive : Sign::negative;
 }
 

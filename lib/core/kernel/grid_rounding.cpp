@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/exact/big_integer.h"
+#include "core/exact/two_product.h"
 
 namespace strata {
 namespace {
@@ -20,11 +21,11 @@ double with_bits(double x, int bits) {
 
 /// The double nearest to k n / d, for an integer k, and integers n and d > 0 that are doubles.
 double nearest_multiple(double k, double n, double d) {
-  const double product = k * n, rest_of_product = std::fma(k, n, -product);
+  const double product = k * n, rest_of_product = product_error(k, n, product);
   const double quotient = product / d;
   constexpr double smallest = 0x1p-900;  // beyond it, remainders are no doubles
   if (std::isfinite(product) && std::abs(quotient) > smallest) {
-    const double rest = (std::fma(-quotient, d, product) + rest_of_product) / d;
+    const double rest = (quotient_error(product, d, quotient) + rest_of_product) / d;
     const double sum = quotient + rest, lost = rest - (sum - quotient);
     const double below = std::abs(sum) - std::nextafter(std::abs(sum), 0.0);
     if (std::abs(lost) < below / 2 * (1 - 0x1p-20)) return sum;
