@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/exact/arithmetic.h"
 #include "core/exact/big_integer.h"
 #include "core/exact/lattice.h"
 #include "core/kernel/disjoint_sets.h"
@@ -90,6 +91,7 @@ void InputComplex::add(std::span<const Coordinates> points, std::span<const Indi
 }
 
 void InputComplex::add(Block block) {
+  ensure_ieee_arithmetic();
   constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() - 1;
   if (block.points.size() > most - vertex_end_ || block.faces.size() > most - face_end_)
     throw std::length_error("more than 2^32 - 2 vertices or faces in one evaluation");

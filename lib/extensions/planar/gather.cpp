@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "core/exact/arithmetic.h"
 #include "extensions/planar/predicates.h"
 
 namespace strata::planar {
@@ -162,7 +163,10 @@ class Gatherer {
 
 }  // namespace
 
-Gathered gather(std::span<const Operand> operands, bool keep_names) { return Gatherer(operands).gather(keep_names); }
+Gathered gather(std::span<const Operand> operands, bool keep_names) {
+  ensure_ieee_arithmetic();
+  return Gatherer(operands).gather(keep_names);
+}
 
 Gathered gather(Thinned thinned) {
   Gathered gathered = gather(thinned.operands);
