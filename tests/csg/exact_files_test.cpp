@@ -1,7 +1,5 @@
 // Results of results through files: what is written to XOFF and read again is the same, exactly; and rational vertices
 // that come from anywhere are checked before they are used.
-#include <unistd.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -9,6 +7,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "core/system/program.h"
 #include "csg/recipe_solids.h"
 #include "strata/io.h"
 #include "strata/strata.h"
@@ -29,7 +28,8 @@ ExactMesh through_file(const ExactMesh& mesh) {
 
 /// The same through a file that has a name.
 ExactMesh through_named_file(const ExactMesh& mesh) {
-  const auto path = std::filesystem::temp_directory_path() / ("strata-" + std::to_string(getpid()) + ".xoff");
+  const auto path =
+      std::filesystem::temp_directory_path() / ("strata-" + std::to_string(system::process_number()) + ".xoff");
   (void)write_mesh(path, mesh);
   MeshFile file = read_mesh(path);
   std::filesystem::remove(path);

@@ -2,7 +2,6 @@
 #include "core/io/pieces.h"
 
 #include <tbb/global_control.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -12,6 +11,7 @@
 #include <random>
 
 #include "core/io/readers.h"
+#include "core/system/program.h"
 #include "tetrahedron.h"
 
 using namespace strata;
@@ -343,7 +343,7 @@ TEST_CASE("Results do not depend on the number of threads", "[io][pieces]") {
 }
 
 TEST_CASE("Large binary files are read piece by piece as they are in memory", "[io][pieces][files]") {
-  const fs::path path = fs::temp_directory_path() / ("strata_pieces_" + std::to_string(::getpid()));
+  const fs::path path = fs::temp_directory_path() / ("strata_pieces_" + std::to_string(system::process_number()));
   const Mesh mesh = shuffled_strip(9, 500);
   for (const Format format : {Format::stl, Format::ply, Format::ply_big_endian, Format::ply_ascii, Format::obj}) {
     const std::string text = to_string(mesh, format);

@@ -1,20 +1,11 @@
 #include "common/json_report.h"
 
-#include <sys/resource.h>
-
 #include <utility>
 
 #include "common/text_file.h"
+#include "core/system/memory.h"
 
-std::uint64_t peak_bytes() {
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-  return static_cast<std::uint64_t>(usage.ru_maxrss);
-#else
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-#endif
-}
+std::uint64_t peak_bytes() { return strata::system::peak_bytes(); }
 
 void write_report(const std::string& where, Json report) {
   report["strata"] = STRATA_VERSION;

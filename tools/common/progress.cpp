@@ -1,11 +1,12 @@
 #include "common/progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+
+#include "core/system/streams.h"
 
 namespace {
 constexpr auto patience = std::chrono::seconds(1);
@@ -14,7 +15,9 @@ constexpr int width = 40;
 }  // namespace
 
 ProgressBar::ProgressBar(bool asked, bool quiet)
-    : terminal_(isatty(STDERR_FILENO) == 1), asked_(asked), silent_(!asked && (quiet || !terminal_)) {
+    : terminal_(strata::system::is_terminal(strata::system::standard_error)),
+      asked_(asked),
+      silent_(!asked && (quiet || !terminal_)) {
   next_ = Clock::now();
   if (!asked_) next_ += patience;
 }

@@ -1,15 +1,17 @@
 #include "common/text_file.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
 
 #include "common/byte_source.h"
 #include "core/io/file.h"
+#include "core/system/file.h"
+#include "core/system/program.h"
 #include "strata/errors.h"
 
 namespace {
@@ -31,14 +33,18 @@ void write_and_close(std::FILE* file, const std::string& path, std::string_view 
 void write_file(const std::string& path, std::string_view text) {
   const fs::file_status status = fs::status(path);
   const bool in_place = fs::exists(status) && !fs::is_regular_file(status);
-  const std::string target = in_place ? path : fmt::format("{}.{}.part", path, getpid());
-  std::FILE* file = std::fopen(target.c_str(), "wb");
+  const std::string target = in_place ? path : fmt::format("{}.{}.part", path, strata::system::process_number());
+  std::FILE* file = strata::system::open_stream(target, strata::system::FileMode::create);
   if (file == nullptr) fail_writing(path);
   try {
     write_and_close(file, path, text);
-    if (!in_place && std::rename(target.c_str(), path.c_str()) != 0) fail_writing(path);
+    if (in_place) return;
+    std::error_code error;
+    fs::rename(target, path, error);
+    if (error) throw strata::IoError(path, {}, error.message());
   } catch (const strata::IoError&) {
-    if (!in_place) std::remove(target.c_str());
+    std::error_code ignored;
+    if (!in_place) fs::remove(target, ignored);
     throw;
   }
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <thread>
 
+#include "core/system/stop_bell.h"
 #include "strata/monitor.h"
 
 /// What a stop (Ctrl-C, SIGTERM, the time limit) does at the moment.
@@ -39,6 +40,7 @@ class Watch {
   void leave_if_still_asked();
 
   double seconds_;
+  strata::system::StopBell bell_;
   strata::CancelToken stopped_;
   std::mutex mutex_;  // guards action_ and reason_
   OnStop action_ = OnStop::leave;

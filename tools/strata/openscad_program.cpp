@@ -1,53 +1,30 @@
 #include "openscad_program.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
+#include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
-#include <optional>
 #include <thread>
+#include <utility>
 
 #include "common/scratch.h"
 #include "common/text_file.h"
+#include "core/system/program.h"
 #include "strata/errors.h"
 
 namespace fs = std::filesystem;
 
 namespace {
 
-/// Runs a program found on the path, without a shell; what it says goes to a file. Its status; none if it cannot be
-/// started.
-std::optional<int> run(std::vector<std::string> command, const fs::path& messages, const Watch& watch) {
-  std::vector<char*> arguments;
-  for (std::string& word : command) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_addopen(&actions, stream, messages.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
-  pid_t child = 0;
-  const int failed = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) return std::nullopt;
-  int status = 0;
+/// Runs a program; what it says goes to a file. Its end.
+strata::system::ProcessEnd run(std::vector<std::string> command, const fs::path& messages, const Watch& watch) {
+  strata::system::Process program({.words = std::move(command), .output = messages, .error = messages});
   while (true) {
-    const pid_t ended = waitpid(child, &status, WNOHANG);
-    if (ended == child) break;
-    if (ended < 0 && errno != EINTR) return std::nullopt;
-    if (watch.token().is_cancelled()) {
-      kill(child, SIGKILL);
-      while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-      throw strata::Cancelled("cancelled by the caller");
-    }
+    if (const auto end = program.end()) return *end;
+    if (watch.token().is_cancelled()) throw strata::Cancelled("cancelled by the caller");
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
 /// The lines that tell errors, or all.
@@ -72,13 +49,14 @@ std::string csg_of(const std::string& scad, const std::vector<std::string>& defi
   std::vector<std::string> command{program, "-o", csg.string()};
   for (const std::string& d : definitions) command.insert(command.end(), {"-D", d});
   command.push_back(scad);
-  const std::optional<int> status = run(std::move(command), messages, watch);
-  if (!status || *status == 127)
+  const auto end = run(std::move(command), messages, watch);
+  constexpr int not_started = 127;
+  if (!end.crashed && end.code == not_started)
     throw strata::IoError(scad, {},
                           fmt::format("the program '{}' cannot be started: install OpenSCAD, name it by --openscad, or "
                                       "give the .csg file that it writes elsewhere",
                                       program));
-  if (*status != 0 || !fs::exists(csg))
+  if (end.crashed || end.code != 0 || !fs::exists(csg))
     throw strata::IoError(scad, {}, fmt::format("{} says: {}", program, reason_in(read_file(messages.string()))));
   return read_file(csg.string());
 }

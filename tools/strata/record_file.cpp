@@ -1,8 +1,6 @@
 #include "record_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -11,6 +9,8 @@
 #include <utility>
 
 #include "common/text_file.h"
+#include "core/system/file.h"
+#include "core/system/streams.h"
 #include "strata/errors.h"
 
 namespace {
@@ -35,17 +35,17 @@ std::vector<std::string_view> whole_lines(std::string_view text) {
 RecordFile::RecordFile(const std::string& path, const std::vector<BatchJob>& jobs, bool resume, bool retry)
     : path_(path == "-" ? "standard output" : path), jobs_(jobs), known_(jobs.size(), 0) {
   if (path == "-") {
-    descriptor_ = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    descriptor_ = strata::system::duplicate(strata::system::standard_output);
   } else {
     const bool old = resume && std::filesystem::exists(path);
     if (old) keep_old(retry);
-    descriptor_ = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (old ? O_APPEND : O_TRUNC), 0666);
+    descriptor_ = strata::system::open_to_write(path, old);
   }
   if (descriptor_ < 0) fail(path_);
 }
 
 RecordFile::~RecordFile() {
-  if (descriptor_ >= 0) close(descriptor_);
+  if (descriptor_ >= 0) strata::system::close(descriptor_);
 }
 
 // Nothing here may start a thread: processes are going to be forked. read_file() would.
@@ -101,9 +101,9 @@ void RecordFile::finish() {
 
 void RecordFile::write_bytes(std::string_view bytes) {
   while (!bytes.empty()) {
-    const ::ssize_t done = ::write(descriptor_, bytes.data(), bytes.size());
-    if (done < 0 && errno != EINTR) fail(path_);
-    if (done > 0) bytes.remove_prefix(static_cast<std::size_t>(done));
+    const std::ptrdiff_t done = strata::system::write(descriptor_, bytes.data(), bytes.size());
+    if (done < 0) fail(path_);
+    bytes.remove_prefix(static_cast<std::size_t>(done));
   }
 }
 

@@ -55,6 +55,7 @@ int run_command(int count, char** arguments, unsigned threads) {
   settings.threads = threads;
   Action action;
   CLI::App app("Exact Booleans of meshes, on the doubles in the files", "strata");
+  app.allow_windows_style_options(false);  // /a is a path
   app.set_version_flag("--version", "strata " STRATA_VERSION);
   app.require_subcommand(1);
   app.footer(std::string(examples) + exit_codes);

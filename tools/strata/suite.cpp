@@ -1,19 +1,19 @@
 #include "suite.h"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "command_line.h"
 #include "common/run.h"
+#include "common/scratch.h"
 #include "common/sibling_program.h"
+#include "common/text_file.h"
+#include "core/system/program.h"
 
 namespace {
 
@@ -35,7 +35,7 @@ int become_suite(char** arguments) {
     return static_cast<int>(
         complain(ExitCode::file, std::string(arguments[1]) + " is a verb of the program " + program +
                                      ", which is neither beside this one, nor in ../libexec/strata, nor in the PATH"));
-  execv(path.c_str(), arguments);
+  strata::system::become(path, arguments);
   return static_cast<int>(
       complain(ExitCode::file, path + ": cannot be started: " + std::generic_category().message(errno)));
 }
@@ -43,14 +43,12 @@ int become_suite(char** arguments) {
 Json suite_description() {
   const std::string path = sibling_program(program).string();
   // A copy of this program under that name would ask itself without end.
-  if (own_program().filename().string() == program) return Json::array();
-  if (path.empty() || path.find('\'') != std::string::npos) return Json::array();
-  FILE* pipe = popen(("'" + path + "' describe").c_str(), "re");
-  if (pipe == nullptr) return Json::array();
-  std::string text;
-  std::array<char, 4096> block{};
-  while (const std::size_t n = std::fread(block.data(), 1, block.size(), pipe)) text.append(block.data(), n);
-  const Json description = pclose(pipe) == 0 ? Json::parse(text, nullptr, false) : Json();
+  if (path.empty() || own_program().stem().string() == program) return Json::array();
+  const Scratch scratch;
+  const auto text = scratch.path() / "description.json";
+  strata::system::Process suite({.words = {path, "describe"}, .output = text});
+  if (const auto end = suite.wait(); end.crashed || end.code != 0) return Json::array();
+  const Json description = Json::parse(read_file(text.string()), nullptr, false);
   return description.is_object() ? description["verbs"] : Json::array();
 }
 

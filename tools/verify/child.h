@@ -14,9 +14,9 @@ struct Limits {
 
 /// How a process ended.
 struct ChildEnd {
-  enum class How { exited, signalled, timed_out };
+  enum class How { exited, crashed, timed_out };
   How how = How::exited;
-  int code = 0;       ///< exit status, or the signal
+  int code = 0;       ///< exit status, or as in strata::system::ProcessEnd
   std::string error;  ///< the end of what it wrote to standard error
   double seconds = 0;
   std::uint64_t peak_bytes = 0;
@@ -24,7 +24,7 @@ struct ChildEnd {
 
 /// Runs a command to its end, in a process group of its own, which is killed when time is over, and with the caller.
 /// Nothing on standard input; standard output is thrown away. `folder` is where it runs; a file for standard error is
-/// made there. A command that cannot be started exits with 127. Safe to call from many threads. POSIX.
+/// made there. A command that cannot be started exits with 127. Safe to call from many threads.
 /// Throws std::system_error when there is no process to be had.
 [[nodiscard]] ChildEnd run_child(const std::vector<std::string>& command, const Limits& limits,
                                  const std::filesystem::path& folder);

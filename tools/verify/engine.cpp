@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
-#include <cstring>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "common/scratch.h"
+#include "core/system/program.h"
 #include "verify/command_engine.h"
 #include "verify/strata_engine.h"
 
@@ -93,8 +92,8 @@ Verdict verdict_of(const ChildEnd& end) {
   switch (end.how) {
     case ChildEnd::How::timed_out:
       return {Outcome::timed_out, fmt::format("stopped after {:.1f} s", end.seconds)};
-    case ChildEnd::How::signalled:
-      return {Outcome::crashed, fmt::format("ended by signal {} ({})", end.code, strsignal(end.code))};
+    case ChildEnd::How::crashed:
+      return {Outcome::crashed, "ended by " + strata::system::name_of_crash(end.code)};
     case ChildEnd::How::exited:
       break;
   }

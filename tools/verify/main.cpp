@@ -6,6 +6,7 @@
 #include "common/description.h"
 #include "common/run.h"
 #include "common/text_file.h"
+#include "core/system/streams.h"
 #include "verify/fuzz/fuzz.h"
 #include "verify/verify.h"
 
@@ -57,11 +58,13 @@ void add_description(CLI::App& app, Action& action) {
 
 // Called by `strata verify` and `strata fuzz`, whose name it has in messages.
 int main(int argc, char** argv) {
+  strata::system::use_binary_streams();
   VerifySettings verify;
   FuzzSettings fuzz;
   OutputSettings output;
   Action action;
   CLI::App app("The exactness suite and the random search of Strata", "strata");
+  app.allow_windows_style_options(false);  // /a is a path
   app.set_version_flag("--version", "strata " STRATA_VERSION);
   app.require_subcommand(1);
   app.footer(exit_codes);

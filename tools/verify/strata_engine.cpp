@@ -28,7 +28,7 @@ Verdict verdict(const ChildEnd& end) {
 
 /// What a report says of features that rounding could not keep; empty: nothing.
 std::string what_collapsed(const fs::path& path) {
-  std::ifstream file(path);
+  std::ifstream file(path, std::ios::binary);
   const auto report = nlohmann::json::parse(file, nullptr, false);
   if (report.is_discarded() || !report.contains("result")) return {};
   const auto& result = report.at("result");

@@ -2,10 +2,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/system/memory.h"
+
 namespace strata {
 
-/// Asks the system to use huge pages for a large block of fresh memory. A hint without effect on results.
-void prefer_huge_pages(void* memory, std::size_t bytes);
+using system::prefer_huge_pages;
 
 /// Resizes an empty vector, with huge pages if it is large. Most of the cost of writing a large array once is the first
 /// access to its pages.

@@ -1,45 +1,22 @@
 #include "core/io/apart.h"
 
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <array>
 #include <cerrno>
-#include <csignal>
-#include <cstring>
+#include <cstdlib>
 #include <exception>
-#include <fstream>
-#include <limits>
 #include <new>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "core/system/file.h"
+#include "core/system/forked_call.h"
 
 namespace strata::io {
 namespace {
 
 /// The first byte of an answer.
 enum class Answer : char { mesh, error, out_of_memory };
-
-/// A descriptor that is closed with the object.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { close(); }
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 /// Writes an answer into a pipe. Nothing is thrown: a parent that is gone wants no answer.
 class Writer {
@@ -49,9 +26,8 @@ class Writer {
   void bytes(const void* data, std::size_t count) {
     const char* at = static_cast<const char*>(data);
     while (count > 0) {
-      const ssize_t written = ::write(descriptor_, at, count);
-      if (written < 0 && errno == EINTR) continue;
-      if (written <= 0) ::_exit(1);
+      const std::ptrdiff_t written = system::write(descriptor_, at, count);
+      if (written <= 0) std::_Exit(1);
       at += written;
       count -= static_cast<std::size_t>(written);
     }
@@ -80,8 +56,7 @@ class Reader {
   bool bytes(void* data, std::size_t count) {
     char* at = static_cast<char*>(data);
     while (is_whole_ && count > 0) {
-      const ssize_t got = ::read(descriptor_, at, count);
-      if (got < 0 && errno == EINTR) continue;
+      const std::ptrdiff_t got = system::read(descriptor_, at, count);
       if (got <= 0) {
         is_whole_ = false;
       } else {
@@ -128,42 +103,8 @@ MeshFile read_mesh_file(Reader& in) {
   return file;
 }
 
-/// Bytes of address space that this process has; 0 where the system does not say.
-std::uint64_t address_space() {
-  std::ifstream statm("/proc/self/statm");
-  std::uint64_t pages = 0;
-  statm >> pages;
-  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-}
-
-void limit(int resource, std::uint64_t value) {
-  rlimit both{};
-  if (::getrlimit(static_cast<__rlimit_resource_t>(resource), &both) != 0) return;
-  both.rlim_cur = std::min<rlim_t>(value, both.rlim_max);
-  ::setrlimit(static_cast<__rlimit_resource_t>(resource), &both);
-}
-
-/// Handlers of this process are not for its child, which ends by what it is sent.
-void forget_handlers() {
-  for (const int signal : {SIGINT, SIGTERM, SIGALRM, SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGXCPU, SIGPIPE})
-    std::signal(signal, SIG_DFL);
-}
-
-/// What the child does: nothing that it throws may get into the code that was forked.
-[[noreturn]] void answer(int pipe, std::uint64_t used, const ReaderLimits& limits,
-                         FunctionRef<MeshFile()> read) noexcept {
-  forget_handlers();
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, limits.seconds);
-  ::alarm(30 + 4 * limits.seconds);                                  // it may wait for something without computing
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which reserve terabytes
-  if (used > 0) limit(RLIMIT_AS, used + limits.bytes);
-#else
-  static_cast<void>(used);
-#endif
-  // What foreign code says on these is not for the caller's terminal.
-  if (const int nowhere = ::open("/dev/null", O_RDWR); nowhere >= 0)
-    for (const int stream : {0, 1, 2}) ::dup2(nowhere, stream);
+/// What the child does.
+void answer(int pipe, FunctionRef<MeshFile()> read) {
   Writer out(pipe);
   Answer kind = Answer::mesh;
   try {
@@ -186,40 +127,7 @@ void forget_handlers() {
     out.bytes(&kind, 1);
     out.text("cannot be read");
   }
-  ::_exit(0);
 }
-
-/// Why a child gave no answer.
-std::string reason_of(int status) {
-  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM)
-    return "cannot be read: its reader took too long, or too much memory, and was stopped";
-  if (signal != 0) return std::string("cannot be read: its reader was ended by a signal (") + ::strsignal(signal) + ")";
-  return "cannot be read: its reader ended without an answer";
-}
-
-/// A child that is waited for, whatever happens.
-class Child {
- public:
-  explicit Child(pid_t number) : number_(number) {}
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-  ~Child() {
-    if (number_ <= 0) return;
-    ::kill(number_, SIGKILL);
-    status();
-  }
-  int status() {
-    int status = 0;
-    while (::waitpid(number_, &status, 0) < 0 && errno == EINTR) {
-    }
-    number_ = 0;
-    return status;
-  }
-
- private:
-  pid_t number_;
-};
 
 }  // namespace
 
@@ -233,30 +141,24 @@ ReaderLimits limits_for(std::size_t file_bytes) {
 }
 
 MeshFile read_apart(const std::string& name, const ReaderLimits& limits, FunctionRef<MeshFile()> read) {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw IoError(name, {}, std::string("cannot be read: ") + std::strerror(errno));
-  Descriptor in(ends[0]), out(ends[1]);
-  const std::uint64_t used = address_space();
-  const pid_t number = ::fork();
-  if (number < 0) throw IoError(name, {}, std::string("cannot be read: ") + std::strerror(errno));
-  if (number == 0) answer(out.number(), used, limits, read);
-  Child child(number);
-  out.close();
-  Reader answered(in.number(), limits.bytes);
-  Answer kind{};
-  MeshFile file;
-  std::string reason;
-  if (answered.bytes(&kind, 1)) {
-    if (kind == Answer::mesh) file = read_mesh_file(answered);
-    if (kind == Answer::error) answered.list(reason);
-    if (kind == Answer::out_of_memory) reason = "cannot be read: its reader takes too much memory";
+  try {
+    system::ForkedCall child({limits.bytes, limits.seconds}, [&](int pipe) { answer(pipe, read); });
+    Reader answered(child.answer(), limits.bytes);
+    Answer kind{};
+    MeshFile file;
+    std::string reason;
+    if (answered.bytes(&kind, 1)) {
+      if (kind == Answer::mesh) file = read_mesh_file(answered);
+      if (kind == Answer::error) answered.list(reason);
+      if (kind == Answer::out_of_memory) reason = "cannot be read: its reader takes too much memory";
+    }
+    const std::string end = child.end();
+    if (!answered.is_whole()) reason = "cannot be read: its reader " + end;
+    if (!reason.empty()) throw IoError(name, {}, reason);
+    return file;
+  } catch (const std::system_error& error) {
+    throw IoError(name, {}, std::string("cannot be read: ") + error.what());
   }
-  in.close();  // a child that would say more ends
-  const int status = child.status();
-  if (!answered.is_whole()) reason = reason_of(status);
-  if (!reason.empty()) throw IoError(name, {}, reason);
-  return file;
 }
 
 }  // namespace strata::io

@@ -1,8 +1,6 @@
 #include "core/io/file.h"
 
-#include <fcntl.h>
 #include <tbb/parallel_for.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -11,6 +9,7 @@
 #include <system_error>
 
 #include "core/containers/huge_pages.h"
+#include "core/system/file.h"
 #include "strata/errors.h"
 
 namespace strata::io {
@@ -32,41 +31,32 @@ bool read_in_parts(const File& file, char* bytes, std::size_t size) {
 File::File(const std::filesystem::path& path) : name_(path.string()) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw IoError(name_, {}, "is a directory, expected a file");
-  descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  descriptor_ = system::open_to_read(path);
   if (descriptor_ < 0) fail(errno);
-  if (!std::filesystem::is_regular_file(path, ignored)) return;
-  const auto told = std::filesystem::file_size(path, ignored);
-  size_ = ignored ? 0 : static_cast<std::size_t>(told);
+  size_ = static_cast<std::size_t>(system::size_of(descriptor_));
 }
 
-File::~File() { ::close(descriptor_); }
-
-template <class Call>
-std::size_t File::retried(const Call& call) const {
-  while (true) {
-    const ::ssize_t got = call();
-    if (got >= 0) return static_cast<std::size_t>(got);
-    if (errno != EINTR) fail(errno);
-  }
-}
+File::~File() { system::close(descriptor_); }
 
 std::size_t File::read_at(std::size_t offset, char* to, std::size_t size) const {
   std::size_t done = 0;
   while (done < size) {
-    const std::size_t got =
-        retried([&] { return ::pread(descriptor_, to + done, size - done, static_cast<::off_t>(offset + done)); });
+    const std::ptrdiff_t got = system::read_at(descriptor_, offset + done, to + done, size - done);
+    if (got < 0) fail(errno);
     if (got == 0) break;
-    done += got;
+    done += static_cast<std::size_t>(got);
   }
   return done;
 }
 
 std::size_t File::read(char* to, std::size_t size) const {
-  return retried([&] { return ::read(descriptor_, to, size); });
+  const std::ptrdiff_t got = system::read(descriptor_, to, size);
+  if (got < 0) fail(errno);
+  return static_cast<std::size_t>(got);
 }
 
 void File::go_to(std::size_t offset) const {
-  if (::lseek(descriptor_, static_cast<::off_t>(offset), SEEK_SET) < 0) fail(errno);
+  if (!system::go_to(descriptor_, offset)) fail(errno);
 }
 
 void File::fail(int error) const { throw IoError(name_, {}, "cannot read: " + std::generic_category().message(error)); }

@@ -30,8 +30,6 @@ class File {
   void go_to(std::size_t offset) const;
 
  private:
-  template <class Call>
-  std::size_t retried(const Call& call) const;
   [[noreturn]] void fail(int error) const;
 
   std::string name_;

@@ -4,6 +4,8 @@
 #include <ostream>
 #include <system_error>
 
+#include "core/system/file.h"
+
 namespace strata::io {
 namespace fs = std::filesystem;
 
@@ -23,7 +25,8 @@ FileSink::FileSink(const fs::path& target) : asked_for_(target), target_(target)
   if (fs::is_directory(status)) throw IoError(target.string(), {}, "is a directory, expected the name of a file");
   if (fs::exists(status)) {
     // Renaming could replace a file that is not writable, so this opens it; this changes nothing in a regular file.
-    file_.reset(std::fopen(target_.c_str(), fs::is_regular_file(status) ? "r+b" : "wb"));
+    file_.reset(system::open_stream(target_,
+                                    fs::is_regular_file(status) ? system::FileMode::update : system::FileMode::create));
     if (!file_) fail("cannot write", errno);
   }
   if (!fs::exists(status) || fs::is_regular_file(status)) open_beside();
@@ -36,7 +39,7 @@ void FileSink::open_beside() {
   for (int i = 0; i < most_attempts; ++i) {
     beside_ = target_;
     beside_ += std::string(".").append(std::to_string(i)).append(".part");
-    file_.reset(std::fopen(beside_.c_str(), "wbx"));
+    file_.reset(system::open_stream(beside_, system::FileMode::beside));
     if (file_ || errno != EEXIST) break;
   }
   const int error = errno;

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
-#include <cstring>
 
 #include "common/exit_code.h"
 #include "common/scratch.h"
+#include "core/system/program.h"
 #include "verify/fuzz/laws.h"
 #include "verify/fuzz/shrink.h"
 
@@ -27,8 +26,8 @@ Broke read_broke(const std::string& error) {
 Reply reply_of(const ChildEnd& end) {
   if (end.how == ChildEnd::How::timed_out)
     return {true, Broke{"hang", fmt::format("stopped after {:.1f} s", end.seconds)}};
-  if (end.how == ChildEnd::How::signalled)
-    return {true, Broke{"crash", fmt::format("ended by signal {} ({})", end.code, strsignal(end.code))}};
+  if (end.how == ChildEnd::How::crashed)
+    return {true, Broke{"crash", "ended by " + strata::system::name_of_crash(end.code)}};
   if (end.code == static_cast<int>(ExitCode::ok)) return {true, {}};
   if (end.code == static_cast<int>(ExitCode::invalid_input)) return {false, {}};
   if (end.code == static_cast<int>(ExitCode::negative)) return {true, read_broke(end.error)};

@@ -11,13 +11,10 @@ class CapturedStream {
 
   /// Makes it the stream (1 or 2) of this process.
   void replace(int stream) const;
-  /// What was written since the last call, in UTF-8: the first and the last kilobytes of a long text, with a line
-  /// "[... bytes]" in place of the rest.
+  /// What was written since the last call, as captured_text() gives it.
   [[nodiscard]] std::string take() const;
   void clear() const;  ///< forgets what was written
 
  private:
-  [[nodiscard]] std::string part(long long offset, long long size) const;
-
   int descriptor_ = -1;
 };

@@ -16,9 +16,9 @@
 #include <string_view>
 #include <thread>
 
-#include "common/child_process.h"
 #include "common/run.h"
 #include "common/stopwatch.h"
+#include "core/system/posix/after_fork.h"
 #include "run_command.h"
 #include "suite.h"
 #include "worker_memory.h"
@@ -35,7 +35,7 @@ WorkerState* own_state = nullptr;
 
 void enter(const WorkerTask& task) {
   setpgid(0, 0);  // Ctrl-C is for the parent
-  tie_to_parent();
+  strata::system::tie_to_parent();
   for (const int number : {SIGINT, SIGTERM}) std::signal(number, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
@@ -54,7 +54,7 @@ void enter(const WorkerTask& task) {
 int run_suite(char** arguments) {
   const pid_t child = fork();
   if (child == 0) {
-    tie_to_parent();
+    strata::system::tie_to_parent();
     _exit(become_suite(arguments));
   }
   int status = 0;

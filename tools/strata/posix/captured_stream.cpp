@@ -1,13 +1,15 @@
 #include "captured_stream.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
+
+#include "captured_text.h"
 
 CapturedStream::CapturedStream() {
   std::string name = (std::filesystem::temp_directory_path() / "strata-XXXXXX").string();  // mkstemp fills the end in
@@ -22,21 +24,15 @@ CapturedStream::~CapturedStream() { close(descriptor_); }
 
 void CapturedStream::replace(int stream) const { dup2(descriptor_, stream); }
 
-std::string CapturedStream::part(long long offset, long long size) const {
-  std::string text(static_cast<std::size_t>(size), '\0');
-  const ::ssize_t got = pread(descriptor_, text.data(), text.size(), offset);
-  text.resize(static_cast<std::size_t>(std::max<::ssize_t>(got, 0)));
-  return text;
-}
-
 std::string CapturedStream::take() const {
-  constexpr long long most = 4096;  // of the beginning, and of the end
   struct stat facts = {};
   if (fstat(descriptor_, &facts) != 0 || facts.st_size == 0) return {};
-  const long long size = facts.st_size;
-  std::string text = size <= 2 * most
-                         ? part(0, size)
-                         : fmt::format("{}\n[{} bytes]\n{}", part(0, most), size - 2 * most, part(size - most, most));
+  std::string text = captured_text(static_cast<std::size_t>(facts.st_size), [&](std::size_t offset, std::size_t size) {
+    std::string bytes(size, '\0');
+    const ::ssize_t got = pread(descriptor_, bytes.data(), size, static_cast<::off_t>(offset));
+    bytes.resize(static_cast<std::size_t>(std::max<::ssize_t>(got, 0)));
+    return bytes;
+  });
   clear();
   return text;
 }

@@ -1,0 +1,17 @@
+# Windows by MinGW-w64, from Linux: what tools/windows builds with. STRATA_WINDOWS_PREFIX has what the program needs beside Debian's
+# packages. No library of the compiler is left outside: the programs run on any Windows from 10 on.
+set(CMAKE_SYSTEM_NAME Windows)
+set(CMAKE_SYSTEM_PROCESSOR x86_64)
+set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES STRATA_WINDOWS_PREFIX)
+set(triple x86_64-w64-mingw32)
+set(CMAKE_C_COMPILER ${triple}-gcc-posix)
+set(CMAKE_CXX_COMPILER ${triple}-g++-posix)
+set(CMAKE_RC_COMPILER ${triple}-windres)
+set(CMAKE_CXX_FLAGS_INIT "-D_WIN32_WINNT=0x0A00")
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -Wl,--stack,67108864")
+set(CMAKE_FIND_ROOT_PATH ${STRATA_WINDOWS_PREFIX} /usr/${triple})
+set(CMAKE_PREFIX_PATH ${STRATA_WINDOWS_PREFIX})
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+foreach(kind LIBRARY INCLUDE PACKAGE)
+  set(CMAKE_FIND_ROOT_PATH_MODE_${kind} ONLY)
+endforeach()
