@@ -1,5 +1,6 @@
 #include "core/exact/limbs.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <vector>
 
@@ -85,7 +86,7 @@ template <class Set>
 void check_product_and_quotient(const Limbs& a, const Limbs& b) {
   Limbs p(a.size() + b.size());
   Set::multiply(p.data(), a.data(), size(a), b.data(), size(b));
-  for (const std::uint64_t prime : {0xffffffffffffffc5UL, 0xfffffffbUL, 1'000'003UL}) {
+  for (const std::uint64_t prime : std::array<std::uint64_t, 3>{0xffffffffffffffc5U, 0xfffffffbU, 1'000'003U}) {
     const Integer m = prime;
     REQUIRE(value(p) % m == ((value(a) % m) * (value(b) % m)) % m);
   }

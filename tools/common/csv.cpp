@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/system/decimal.h"
 #include "strata/errors.h"
 
 namespace {
@@ -110,7 +111,7 @@ const char* CsvReader::parse_number(const char* at, const char* end, std::size_t
   const char* const start = at;
   at = behind_blanks(at, end);
   if (end - at > 1 && at[0] == '+' && at[1] != '-') ++at;
-  auto [last, error] = std::from_chars(at, end, value);
+  auto [last, error] = strata::system::from_chars(at, end, value);
   const char* const stop = behind_blanks(last, end);
   if (error == std::errc::invalid_argument || (stop != end && *stop != ','))
     fail(line, fmt::format("expected a number for {}, found '{}'", columns_[column], shown(start, end)));

@@ -7,6 +7,7 @@
 
 #include "common/json_location.h"
 #include "common/sha256.h"
+#include "core/system/decimal.h"
 #include "strata/errors.h"
 
 namespace {
@@ -85,7 +86,7 @@ std::optional<std::uint64_t> byte_count(std::string_view text) {
     text.remove_suffix(1);
   }
   double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto [end, error] = strata::system::from_chars(text.data(), text.data() + text.size(), number);
   const double bytes = std::floor(number * factor);
   if (error != std::errc{} || end != text.data() + text.size() || !(bytes >= 1) || bytes > 1e18) return {};
   return static_cast<std::uint64_t>(bytes);

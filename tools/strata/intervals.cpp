@@ -12,6 +12,7 @@
 
 #include "common/run.h"
 #include "common/text_file.h"
+#include "core/system/decimal.h"
 #include "report.h"
 #include "strata/bsp.h"
 #include "strata/rational.h"
@@ -64,7 +65,7 @@ class Table {
     if (text == infinite) return std::nullopt;
     if (const auto quotient = strata::parse_quotient(text)) return quotient;
     double x = 0;
-    const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+    const auto [last, error] = strata::system::from_chars(text.data(), text.data() + text.size(), x);
     if (error != std::errc{} || last != text.data() + text.size() || !std::isfinite(x))
       fail(fmt::format("expected a number, a quotient or {}, found '{}'", infinite, text.substr(0, 40)));
     return strata::to_rational(x);

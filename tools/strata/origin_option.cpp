@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/system/decimal.h"
+
 namespace {
 
 /// Three finite numbers with commas between them, or nothing.
@@ -13,7 +15,7 @@ std::optional<strata::Vertex> three_numbers(std::string_view text) {
   strata::Vertex x{};
   const char *at = text.data(), *const end = at + text.size();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [last, error] = std::from_chars(at, end, x[axis]);
+    const auto [last, error] = strata::system::from_chars(at, end, x[axis]);
     const bool is_last = axis == 2;
     if (error != std::errc{} || !std::isfinite(x[axis]) || (last == end) != is_last) return {};
     if (!is_last && *last != ',') return {};

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "common/usage_error.h"
+#include "core/system/decimal.h"
 
 namespace {
 
@@ -23,7 +24,7 @@ std::optional<strata::Rational> number(std::string_view text) {
     return std::nullopt;
   }
   double x = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+  const auto [end, error] = strata::system::from_chars(text.data(), text.data() + text.size(), x);
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(x)) return std::nullopt;
   return strata::Rational(x);
 }

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "common/text_file.h"
+#include "core/system/decimal.h"
 #include "layer_stack.h"
 #include "plane_option.h"
 #include "section_verbs.h"
@@ -52,7 +53,7 @@ std::vector<double> read_numbers(const std::string& path) {
     if (rest.empty()) return numbers;
     const std::string_view word = rest.substr(0, rest.find_first_of(between));
     double x = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
+    const auto [end, error] = strata::system::from_chars(word.data(), word.data() + word.size(), x);
     if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(x)) {
       const auto line = 1 + std::count(text.data(), word.data(), '\n');
       throw strata::IoError(path, {static_cast<std::uint64_t>(line), {}},

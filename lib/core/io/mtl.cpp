@@ -7,6 +7,7 @@
 #include "core/io/folder_of_model.h"
 #include "core/io/images.h"
 #include "core/io/line_end.h"
+#include "core/system/decimal.h"
 
 namespace strata::io {
 namespace {
@@ -29,7 +30,7 @@ std::string_view next_word(std::string_view& text) {
 
 bool read_number(std::string_view& text, double& x) {
   const std::string_view word = next_word(text);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
+  const auto [end, error] = system::from_chars(word.data(), word.data() + word.size(), x);
   return error == std::errc{} && end == word.data() + word.size() && x >= 0 && x <= 1;
 }
 

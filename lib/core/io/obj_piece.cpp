@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/io/text_cursor.h"
+#include "core/system/decimal.h"
 
 namespace strata::io {
 namespace {
@@ -98,7 +99,7 @@ class PieceReader {
     std::array<double, 3> color{};
     for (double& c : color) {
       const std::string_view word = text.word();
-      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), c);
+      const auto [end, error] = system::from_chars(word.data(), word.data() + word.size(), c);
       if (word.empty() || error != std::errc{} || end != word.data() + word.size() || !std::isfinite(c)) return;
     }
     piece_.extras.colors.resize(3 * (piece_.vertices.size() - 1), 1);
@@ -109,7 +110,7 @@ class PieceReader {
   static double number_or_zero(TextCursor& text) {
     const std::string_view word = text.word();
     double x = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
+    const auto [end, error] = system::from_chars(word.data(), word.data() + word.size(), x);
     return error == std::errc{} && end == word.data() + word.size() && std::isfinite(x) ? x : 0;
   }
 

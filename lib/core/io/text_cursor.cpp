@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/system/decimal.h"
+
 namespace strata::io {
 namespace {
 
@@ -17,7 +19,7 @@ bool is_tiny(const char* first, const char* last) {
     const char* digits = mark + 1 + (mark[1] == '+');
     // An exponent that does not fit exceeds the number of digits of any file.
     constexpr std::int64_t huge = std::int64_t{1} << 60;
-    if (std::from_chars(digits, last, exponent).ec != std::errc{}) exponent = *digits == '-' ? -huge : huge;
+    if (system::from_chars(digits, last, exponent).ec != std::errc{}) exponent = *digits == '-' ? -huge : huge;
     exponent = std::clamp(exponent, -huge, huge);
   }
   const char* point = std::find(first, mark, '.');
@@ -65,7 +67,7 @@ bool TextCursor::accept_text(std::string_view text) {
 double TextCursor::unusual_number(const char* what) {
   const char* const first = behind_plus();
   double value = 0;
-  const auto [last, error] = std::from_chars(first, end_, value);
+  const auto [last, error] = system::from_chars(first, end_, value);
   if (error == std::errc::invalid_argument || !is_delimiter(last)) fail_expected(what);
   if (error == std::errc::result_out_of_range) {
     if (!is_tiny(first, last)) fail_expected(std::string(what) + " within the range of doubles");
@@ -78,7 +80,7 @@ double TextCursor::unusual_number(const char* what) {
 
 std::int64_t TextCursor::unusual_integer(const char* what) {
   std::int64_t value = 0;
-  const auto [last, error] = std::from_chars(behind_plus(), end_, value);
+  const auto [last, error] = system::from_chars(behind_plus(), end_, value);
   if (error != std::errc{}) fail_expected(what);
   at_ = last;
   return value;

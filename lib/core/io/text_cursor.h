@@ -8,6 +8,7 @@
 #include "core/io/input.h"
 #include "core/io/line_end.h"
 #include "core/io/pieces.h"
+#include "core/system/decimal.h"
 
 namespace strata::io {
 
@@ -94,7 +95,7 @@ class TextCursor {
   double number(const char* what) {
     skip_blanks();
     double value = 0;
-    const auto [last, error] = std::from_chars(behind_plus(), end_, value);
+    const auto [last, error] = system::from_chars(behind_plus(), end_, value);
     if (error != std::errc{} || !is_delimiter(last) || !std::isfinite(value)) return unusual_number(what);
     at_ = last;
     return value;

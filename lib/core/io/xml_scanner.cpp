@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/io/text_cursor.h"
+#include "core/system/decimal.h"
 
 namespace strata::io {
 namespace {
@@ -217,7 +218,7 @@ std::string XmlScanner::text_of(std::string_view attribute) const {
 
 double XmlScanner::number(std::string_view value, const char* what) const {
   double x = 0;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), x);
+  const auto [end, error] = system::from_chars(value.data(), value.data() + value.size(), x);
   if (error == std::errc{} && end == value.data() + value.size() && std::isfinite(x)) return x;
   try {
     const std::string_view inner = trimmed(value);
@@ -232,10 +233,10 @@ double XmlScanner::number(std::string_view value, const char* what) const {
 
 std::uint32_t XmlScanner::index(std::string_view value, const char* what) const {
   std::uint32_t x = 0;
-  auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), x);
+  auto [end, error] = system::from_chars(value.data(), value.data() + value.size(), x);
   if (error == std::errc{} && end == value.data() + value.size()) return x;
   const std::string_view inner = trimmed(value);
-  const auto again = std::from_chars(inner.data(), inner.data() + inner.size(), x);
+  const auto again = system::from_chars(inner.data(), inner.data() + inner.size(), x);
   if (again.ec != std::errc{} || again.ptr != inner.data() + inner.size())
     fail_here(std::string("expected ") + what + ", found " + quoted(value));
   return x;

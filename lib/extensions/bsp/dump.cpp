@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/system/decimal.h"
 #include "extensions/bsp/prune.h"
 
 namespace strata::bsp {
@@ -82,7 +83,7 @@ class DumpReader {
 
   Rational number(std::string_view word) const {
     double x = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
+    const auto [end, error] = system::from_chars(word.data(), word.data() + word.size(), x);
     if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(x))
       lines_.fail("no number: " + std::string(word));
     return to_rational(x);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/io/input.h"
+#include "core/system/decimal.h"
 #include "extensions/complex/validate.h"
 #include "strata/complex.h"
 #include "strata/rational.h"
@@ -59,7 +60,7 @@ class Lines {
   [[nodiscard]] Index number(const char* what) { return number(word(what), what); }
   [[nodiscard]] Index number(std::string_view text, const char* what) const {
     Index value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, error] = system::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || value == none)
       fail(std::string("expected ") + what + ", found " + io::quoted(text));
     return value;

@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "core/system/decimal.h"
+
 namespace strata::openscad {
 namespace {
 
@@ -70,7 +72,7 @@ std::size_t Lexer::string_length() const {
 double Lexer::number_of(std::string_view digits) const {
   double value = 0;
   const char* const end = digits.data() + digits.size();
-  const auto [last, error] = std::from_chars(digits.data(), end, value);
+  const auto [last, error] = system::from_chars(digits.data(), end, value);
   if (error == std::errc::result_out_of_range && last == end)
     report_.fail(place_, "the number " + std::string(digits.substr(0, 32)) + " is beyond the range of doubles");
   if (error != std::errc{} || last != end)

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/system/decimal.h"
 #include "strata/errors.h"
 
 namespace strata::openscad {
@@ -79,7 +80,7 @@ struct Entity {
     double x = 0;
     std::string_view digits = group.value;
     if (digits.starts_with('+')) digits.remove_prefix(1);
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), x);
+    const auto [end, error] = system::from_chars(digits.data(), digits.data() + digits.size(), x);
     if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(x))
       throw IoError("DXF", {group.line + 1, {}}, "expected a number");
     return x;

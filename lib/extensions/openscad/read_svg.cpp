@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "core/system/decimal.h"
 #include "extensions/openscad/svg_path.h"
 #include "strata/errors.h"
 
@@ -95,7 +96,7 @@ struct Length {
 std::optional<Length> length_of(const pugi::xml_node& element, const char* attribute) {
   std::string_view text = element.attribute(attribute).value();
   Length length;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length.number);
+  const auto [end, error] = system::from_chars(text.data(), text.data() + text.size(), length.number);
   if (error != std::errc{} || !std::isfinite(length.number)) return std::nullopt;
   length.unit = text.substr(static_cast<std::size_t>(end - text.data()));
   return length;

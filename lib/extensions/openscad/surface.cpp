@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/system/decimal.h"
 #include "extensions/openscad/arguments.h"
 #include "extensions/openscad/model_file.h"
 #include "extensions/openscad/picture.h"
@@ -29,7 +30,7 @@ Rows rows_of(std::string_view text, const Arguments& arguments) {
     const auto skip_space = [&] { row.remove_prefix(std::min(row.find_first_not_of(" \t\r,"), row.size())); };
     for (skip_space(); !row.empty() && row.front() != '#'; skip_space()) {
       double height = 0;
-      const auto [end, error] = std::from_chars(row.data(), row.data() + row.size(), height);
+      const auto [end, error] = system::from_chars(row.data(), row.data() + row.size(), height);
       if (error != std::errc{} || !std::isfinite(height))
         arguments.fail("file", "has no number in line " + std::to_string(line) + ": '" +
                                    std::string(row.substr(0, std::min<std::size_t>(row.find(' '), 32))) + "'");

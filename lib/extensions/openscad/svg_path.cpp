@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/system/decimal.h"
 #include "strata/errors.h"
 
 namespace strata::openscad {
@@ -35,7 +36,7 @@ class Scanner {
     const std::size_t start = at_;
     if (!at_end() && text_[at_] == '+') ++at_;
     double x = 0;
-    const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), x);
+    const auto [end, error] = system::from_chars(text_.data() + at_, text_.data() + text_.size(), x);
     if (error != std::errc{} || !std::isfinite(x)) fail(start, "expected a number");
     at_ = static_cast<std::size_t>(end - text_.data());
     skip();
