@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "strata/convex.h"
 #include "support/shapes.h"
@@ -34,7 +35,7 @@ TEST_CASE("offsets grow, shrink, close what is narrow and end at nothing", "[con
   const Solid cube{test::box({0, 0, 0}, {4, 4, 4})};
   CHECK(offset(cube, 0).solid == cube);
   const Offset grown = offset(cube, 0.5, 80);
-  const double exact = 64 + 6 * 16 * 0.5 + 12 * 4 * 0.25 * M_PI * 0.25 + 4 * M_PI / 3 * 0.125;
+  const double exact = 64 + 6 * 16 * 0.5 + 12 * 4 * 0.25 * std::numbers::pi * 0.25 + 4 * std::numbers::pi / 3 * 0.125;
   const double volume = to_nearest_double(grown.solid.volume());
   CHECK(volume > exact);
   CHECK(volume < exact * (1 + grown.excess));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "strata/strata.h"
 #include "support/shapes.h"
@@ -281,7 +282,7 @@ TEST_CASE("prisms of 100 sides, a step of doubles apart in size, share a plane",
     Mesh mesh;
     for (const double z : {bottom, bottom + 1})
       for (std::uint32_t i = 0; i < n; ++i) {
-        const double t = orientation + 2 * M_PI * i / n;
+        const double t = orientation + 2 * std::numbers::pi * i / n;
         mesh.vertices.push_back({radius * std::cos(t), radius * std::sin(t), z});
       }
     for (std::uint32_t i = 0; i < n; ++i) {
