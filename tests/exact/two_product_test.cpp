@@ -34,20 +34,33 @@ TEST_CASE("a product and its error are the exact product", "[exact][property]") 
     REQUIRE(dekker.value == p);
     REQUIRE(to_rational(p) + to_rational(dekker.rest) == exact);
     REQUIRE(product_error(a, b, p) == dekker.rest);
+    REQUIRE(dekker_error(a, b, p) == dekker.rest);
     const double q = p / b;
     REQUIRE(to_rational(q) * to_rational(b) + to_rational(quotient_error(p, b, q)) == to_rational(p));
   }
 }
 
-TEST_CASE("errors of products with factors at the end of the doubles", "[exact]") {
-  const double huge = 0x1.fffffffffffffp1023, little = 0x1.0000000000001p-600;
-  for (const double sign : {1.0, -1.0}) {
-    const double p = huge * little * sign;
-    CHECK(to_rational(p) + to_rational(product_error(sign * huge, little, p)) ==
-          to_rational(sign * huge) * to_rational(little));
-    CHECK(to_rational(p) + to_rational(product_error(little, sign * huge, p)) ==
-          to_rational(sign * huge) * to_rational(little));
+TEST_CASE("errors of products at the end of the doubles", "[exact]") {
+  const double most = 0x1.fffffffffffffp1023;
+  Numbers number;
+  const auto check = [](double a, double b) {
+    for (const double sign : {1.0, -1.0}) {
+      const double p = sign * a * b;
+      CAPTURE(a, b, sign);
+      const Rational exact = to_rational(sign * a) * to_rational(b);
+      REQUIRE(to_rational(p) + to_rational(product_error(sign * a, b, p)) == exact);
+      REQUIRE(to_rational(p) + to_rational(dekker_error(b, sign * a, p)) == exact);
+    }
+  };
+  for (int n = 0; n < 1000; ++n) {
+    const double a = std::abs(number(1)) + 0.5;
+    check(most, std::ldexp(a, -600));
+    check(most / 2, std::ldexp(a, -2));
+    check(most, a / std::ldexp(a, 1));
+    check(std::ldexp(a, 510), std::ldexp(a, 511));
   }
-  CHECK(!std::isfinite(product_error(huge, huge, huge * huge)));
-  CHECK(product_error(0, huge, 0) == 0);
+  check(most, 1);
+  check(0, most);
+  CHECK(!std::isfinite(product_error(most, most, most * most)));
+  CHECK(!std::isfinite(dekker_error(most, 2, most * 2)));
 }

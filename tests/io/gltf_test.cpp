@@ -226,7 +226,7 @@ TEST_CASE("glTF reads no file that is not beneath the folder of the model", "[io
   CHECK(read_mesh(with_uri("inner/a%20b.bin")).mesh.triangles.size() == 1);
   CHECK(read_mesh(with_uri("inner/../inner/a b.bin")).mesh.triangles.size() == 1);
   for (const std::string& uri :
-       {std::string("../outside.bin"), (folder / "outside.bin").string(), std::string("link.bin"),
+       {std::string("../outside.bin"), (folder / "outside.bin").generic_string(), std::string("link.bin"),
         std::string("%2e%2e/outside.bin"), std::string("inner"), std::string("https://x/y.bin")}) {
     CAPTURE(uri);
     CHECK_THROWS_WITH(read_mesh(with_uri(uri)), Catch::Contains("beneath the folder of the model"));

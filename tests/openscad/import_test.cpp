@@ -140,8 +140,10 @@ TEST_CASE("files are read beneath the model's folder only", "[openscad]") {
   CHECK_THAT(folder.error(outside), Contains("is not beneath the model's folder"));
   CHECK_THAT(folder.error("import(file = \"/etc/passwd\");"), Contains("is not beneath the model's folder"));
   CHECK(folder.read(outside, true).expression.evaluate().volume() == 1);
-  fs::create_symlink(folder.path("../outside.off"), folder.path("link.off"));
-  CHECK_THAT(folder.error("import(file = \"link.off\");"), Contains("is not beneath the model's folder"));
+  std::error_code no_links;
+  fs::create_symlink(folder.path("../outside.off"), folder.path("link.off"), no_links);
+  if (!no_links)
+    CHECK_THAT(folder.error("import(file = \"link.off\");"), Contains("is not beneath the model's folder"));
   CHECK_THAT(folder.error("import(file = \"none.stl\");"), Contains("is missing: there is no 'none.stl'"));
   CHECK_THAT(folder.error("surface(file = \"none.dat\");"), Contains("is missing"));
   folder.write("what.xyz", "?");
