@@ -24,7 +24,7 @@ class ForkedCall {
 
   /// The descriptor to read from.
   [[nodiscard]] int answer() const { return answer_; }
-  /// Waits until the process has ended, which can say nothing more. How it ended, in words for "its reader ...".
+  /// Waits until the process has ended, which can say nothing more. How it ended: words that follow its name.
   [[nodiscard]] std::string end();
 
  private:
