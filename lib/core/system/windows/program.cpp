@@ -150,6 +150,10 @@ Process::Process(const Command& command) : handle_(std::make_unique<Handle>(comm
   PROCESS_INFORMATION& process = handle_->process;
   if (::CreateProcessW(nullptr, line.data(), nullptr, nullptr, TRUE, flags, nullptr,
                        command.folder.empty() ? nullptr : command.folder.c_str(), &start.StartupInfo, &process) == 0) {
+    const DWORD error = ::GetLastError();
+    if (error != ERROR_FILE_NOT_FOUND && error != ERROR_PATH_NOT_FOUND && error != ERROR_ACCESS_DENIED &&
+        error != ERROR_BAD_EXE_FORMAT)
+      throw std::system_error(static_cast<int>(error), std::system_category(), "cannot start a process");
     handle_->end = ProcessEnd{false, 127, 0};
     return;
   }
