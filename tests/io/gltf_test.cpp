@@ -2,6 +2,7 @@
 #include <tbb/task_arena.h>
 
 #include <catch2/catch.hpp>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>

@@ -34,7 +34,7 @@ std::size_t ByteSource::read(char* to, std::size_t size) {
   return static_cast<std::size_t>(got);
 }
 
-void ByteSource::put_back(std::string bytes) { back_.insert(0, bytes); }
+void ByteSource::put_back(const std::string& bytes) { back_.insert(0, bytes); }
 
 double ByteSource::fraction() const {
   return size_ == 0 ? 0 : std::min(1.0, static_cast<double>(done_) / static_cast<double>(size_));

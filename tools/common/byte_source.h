@@ -19,7 +19,7 @@ class ByteSource {
   /// Copies the next bytes, at most `size`; 0 at the end only.
   std::size_t read(char* to, std::size_t size);
   /// Puts bytes back, to be read next.
-  void put_back(std::string bytes);
+  void put_back(const std::string& bytes);
   /// How much of the file was read, 0 to 1; 0 where nobody can tell (pipes).
   [[nodiscard]] double fraction() const;
 

@@ -25,7 +25,7 @@ fs::path program_in_path(const std::string& name) {
   const std::string folders = variable == nullptr ? "" : variable;
   for (std::size_t start = 0; start < folders.size();) {
     const std::size_t end = std::min(folders.find(strata::system::path_separator, start), folders.size());
-    if (const fs::path path = program_file(folders.substr(start, end - start), name); is_program(path)) return path;
+    if (fs::path path = program_file(folders.substr(start, end - start), name); is_program(path)) return path;
     start = end + 1;
   }
   return {};

@@ -55,7 +55,7 @@ std::vector<std::string> script_command(const EngineFolders& folders, const std:
   if (!std::filesystem::exists(script))
     throw std::runtime_error(fmt::format("no engine is called '{}': there is no {}", name, script.string()));
   const std::string interpreter = script.extension() == ".mjs" ? "node" : folders.python;
-  const std::vector<std::string> command = {interpreter, std::filesystem::absolute(script).string()};
+  std::vector<std::string> command = {interpreter, std::filesystem::absolute(script).string()};
   std::vector<std::string> check = command;
   check.emplace_back("--check");
   const Scratch scratch;
