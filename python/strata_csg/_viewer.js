@@ -43,6 +43,29 @@ function strataViewer(data) {
     aways = spread((part) => part.away, Float32Array);
   }
 
+  // While the picture of many triangles moves, few are drawn, so that it moves without a graphics device, too: the first
+  // vertex of a part in a cell of a grid stands for all there. What remains of each part: the end of its triangles.
+  const many = 150000, cells = 64;
+
+  function coarseTriangles() {
+    const first = new Uint32Array(cells ** 3), standing = new Uint32Array(positions.length / 3);  // first: a vertex + 1
+    const place = (x) => Math.max(0, Math.min(cells - 1, Math.floor((x + 1) * cells / 2)));
+    const cellOf = (v) => (place(positions[3 * v]) * cells + place(positions[3 * v + 1])) * cells + place(positions[3 * v + 2]);
+    const kept = [], ends = [];
+    let vertex = 0, triangle = 0;
+    data.parts.forEach((part) => {
+      const begin = vertex;
+      for (; vertex < part.ends[0]; ++vertex) standing[vertex] = (first[cellOf(vertex)] ||= vertex + 1) - 1;
+      for (let v = begin; v < vertex; ++v) first[cellOf(v)] = 0;
+      for (; triangle < part.ends[1]; ++triangle) {
+        const [a, b, c] = [0, 1, 2].map((k) => standing[triangles[3 * triangle + k]]);
+        if (a !== b && b !== c && c !== a) kept.push(a, b, c);
+      }
+      ends.push(kept.length / 3);
+    });
+    return { triangles: Uint32Array.from(kept), ends };
+  }
+
   // ---- camera --------------------------------------------------------------------------------------------------
 
   const home = { yaw: 0.5, pitch: -1.1, zoom: 1, x: 0, y: 0 };
@@ -108,7 +131,7 @@ function strataViewer(data) {
   const darkness = element("list") ? window.matchMedia("(prefers-color-scheme: dark)") : null;
 
   let gl = null, canvas = null, program = null, faceArrays = null, edgeArrays = null, buffers = [];
-  let waiting = false;
+  let waiting = false, coarse = null, coarseArrays = null, isMoving = false, rest = 0;
 
   function shader(type, source) {
     const result = gl.createShader(type);
@@ -170,7 +193,7 @@ function strataViewer(data) {
     gl.polygonOffset(1, 1);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
     buffers = [];
-    faceArrays = edgeArrays = null;
+    faceArrays = edgeArrays = coarseArrays = null;
     upload();
     say("");
     resize();
@@ -183,6 +206,7 @@ function strataViewer(data) {
     buffers = [];
     gl.deleteVertexArray(faceArrays);
     gl.deleteVertexArray(edgeArrays);
+    gl.deleteVertexArray(coarseArrays);
     const attributes = [
       ["position", filled(gl.ARRAY_BUFFER, positions), gl.FLOAT, false],
       ["away", filled(gl.ARRAY_BUFFER, aways), gl.FLOAT, false],
@@ -190,6 +214,8 @@ function strataViewer(data) {
     ];
     faceArrays = vertexArrays(attributes, triangles);
     edgeArrays = vertexArrays(attributes, edges);
+    coarse = triangles.length > 3 * many ? coarseTriangles() : null;
+    coarseArrays = coarse && vertexArrays(attributes, coarse.triangles);
   }
 
   function say(text) {
@@ -216,11 +242,19 @@ function strataViewer(data) {
     });
   }
 
-  // Where the parts that are shown begin and end in all arrays: pairs of vertices, triangles and edges.
+  // The same while something moves: everything is drawn a moment after it has come to rest.
+  function redrawMoving() {
+    clearTimeout(rest);
+    isMoving = coarse !== null;
+    if (isMoving) rest = setTimeout(() => { isMoving = false; redraw(); }, 300);
+    redraw();
+  }
+
+  // Where the parts that are shown begin and end in all arrays: pairs of vertices, triangles, edges and coarse triangles.
   function shownRuns() {
     const isShown = (i) => data.slider === "layers" ? i < Number(element("slider").value) : !element("part-" + i) || element("part-" + i).checked;
-    const begin = (i) => i > 0 ? data.parts[i - 1].ends : [0, 0, 0];
-    return data.parts.map((part, i) => [begin(i), part.ends]).filter((_, i) => isShown(i));
+    const ends = data.parts.map((part, i) => coarse ? [...part.ends, coarse.ends[i]] : part.ends);
+    return ends.map((end, i) => [i > 0 ? ends[i - 1] : [0, 0, 0, 0], end]).filter((_, i) => isShown(i));
   }
 
   // Normal and offset of the plane in front of which nothing is drawn; without one all is behind it.
@@ -250,11 +284,14 @@ function strataViewer(data) {
     gl.uniform4f(uniform("cut"), ...sectionPlane());
     gl.uniform1f(uniform("ink"), 0);
     gl.uniform1f(uniform("nearer"), 0);
-    gl.bindVertexArray(faceArrays);
-    for (const [from, to] of shown) gl.drawElements(gl.TRIANGLES, 3 * (to[1] - from[1]), gl.UNSIGNED_INT, 12 * from[1]);
-    if (data.triangles !== "" && !element("lines").checked) return;
-    // Many edges in a small picture are drawn in lighter ink, so that they do not cover the faces.
-    const ink = Math.min(0.85, Math.max(0.1, 0.03 * side * camera.zoom / Math.sqrt(1 + edges.length)));
+    gl.bindVertexArray(isMoving ? coarseArrays : faceArrays);
+    const list = isMoving ? 3 : 1;
+    for (const [from, to] of shown) gl.drawElements(gl.TRIANGLES, 3 * (to[list] - from[list]), gl.UNSIGNED_INT, 12 * from[list]);
+    if (isMoving || (data.triangles !== "" && !element("lines").checked)) return;
+    // Many edges in a small picture are drawn in lighter ink, so that they do not cover the faces; edges of a pixel or two, not at all.
+    const room = 0.03 * side * camera.zoom / Math.sqrt(1 + edges.length), least = 0.02;
+    if (room < least && data.triangles !== "") return;
+    const ink = Math.min(0.85, Math.max(0.1, room));
     gl.uniform1f(uniform("ink"), ink);
     gl.uniform3f(uniform("pen"), ...(isDark ? [0, 0, 0] : [0.06, 0.08, 0.12]));
     gl.uniform1f(uniform("nearer"), 0.002 / camera.zoom);
@@ -298,7 +335,7 @@ function strataViewer(data) {
       if (event.shiftKey || event.buttons === 4) shift(dx, dy);
       else turn(2 * dx, -2 * dy);
     }
-    redraw();
+    redrawMoving();
   }
 
   function pressed(event) {
@@ -311,7 +348,7 @@ function strataViewer(data) {
     event.preventDefault();
     const place = placed(event);
     zoom(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0015)), place.x, place.y);
-    redraw();
+    redrawMoving();
   }
 
   function reset() {
@@ -333,13 +370,13 @@ function strataViewer(data) {
     else if (event.key === "Home" || event.key === "r" || event.key === "0") reset();
     else return;
     event.preventDefault();
-    redraw();
+    redrawMoving();
   }
 
   function slid() {
     const slider = element("slider");
     element("label").textContent = data.slider === "layers" ? `layers ${slider.value} of ${slider.max}` : "explode";
-    redraw();
+    redrawMoving();
   }
 
   // The cut in coordinates of the model.
@@ -350,7 +387,7 @@ function strataViewer(data) {
       const { middle, unit } = data.frame, at = middle[Number(axis)] + unit * Number(element("cut").value);
       element("place").textContent = "xyz"[Number(axis)] + " = " + Number(at.toPrecision(6));
     }
-    redraw();
+    redrawMoving();
   }
 
   stage.addEventListener("pointerdown", pressed);
