@@ -56,7 +56,10 @@ std::string csg_of(const std::string& scad, const std::vector<std::string>& defi
                           fmt::format("the program '{}' cannot be started: install OpenSCAD, name it by --openscad, or "
                                       "give the .csg file that it writes elsewhere",
                                       program));
-  if (end.crashed || end.code != 0 || !fs::exists(csg))
+  if (end.crashed)
+    throw strata::IoError(scad, {},
+                          fmt::format("{} was ended by {}", program, strata::system::name_of_crash(end.code)));
+  if (end.code != 0 || !fs::exists(csg))
     throw strata::IoError(scad, {}, fmt::format("{} says: {}", program, reason_in(read_file(messages.string()))));
   return read_file(csg.string());
 }
