@@ -139,6 +139,7 @@ class Eval(ToolTest):
         scad = self.file("part.scad", "cube(size);")
         program = self.file("fake", """#!/bin/sh
 [ "$1" = -o ] && [ "$3" = -D ] || exit 1
+[ "$4" = size=crash ] && kill -SEGV $$
 [ "$4" = size=bad ] && { echo "WARNING: no"; echo "ERROR: bad size" >&2; exit 1; }
 echo "cube(size = ${4#size=}, center = false);" > "$2"
 """)
@@ -147,6 +148,7 @@ echo "cube(size = ${4#size=}, center = false);" > "$2"
         arguments = ("eval", scad, "--openscad", program, "-o", "part.off")
         self.assertEqual(self.report(*arguments, "-D", "size=3")["result"]["volume"], 27)
         self.assertIn("says: ERROR: bad size", self.run_tool(*arguments, "-D", "size=bad", expect=FILE).stderr.decode())
+        self.assertIn("was ended by signal 11", self.run_tool(*arguments, "-D", "size=crash", expect=FILE).stderr.decode())
         error = self.run_tool("eval", scad, "--openscad", "./no-such-program", "-o", "p.off", expect=FILE).stderr.decode()
         self.assertIn("cannot be started: install OpenSCAD", error)
         self.run_tool("eval", "missing.scad", "--openscad", program, "-o", "p.off", expect=FILE)
