@@ -28,9 +28,8 @@ std::string EngineSettings::named_oracle() const { return from_environment(oracl
 void add_engine_options(CLI::App& verb, EngineSettings& s, const std::string& jobs, const std::string& seconds) {
   verb.add_option(
           "--engine", s.engines,
-          "strata, strata-doubles, strata-floats, strata-python, strata-node, layers, manifold3d, trueform, meshlib, "
-          "libigl, "
-          "or a command that is called as\n"
+          "strata, strata-doubles, strata-floats, strata-python, strata-node, strata-chromium, layers, "
+          "manifold3d, trueform, meshlib, libigl, or a command that is called as\n"
           "COMMAND union|intersection|difference|symmetric-difference A.off B.off OUT.off; may be given several times")
       ->type_name("NAME|[NAME=]COMMAND");
   verb.add_option("--jobs", s.jobs, jobs + " at a time; all cores unless told")->type_name("N");

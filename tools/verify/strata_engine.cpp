@@ -56,7 +56,8 @@ constexpr std::array variants{Variant{"strata", "arrangement", "result.xoff"},
                               Variant{"strata-floats", "arrangement", "result.stl", 0x1p-24},
                               Variant{"layers", "layers", "result.xoff"},
                               Variant{"strata-python", "arrangement", "result.xoff", 0x1p-53, "strata_python.py"},
-                              Variant{"strata-node", "arrangement", "result.xoff", 0x1p-53, "strata_node.mjs"}};
+                              Variant{"strata-node", "arrangement", "result.xoff", 0x1p-53, "strata_node.mjs"},
+                              Variant{"strata-chromium", "arrangement", "result.xoff", 0x1p-53, "strata_chromium.mjs"}};
 
 class StrataEngine : public Engine {
  public:

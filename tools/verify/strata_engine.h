@@ -9,7 +9,7 @@ namespace verify {
 
 /// This program, `strata eval` in a process of its own: strata (exact results, XOFF), strata-doubles (the same,
 /// rounded), layers (exact results of `--engine layers`), strata-python (the Python package), strata-node (the package
-/// for JavaScript). Null for another name.
+/// for JavaScript), strata-chromium (the same in a browser). Null for another name.
 [[nodiscard]] std::unique_ptr<Engine> make_strata_engine(const std::string& name, const EngineFolders& folders);
 
 /// NAME=FILE for all operands of a case; those that are no files yet are written to `folder`.
