@@ -1,9 +1,10 @@
 #include "core/io/finite_values.h"
 
-#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <variant>
+
+#include "core/io/holds_for_all.h"
 
 namespace strata::io {
 namespace {
@@ -14,7 +15,8 @@ bool are_finite(const ChannelValues& values) {
   return std::visit(
       []<class T>(const std::vector<T>& numbers) {
         if constexpr (std::floating_point<T>)
-          return std::all_of(numbers.begin(), numbers.end(), [](T x) { return std::isfinite(static_cast<Narrow>(x)); });
+          return holds_for_all(numbers.size(),
+                               [&](std::size_t i) { return std::isfinite(static_cast<Narrow>(numbers[i])); });
         else
           return true;
       },

@@ -1,3 +1,6 @@
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -6,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +19,7 @@
 #include "core/io/corner_values.h"
 #include "core/io/finite_values.h"
 #include "core/io/folder_of_model.h"
+#include "core/io/holds_for_all.h"
 #include "core/io/images.h"
 #include "core/io/losses.h"
 #include "core/io/object_faces.h"
@@ -48,6 +53,38 @@ std::string attribute_of(const Channel& c) {
     return numbered(channel_names::texcoord, "TEXCOORD_");
   if (c.name.starts_with(channel_names::color) && c.components >= 3) return numbered(channel_names::color, "COLOR_");
   return "_" + c.name;
+}
+
+/// A box of floats.
+struct Bounds {
+  static constexpr float infinite = std::numeric_limits<float>::infinity();
+  std::array<float, 3> low{infinite, infinite, infinite}, high{-infinite, -infinite, -infinite};
+
+  void add(const std::array<float, 3>& bottom, const std::array<float, 3>& top) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], bottom[k]);
+      high[k] = std::max(high[k], top[k]);
+    }
+  }
+};
+
+/// The box of some vertices, rounded to floats. In parallel.
+Bounds bounds_of(std::span<const Vertex> vertices, const std::vector<std::uint32_t>& some) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, some.size(), 1 << 14), Bounds{},
+      [&](const auto& range, Bounds box) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+          const Vertex& v = vertices[some[i]];
+          const std::array<float, 3> point{static_cast<float>(v[0]), static_cast<float>(v[1]),
+                                           static_cast<float>(v[2])};
+          box.add(point, point);
+        }
+        return box;
+      },
+      [](Bounds a, const Bounds& b) {
+        a.add(b.low, b.high);
+        return a;
+      });
 }
 
 /// Writes the parts of the buffer, one behind the other; their places are in the JSON.
@@ -133,10 +170,10 @@ class DocumentWriter {
       if (const auto* values = std::get_if<std::vector<double>>(&c->values)) {
         const bool flips = attribute.starts_with("TEXCOORD");
         const auto is_float = [](double x) { return static_cast<double>(static_cast<float>(x)) == x; };
-        bool all = true;
-        for (std::size_t i = 0; all && i < values->size(); ++i)
-          all = is_float(flips && i % 2 == 1 ? 1 - (*values)[i] : (*values)[i]);
-        if (!all) rounded += (rounded.empty() ? "" : ", ") + c->name;
+        const auto is_kept = [&](std::size_t i) {
+          return is_float(flips && i % 2 == 1 ? 1 - (*values)[i] : (*values)[i]);
+        };
+        if (!holds_for_all(values->size(), is_kept)) rounded += (rounded.empty() ? "" : ", ") + c->name;
       }
     if (!rounded.empty()) notes_.push_back("values of " + rounded + " were rounded: glTF holds floats only");
   }
@@ -182,20 +219,32 @@ class DocumentWriter {
     const auto object_of = is_apart_ || !object.name.empty() ? std::span<const std::int32_t>()
                                                              : indices_of(attributes_, channel_names::object);
     using Key = std::pair<std::int32_t, std::int32_t>;
-    std::map<Key, std::vector<std::uint32_t>> lists;
-    auto last = lists.end();  // successive faces mostly have the same
-    for (std::size_t i = 0; i < object.faces.size(); ++i) {
+    const auto key_of = [&](std::size_t i) {
       const std::uint32_t f = object.faces[i];
-      const Key key(object_of.empty() ? -1 : object_of[f], material.empty() ? -1 : material[f]);
-      if (last == lists.end() || last->first != key) last = lists.try_emplace(key).first;
-      last->second.push_back(static_cast<std::uint32_t>(i));
-    }
+      return Key(object_of.empty() ? -1 : object_of[f], material.empty() ? -1 : material[f]);
+    };
     Json all = Json::array();
-    for (auto& [key, faces] : lists) {
-      Json list = {{"attributes", attributes}, {"indices", write_indices(vertices, faces)}};
+    const auto add_list = [&](const Key& key, std::size_t indices) {
+      Json list = {{"attributes", attributes}, {"indices", indices}};
       if (key.second >= 0) list["material"] = key.second;
       if (key.first >= 0) list["extras"] = {{"object", attributes_.objects[static_cast<std::size_t>(key.first)]}};
       all.push_back(std::move(list));
+    };
+    const std::size_t count = object.faces.size();
+    if (holds_for_all(count, [&, first = key_of(0)](std::size_t i) { return key_of(i) == first; })) {
+      add_list(key_of(0), write_indices(vertices, count, std::identity()));
+      return all;
+    }
+    std::map<Key, std::vector<std::uint32_t>> lists;
+    auto last = lists.end();  // successive faces mostly have the same
+    for (std::size_t i = 0; i < count; ++i) {
+      const Key key = key_of(i);
+      if (last == lists.end() || last->first != key) last = lists.try_emplace(key).first;
+      last->second.push_back(static_cast<std::uint32_t>(i));
+    }
+    for (auto& [key, faces] : lists) {
+      const std::vector<std::uint32_t>& list = lists_.emplace_back(std::move(faces));
+      add_list(key, write_indices(vertices, list.size(), [&list](std::size_t i) { return list[i]; }));
     }
     return all;
   }
@@ -205,16 +254,10 @@ class DocumentWriter {
     const std::size_t view = buffer_.add(count, 12, vertex_buffer, [this, &vertices](std::size_t i, char* at) {
       for (const double x : target_.mesh.vertices[vertices.vertices[i]]) at = store(at, static_cast<float>(x), order);
     });
-    constexpr float infinite = std::numeric_limits<float>::infinity();
-    std::array<float, 3> low{infinite, infinite, infinite}, high{-infinite, -infinite, -infinite};
-    for (const std::uint32_t v : vertices.vertices)
-      for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], static_cast<float>(target_.mesh.vertices[v][k]));
-        high[k] = std::max(high[k], static_cast<float>(target_.mesh.vertices[v][k]));
-      }
+    const Bounds bounds = bounds_of(target_.mesh.vertices, vertices.vertices);
     Json attributes = {{"POSITION", add_accessor(view, float_, count, 3)}};
-    json_["accessors"].back()["min"] = low;
-    json_["accessors"].back()["max"] = high;
+    json_["accessors"].back()["min"] = bounds.low;
+    json_["accessors"].back()["max"] = bounds.high;
     for (const auto& [c, attribute] : kept_) attributes[attribute] = write_channel(*c, attribute, vertices);
     return attributes;
   }
@@ -244,13 +287,13 @@ class DocumentWriter {
     return add_accessor(view, float_, count, n);
   }
 
-  std::size_t write_indices(const SeamVertices& vertices, std::vector<std::uint32_t>& faces) {
-    lists_.push_back(std::move(faces));
-    const std::vector<std::uint32_t>& list = lists_.back();
-    const std::size_t view = buffer_.add(list.size(), 12, index_buffer, [&vertices, &list](std::size_t i, char* at) {
-      for (const std::uint32_t v : vertices.triangles[list[i]]) at = store(at, v, order);
+  /// The triangles `number(i)` for each i below n.
+  template <class Number>
+  std::size_t write_indices(const SeamVertices& vertices, std::size_t n, const Number& number) {
+    const std::size_t view = buffer_.add(n, 12, index_buffer, [&vertices, number](std::size_t i, char* at) {
+      for (const std::uint32_t v : vertices.triangles[number(i)]) at = store(at, v, order);
     });
-    return add_accessor(view, unsigned_int, 3 * list.size(), 1);
+    return add_accessor(view, unsigned_int, 3 * n, 1);
   }
 
   std::size_t add_accessor(std::size_t view, std::uint32_t type, std::size_t count, std::size_t components) {

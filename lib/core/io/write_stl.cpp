@@ -24,31 +24,39 @@ bool is_rounded(const Vertex& p) {
   return std::any_of(p.begin(), p.end(), [](double x) { return static_cast<double>(static_cast<float>(x)) != x; });
 }
 
-template <class Predicate>
-std::size_t count_vertices(std::span<const Vertex> vertices, const Predicate& predicate) {
+/// How many vertices floats cannot hold, hold rounded, and hold as they are.
+struct FloatCounts {
+  std::size_t beyond = 0, rounded = 0, kept = 0;
+};
+
+FloatCounts count_floats(std::span<const Vertex> vertices) {
   return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, vertices.size(), 1 << 14), std::size_t{0},
-      [&](const auto& range, std::size_t count) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) count += predicate(vertices[i]);
-        return count;
+      tbb::blocked_range<std::size_t>(0, vertices.size(), 1 << 14), FloatCounts{},
+      [&](const auto& range, FloatCounts counts) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+          ++(is_beyond_floats(vertices[i]) ? counts.beyond : is_rounded(vertices[i]) ? counts.rounded : counts.kept);
+        }
+        return counts;
       },
-      std::plus<>());
+      [](const FloatCounts& a, const FloatCounts& b) {
+        return FloatCounts{a.beyond + b.beyond, a.rounded + b.rounded, a.kept + b.kept};
+      });
 }
 
 }  // namespace
 
 Notes note_floats(std::span<const Vertex> vertices, const std::string& name, const char* format) {
   constexpr const char* finer = " holds floats only; stl-ascii, obj, off, ply and 3mf hold doubles";
-  if (count_vertices(vertices, is_beyond_floats) > 0) {
+  const FloatCounts counts = count_floats(vertices);
+  if (counts.beyond > 0) {
     const auto first = std::find_if(vertices.begin(), vertices.end(), is_beyond_floats);
     throw IoError(
         name, {},
         "vertex " + std::to_string(first - vertices.begin()) + " is beyond the range of floats, and " + format + finer);
   }
-  const std::size_t rounded = count_vertices(vertices, is_rounded);
-  if (rounded == 0) return {};
-  return {std::to_string(rounded) + " of " + std::to_string(vertices.size()) + " vertices were rounded: " + format +
-          finer};
+  if (counts.rounded == 0) return {};
+  return {std::to_string(counts.rounded) + " of " + std::to_string(vertices.size()) +
+          " vertices were rounded: " + format + finer};
 }
 
 Notes write_stl(const Target& target) {
