@@ -77,18 +77,28 @@ class Written {
  public:
   Written(const MeshLike& mesh, const AttributesChoice& attributes, const UnitName& unit)
       : mesh_(mesh.value()),
-        copy_(mesh_->copy()),
         attributes_(attributes.value(*mesh_)),
         unit_(unit.object.is_none() ? mesh_->unit : unit.value()) {}
 
-  [[nodiscard]] const ExactMesh& mesh() const { return copy_; }
+  /// To a file. Indices are copied, for another thread may change arrays of NumPy after they were checked.
+  [[nodiscard]] std::vector<std::string> write(const std::string& path, std::optional<Format> format,
+                                               bool strict) const {
+    const WriteOptions chosen = options(format, strict);
+    if (!mesh_->owned.exact.empty()) return write_mesh(path, mesh_->copy(), chosen);
+    const std::span<const Triangle> given = mesh_->view.triangles;
+    const std::vector<Triangle> triangles(given.begin(), given.end());
+    return write_mesh(path, MeshView{mesh_->view.vertices, triangles}, chosen);
+  }
+  [[nodiscard]] std::string text(std::optional<Format> format, bool strict) const {
+    return to_string(mesh_->copy(), options(format, strict));
+  }
+
+ private:
   [[nodiscard]] WriteOptions options(std::optional<Format> format, bool strict) const {
     return {.format = format, .attributes = attributes_.get(), .unit = unit_, .strict = strict};
   }
 
- private:
   MeshHandle mesh_;
-  ExactMesh copy_;
   AttributesHandle attributes_;
   Unit unit_;
 };
@@ -99,8 +109,7 @@ nb::list write(nb::object path, const MeshLike& mesh, const std::optional<std::s
   const Written written(mesh, attributes, unit);
   const std::optional<Format> kind = format_of_name(format);
   nb::list notes;
-  for (const std::string& note : run([&] { return write_mesh(name, written.mesh(), written.options(kind, strict)); }))
-    notes.append(decoded(note));
+  for (const std::string& note : run([&] { return written.write(name, kind, strict); })) notes.append(decoded(note));
   return notes;
 }
 
@@ -108,7 +117,7 @@ nb::bytes write_bytes(const MeshLike& mesh, const std::string& format, const Att
                       const UnitName& unit, bool strict) {
   const Written written(mesh, attributes, unit);
   const std::optional<Format> kind = format_of_name(format);
-  const std::string text = run([&] { return to_string(written.mesh(), written.options(kind, strict)); });
+  const std::string text = run([&] { return written.text(kind, strict); });
   return nb::bytes(text.data(), text.size());
 }
 

@@ -47,9 +47,10 @@ void check_indices(const Channel& channel, const Attributes& attributes) {
   if (!list) return;
   const std::size_t size = size_of(attributes, *list);
   if (size == 0) return;
-  for (const std::int32_t i : std::get<std::vector<std::int32_t>>(channel.values))
-    if (i >= 0 && static_cast<std::size_t>(i) >= size)
-      refuse(channel, "index " + std::to_string(i) + " in a list of " + std::to_string(size));
+  std::int32_t last = -1;
+  for (const std::int32_t i : std::get<std::vector<std::int32_t>>(channel.values)) last = std::max(last, i);
+  if (last >= 0 && static_cast<std::size_t>(last) >= size)
+    refuse(channel, "index " + std::to_string(last) + " in a list of " + std::to_string(size));
 }
 
 }  // namespace

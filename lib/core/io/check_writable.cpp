@@ -1,13 +1,10 @@
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
 
+#include "core/io/holds_for_all.h"
 #include "core/io/writers.h"
 
 namespace strata::io {
@@ -16,11 +13,7 @@ namespace {
 /// The first invalid item, or the end. In parallel while all are valid.
 template <class Item, class IsGood>
 auto find_bad(std::span<const Item> items, const IsGood& is_good) {
-  std::atomic<bool> all = true;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, items.size(), 1 << 14), [&](const auto& range) {
-    const auto part = items.subspan(range.begin(), range.size());
-    if (!std::all_of(part.begin(), part.end(), is_good)) all = false;
-  });
+  const bool all = holds_for_all(items.size(), [&](std::size_t i) { return is_good(items[i]); });
   return all ? items.end() : std::find_if_not(items.begin(), items.end(), is_good);
 }
 
