@@ -116,7 +116,7 @@ function strataViewer(data) {
   const fragmentShader = `#version 300 es
     precision highp float;
     in vec3 place; in vec3 tint; in float beyond;
-    uniform float ink; uniform vec3 pen;
+    uniform float ink; uniform vec3 pen; uniform float evenness;
     out vec4 pixel;
     void main() {
       if (beyond > 0.0) discard;
@@ -124,7 +124,8 @@ function strataViewer(data) {
       vec3 normal = cross(dFdx(place), dFdy(place));
       float light = abs(dot(normal, vec3(0.25, 0.45, 0.86))) / max(length(normal), 1e-30);
       // Behind a section plane the inside is seen.
-      pixel = vec4(tint * (0.4 + 0.6 * light) * (gl_FrontFacing ? 1.0 : 0.55), 1.0);
+      float shade = (0.4 + 0.6 * light) * (gl_FrontFacing ? 1.0 : 0.55);
+      pixel = vec4(tint * mix(shade, 1.0, evenness), 1.0);
     }`;
 
   // Pages with a list of parts follow the colours that the reader's system has.
@@ -250,11 +251,12 @@ function strataViewer(data) {
     redraw();
   }
 
-  // Where the parts that are shown begin and end in all arrays: pairs of vertices, triangles, edges and coarse triangles.
+  // Where the parts that are shown begin and end in all arrays: vertices, triangles, edges and coarse triangles.
   function shownRuns() {
     const isShown = (i) => data.slider === "layers" ? i < Number(element("slider").value) : !element("part-" + i) || element("part-" + i).checked;
     const ends = data.parts.map((part, i) => coarse ? [...part.ends, coarse.ends[i]] : part.ends);
-    return ends.map((end, i) => [i > 0 ? ends[i - 1] : [0, 0, 0, 0], end]).filter((_, i) => isShown(i));
+    const runs = ends.map((end, i) => ({ from: i > 0 ? ends[i - 1] : [0, 0, 0, 0], to: end, isMark: data.parts[i].isMark === true }));
+    return runs.filter((_, i) => isShown(i));
   }
 
   // Normal and offset of the plane in front of which nothing is drawn; without one all is behind it.
@@ -283,10 +285,14 @@ function strataViewer(data) {
     gl.uniform1f(uniform("explosion"), explosion);
     gl.uniform4f(uniform("cut"), ...sectionPlane());
     gl.uniform1f(uniform("ink"), 0);
-    gl.uniform1f(uniform("nearer"), 0);
     gl.bindVertexArray(isMoving ? coarseArrays : faceArrays);
-    const list = isMoving ? 3 : 1;
-    for (const [from, to] of shown) gl.drawElements(gl.TRIANGLES, 3 * (to[list] - from[list]), gl.UNSIGNED_INT, 12 * from[list]);
+    const list = isMoving ? 3 : 1, nearer = 0.002 / camera.zoom;
+    for (const { from, to, isMark } of shown) {
+      // Marks are seen on faces that they lie in, from all sides.
+      gl.uniform1f(uniform("nearer"), isMark ? nearer : 0);
+      gl.uniform1f(uniform("evenness"), isMark ? 0.8 : 0);
+      gl.drawElements(gl.TRIANGLES, 3 * (to[list] - from[list]), gl.UNSIGNED_INT, 12 * from[list]);
+    }
     if (isMoving || (data.triangles !== "" && !element("lines").checked)) return;
     // Many edges in a small picture are drawn in lighter ink, so that they do not cover the faces; edges of a pixel or two, not at all.
     const room = 0.03 * side * camera.zoom / Math.sqrt(1 + edges.length), least = 0.02;
@@ -294,10 +300,10 @@ function strataViewer(data) {
     const ink = Math.min(0.85, Math.max(0.1, room));
     gl.uniform1f(uniform("ink"), ink);
     gl.uniform3f(uniform("pen"), ...(isDark ? [0, 0, 0] : [0.06, 0.08, 0.12]));
-    gl.uniform1f(uniform("nearer"), 0.002 / camera.zoom);
+    gl.uniform1f(uniform("nearer"), 1.5 * nearer);
     gl.enable(gl.BLEND);
     gl.bindVertexArray(edgeArrays);
-    for (const [from, to] of shown) gl.drawElements(gl.LINES, 2 * (to[2] - from[2]), gl.UNSIGNED_INT, 8 * from[2]);
+    for (const { from, to } of shown) gl.drawElements(gl.LINES, 2 * (to[2] - from[2]), gl.UNSIGNED_INT, 8 * from[2]);
     gl.disable(gl.BLEND);
   }
 

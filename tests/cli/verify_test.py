@@ -1,7 +1,10 @@
 """strata verify: how cases are read, certified and reported."""
+import html
 import json
+import re
 import sys
 import unittest
+import urllib.parse
 import xml.etree.ElementTree
 
 from tool import FILE, NEGATIVE, OK, USAGE
@@ -164,6 +167,18 @@ class Reports(VerifyTest):
             self.assertIn(text, page)
         self.assertNotIn("<script", page)
         self.assertEqual(page.count("http"), page.count("http://www.w3.org/2000/svg"))
+        self.assertNotIn("workbench", page)
+
+    def test_cases_link_to_the_workbench(self):
+        self.case("boxes")
+        self.case("apart", "a & b", second=(5, 5, 5))
+        self.verify("--report", "r.html", "--workbench", "strata.html?x=1&y=2")
+        links = [html.unescape(link).split("#") for link in re.findall(r'<a href="(strata[^"]*)"', self.path("r.html").read_text())]
+        self.assertEqual([address for address, _ in links], 2 * ["strata.html?x=1&y=2"])
+        asked = urllib.parse.parse_qs(links[0][1])
+        self.assertEqual((asked["expression"], sorted(asked)), (["a & b"], ["a.off", "b.off", "expression"]))
+        self.path("again.off").write_text(asked["b.off"][0])
+        self.run_tool("check", "again.off")
 
     def test_the_summary_goes_to_standard_output_and_can_be_left_out(self):
         self.case("boxes")

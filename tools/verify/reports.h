@@ -15,8 +15,8 @@ namespace verify {
 [[nodiscard]] std::string junit_report(const Run& run);
 
 /// A page of its own: engines by tags, each cell with its cases, every case with pictures of operands and result. Opens
-/// from disk, without a network, without scripts.
-[[nodiscard]] std::string scoreboard(const Run& run);
+/// from disk, without a network, without scripts. Where `workbench` is the address of that page, cases link to it.
+[[nodiscard]] std::string scoreboard(const Run& run, const std::string& workbench = {});
 
 /// A table for the terminal, and what was not as it should be.
 [[nodiscard]] std::string summary(const Run& run);

@@ -7,6 +7,7 @@
 #include "verify/decimal.h"
 #include "verify/reports.h"
 #include "verify/sketch.h"
+#include "verify/workbench_link.h"
 
 namespace verify {
 namespace {
@@ -118,7 +119,14 @@ std::string expected_text(const Expectation& e) {
       e.touching.edges, e.touching.vertices, origin);
 }
 
-std::string case_section(const Run& run, std::size_t k) {
+/// A link that asks the workbench the case's question, where it is not too long.
+std::string link_to(const std::string& workbench, const Case& c) {
+  const std::string fragment = workbench.empty() ? std::string() : workbench_fragment(c);
+  if (fragment.empty()) return {};
+  return fmt::format("<p><a href=\"{}#{}\">in the workbench</a></p>\n", escaped(workbench), escaped(fragment));
+}
+
+std::string case_section(const Run& run, std::size_t k, const std::string& workbench) {
   const Case& c = run.cases[k];
   std::string html = fmt::format("<section id=\"{0}\"><h3>{0}</h3><p>{1}</p><p><code>{2}</code></p>\n", c.slug,
                                  escaped(c.why), escaped(c.expression));
@@ -138,12 +146,12 @@ std::string case_section(const Run& run, std::size_t k) {
                         escaped(run.engines[e]), css_class(f.verdict.outcome), name(f.verdict.outcome),
                         escaped(f.verdict.reason), f.seconds);
   }
-  return html + "</table></section>\n";
+  return html + "</table>" + link_to(workbench, c) + "</section>\n";
 }
 
 }  // namespace
 
-std::string scoreboard(const Run& run) {
+std::string scoreboard(const Run& run, const std::string& workbench) {
   std::vector<std::string> tags = {"all"};
   std::ranges::copy(tags_of(run), std::back_inserter(tags));
   std::string html = head + fmt::format("<style>{}</style>\n", sketch_style());
@@ -156,7 +164,7 @@ std::string scoreboard(const Run& run) {
   for (const std::string& tag : tags)
     for (std::size_t e = 0; e < run.engines.size(); ++e) html += list(run, tag, e);
   html += "<h2>Cases</h2>\n";
-  for (std::size_t k = 0; k < run.cases.size(); ++k) html += case_section(run, k);
+  for (std::size_t k = 0; k < run.cases.size(); ++k) html += case_section(run, k, workbench);
   return html + "</body></html>\n";
 }
 

@@ -58,7 +58,7 @@ bool wants_pictures(const VerifySettings& settings) {
 void write_reports(const verify::Run& run, const VerifySettings& settings) {
   for (const std::string& path : settings.reports) {
     if (path.ends_with(".html")) {
-      write_text(path, verify::scoreboard(run));
+      write_text(path, verify::scoreboard(run, settings.workbench));
     } else if (path.ends_with(".xml")) {
       write_text(path, verify::junit_report(run));
     } else {
@@ -141,6 +141,8 @@ void add_verify_options(CLI::App& verb, VerifySettings& v, OutputSettings& outpu
       ->capture_default_str();
   verb.add_option("--report", v.reports, "Where reports go: .json, .xml (JUnit) or .html; - is JSON")
       ->type_name("FILE");
+  verb.add_option("--workbench", v.workbench, "Where the workbench is: cases of an .html report link to it")
+      ->type_name("ADDRESS");
   verb.add_option("--cases", v.cases, "Where the cases are, unless in data/cases")->type_name("FOLDER");
   verb.add_flag("--certify", v.certify,
                 "Complete expected.json of new cases; with --engine, note that these engines say the same");

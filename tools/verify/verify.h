@@ -10,6 +10,7 @@ struct VerifySettings : EngineSettings {
   std::string cases;                     ///< folder; empty: data/cases, here or where the program was built
   std::vector<std::string> slugs, tags;  ///< which cases; empty: all
   std::vector<std::string> reports;      ///< by extension: .json, .xml (JUnit), .html
+  std::string workbench;                 ///< the address that cases of a .html report link to; empty: none
   std::string result;                    ///< a file to be judged as the result of a case; no engine is asked
   double roundoff = 0x1p-53;             ///< of the engine that made it
   bool certify = false, recertify = false;

@@ -35,7 +35,8 @@ function awayOf(vertices, { middle, unit }) {
 }
 
 /**
- * What `strataViewer` takes. A part has `vertices` and `triangles`, `edges` with `vertices` and `edges` of its own, and a `color`. `slider`:
+ * What `strataViewer` takes. A part has `vertices` and `triangles`, `edges` with `vertices` and `edges` of its own, and a `color`; one that `isMark` is
+ * bright from all sides, and seen on faces that it lies in. `slider`:
  * "explode" pulls parts apart, "layers" shows the first ones, "one" does nothing.
  */
 export function pictureOf(parts, slider) {
@@ -52,7 +53,7 @@ export function pictureOf(parts, slider) {
     part.triangles.forEach((corner, i) => (triangles[3 * at[1] + i] = at[0] + corner));
     part.edges.edges.forEach((end, i) => (edges[2 * at[2] + i] = ends + end));
     sizes[n].forEach((size, k) => (at[k] += size));
-    return { color: part.color, away: slider === "explode" ? awayOf(part.vertices, frame) : [0, 0, 0], ends: [...at] };
+    return { color: part.color, isMark: part.isMark === true, away: slider === "explode" ? awayOf(part.vertices, frame) : [0, 0, 0], ends: [...at] };
   });
   return { slider, frame, positions, triangles, edges, parts: listed };
 }

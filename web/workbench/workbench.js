@@ -82,11 +82,11 @@ async function add(operand, onProgress) {
   }
 }
 
-async function addFile(file, data) {
-  const format = file.toLowerCase().match(/\.([a-z0-9]+)$/)?.[1] ?? "", name = freeName();
+async function addFile(file, data, { name = freeName(), input = "automatic" } = {}) {
+  const format = file.toLowerCase().match(/\.([a-z0-9]+)$/)?.[1] ?? "";
   if (name === undefined) return complain(new Error("there are 26 operands at most"));
   if (!readable.includes(format)) return complain(new Error(`${file} is none of ${readable.join(", ")}`));
-  const operand = { name, file, format, data, input: "automatic", isShown: true };
+  const operand = { name, file, format, data, input, isShown: true };
   operands.push(operand);
   await during(`reading ${file}`, (onProgress) => add(operand, onProgress));
   if (operands.length > 1 && element("expression").value === "") element("expression").value = "a - b";
@@ -165,7 +165,7 @@ const views = {
     const names = operands.filter((operand) => operand.shown && !operand.shown.defects).map(({ name }) => name);
     const found = await engine.ask("contacts", { names }, onProgress);
     return found.map(({ a, b, ...contact }) => ({
-      ...contact, title: `${names[a]} and ${names[b]}: ${contact.relation === "contact" ? "in contact" : "they interfere"}`, color: contactColor,
+      ...contact, title: `${names[a]} and ${names[b]}: ${contact.relation === "contact" ? "in contact" : "they interfere"}`, color: contactColor, isMark: true,
     }));
   },
 };
@@ -232,7 +232,7 @@ function defectMarks(parts) {
   const places = parts.flatMap((part) => (part.operand?.isShown && part.defects) || []).map((defect) => defect.where).filter(Boolean);
   if (places.length === 0) return [];
   const size = Math.max(...parts.filter((part) => part.defects).map((part) => markSize(part.vertices)));
-  return [{ ...marks(places.slice(0, 1000), size), title: "defects", color: defectColor, source: { isShown: true } }];
+  return [{ ...marks(places.slice(0, 1000), size), title: "defects", color: defectColor, isMark: true, source: { isShown: true } }];
 }
 
 function defectsOf({ defects }, operand) {
@@ -284,6 +284,22 @@ function show() {
   else viewer.show(picture);
 }
 
+// ---- links ---------------------------------------------------------------------------------------------------------
+
+/** What a link asks behind its #: files and their texts, an expression about their names, what they are taken as. For instance
+ *  `#expression=a-b&input=soup&a.off=...&b.off=...`; `strata verify --workbench` writes such links. */
+async function follow(fragment) {
+  const asked = new URLSearchParams(fragment.slice(1));
+  const input = inputs.find((one) => one === asked.get("input"));
+  for (const [file, text] of asked) {
+    const name = file.match(/^([A-Za-z_]\w*)\.\w+$/)?.[1];
+    if (name && operands.every((operand) => operand.name !== name)) await addFile(file, new TextEncoder().encode(text), { name, input });
+  }
+  if (!asked.has("expression")) return;
+  element("expression").value = asked.get("expression");
+  await evaluate();
+}
+
 // ---- the page ------------------------------------------------------------------------------------------------------
 
 function listen() {
@@ -330,6 +346,8 @@ async function begin() {
     engine = new Engine(embedded("engine"), await unpacked(embedded("module")));
     await engine.start();
   });
+  addEventListener("hashchange", () => location.reload());
+  await follow(location.hash);
 }
 
 begin();
