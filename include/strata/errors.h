@@ -4,8 +4,10 @@
 /// InputError: the caller's mesh is not what was declared. IoError: a file. ParseError: a text. Cancelled: the caller
 /// asked to stop. LogicError: a fault of Strata itself. Besides these std::invalid_argument (arguments that mean
 /// nothing), std::length_error (more than 2^32 - 2 vertices or faces), std::overflow_error (coordinates beyond all
-/// doubles) are thrown where a function says so, and std::bad_alloc by any that allocates. A function that throws
-/// leaves its arguments as they were. Exceptions of worker threads reach the caller.
+/// doubles) are thrown where a function says so, and std::bad_alloc by any that allocates. Functions that are given
+/// solids or polygons throw std::runtime_error on a thread that rounds otherwise than to nearest or takes subnormal
+/// numbers for zero. A function that throws leaves its arguments as they were. Exceptions of worker threads reach the
+/// caller.
 #include <cstddef>
 #include <cstdint>
 #include <optional>

@@ -41,7 +41,7 @@ using BigRational = CppFraction;
 using BigInteger = GmpInteger;
 using BigRational = GmpFraction;
 #endif
-static_assert(sizeof(BigInteger) == integer_bytes && sizeof(BigRational) == rational_bytes);
+static_assert(sizeof(BigInteger) <= integer_bytes && sizeof(BigRational) <= rational_bytes);
 static_assert(alignof(BigInteger) <= number_alignment && alignof(BigRational) <= number_alignment);
 
 struct Native {
