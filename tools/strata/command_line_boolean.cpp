@@ -82,7 +82,8 @@ void add_eval(CommandLine& line) {
           "EXPR", settings.expression,
           "The expression, or the path of a model of OpenSCAD (.csg; .scad, if the program openscad is installed)")
       ->required();
-  verb->add_option("NAME=FILE", settings.bindings, "The mesh that a name stands for; - is standard input")
+  // Newer CLI11 takes no sign of equality in names.
+  verb->add_option("MESH", settings.bindings, "NAME=FILE: the mesh that a name stands for; - is standard input")
       ->expected(0, CLI::detail::expected_max_vector_size);
   verb->add_flag_callback(
       "--round-transforms", [&settings] { settings.placement = strata::Placement::rounded; },

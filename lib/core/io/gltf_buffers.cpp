@@ -125,7 +125,8 @@ std::string_view GltfBuffers::buffer(std::size_t index) {
   if (value.has("uri") || index > 0) {
     const auto [place, is_new] = buffers_.try_emplace(index);
     if (is_new) {
-      const std::string& uri = value.at("uri").text();
+      const GltfValue place_of_data = value.at("uri");
+      const std::string& uri = place_of_data.text();
       auto loaded = resource(uri);
       if (!loaded)
         value.refuse(uri.starts_with("data:")

@@ -26,7 +26,8 @@ void check_version(const GltfValue& document) {
   const std::string version = document.at("asset").text_or("version", "");
   if (!version.starts_with("2.")) fail("glTF of version " + io::quoted(version) + " is not read, only 2.0");
   for (std::size_t i = 0; i < document.count("extensionsRequired"); ++i) {
-    const std::string& name = document.at("extensionsRequired").at(i).text();
+    const GltfValue extension = document.at("extensionsRequired").at(i);
+    const std::string& name = extension.text();
     const bool is_known = std::any_of(read_extensions.begin(), read_extensions.end(),
                                       [&](std::string_view known) { return name.starts_with(known); });
     if (!is_known) fail("the file requires the extension " + io::quoted(name) + ", which is not read");
