@@ -9,7 +9,7 @@
 
 using namespace strata;
 using namespace strata::test;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using Bytes = std::vector<std::uint8_t>;
 using Floats = std::vector<float>;
 using Doubles = std::vector<double>;
