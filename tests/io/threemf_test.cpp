@@ -201,10 +201,8 @@ TEST_CASE("3MF: long lists are read as short ones are, whatever stands between t
     CHECK(file.mesh.triangles == std::vector<Triangle>{{19'997, 19'998, 19'999}});
   }
   CHECK(read(with("", "></vertex>")).mesh.vertices.size() == count);
-  CHECK_THAT(refused(with("<vertex x='1' y='2'/>")),
-             Catch::EndsWith("line 10001: a vertex has not all of x, y and z"));
+  CHECK_THAT(refused(with("<vertex x='1' y='2'/>")), Catch::EndsWith("line 10001: a vertex has not all of x, y and z"));
   CHECK_THAT(refused(with("<vertex x='1' y='2' z='?'/>")), Catch::Contains("line 10001"));
-  CHECK_THAT(refused(with("<vertex x='1' y='2' z='3'>")),
-             Catch::Contains("ends an element that was not started"));
+  CHECK_THAT(refused(with("<vertex x='1' y='2' z='3'>")), Catch::Contains("ends an element that was not started"));
   CHECK_THAT(refused(with("</vertices>")), Catch::Contains("ends an element that was not started"));
 }
