@@ -1,13 +1,14 @@
 // glTF and GLB: what is written is read again; accessors of all kinds; files that lead astray are refused.
 #include <tbb/task_arena.h>
 
+#include <bit>
 #include <catch2/catch.hpp>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "attributed.h"
+#include "core/io/binary.h"
 #include "core/io/folder_of_model.h"
 #include "tetrahedron.h"
 
@@ -23,7 +24,8 @@ MeshFile read(const std::string& text, Format format = Format::gltf) {
 
 std::string floats(std::initializer_list<float> values) {
   std::string bytes(values.size() * 4, '\0');
-  std::memcpy(bytes.data(), values.begin(), bytes.size());
+  char* at = bytes.data();
+  for (const float value : values) at = io::store(at, value, std::endian::little);
   return bytes;
 }
 

@@ -4,12 +4,13 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <bit>
 #include <catch2/catch.hpp>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <random>
 
+#include "core/io/binary.h"
 #include "core/io/readers.h"
 #include "core/system/program.h"
 #include "tetrahedron.h"
@@ -213,7 +214,7 @@ TEST_CASE("Properties of binary PLY are read alike in pieces, with lists and wit
       "comment channel 1 linear c\nproperty list uchar float c\nproperty list uchar uchar vertex_indices\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
   using namespace std::string_literals;
-  for (char i = 0; i < 5; ++i) text += std::string{i, static_cast<char>(i * i), i, 0, 0, i, 0, -1, i};
+  for (char i = 0; i < 5; ++i) text += std::string{i, static_cast<char>(i * i), i, 0, 0, i, 0, '\xff', i};
   std::string equal = text, different = text;
   for (char i = 0; i < 60; ++i) {
     const std::string values = "\x3f\x80\0\0"s + std::string{i, i, i, i} + "\x40\0\0\0"s;
@@ -323,7 +324,8 @@ TEST_CASE("Of many errors the first in the file is reported, with its line", "[i
   }
   std::string bytes = to_string(mesh, Format::stl);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (const std::size_t triangle : {5555, 4321, 5000}) std::memcpy(bytes.data() + 84 + 50 * triangle + 40, &nan, 4);
+  for (const std::size_t triangle : {5555, 4321, 5000})
+    io::store(bytes.data() + 84 + 50 * triangle + 40, nan, std::endian::little);
   CHECK(outcome(bytes, Format::stl, 1000).error.find("corner 2 of triangle 4321") != std::string::npos);
   check_all_sizes(bytes, Format::stl);
 }

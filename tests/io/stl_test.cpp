@@ -1,9 +1,10 @@
+#include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <sstream>
 
+#include "core/io/binary.h"
 #include "tetrahedron.h"
 
 using namespace strata;
@@ -71,7 +72,7 @@ TEST_CASE("Truncated and malformed STL is refused with its line or byte", "[io][
   CHECK(refusal(bytes.substr(0, bytes.size() - 1), Format::stl).find("byte 80") != std::string::npos);
   CHECK(refusal(bytes.substr(0, 70), Format::stl) != "");
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  std::memcpy(bytes.data() + 84 + 50 + 12 + 4, &nan, 4);
+  io::store(bytes.data() + 84 + 50 + 12 + 4, nan, std::endian::little);
   CHECK(refusal(bytes, Format::stl) ==
         "test: byte 146: expected finite coordinates in corner 0 of triangle 1 (counted from 0)");
 }

@@ -1,0 +1,16 @@
+# Linux on s390x, whose bytes have the other order, from Debian: what tools/big_endian builds with. STRATA_S390X_PREFIX has what the program
+# needs. Programs have no libraries beside them: QEMU runs them as they are.
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR s390x)
+set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES STRATA_S390X_PREFIX)
+set(triple s390x-linux-gnu)
+set(CMAKE_C_COMPILER ${triple}-gcc)
+set(CMAKE_CXX_COMPILER ${triple}-g++)
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-s390x-static)
+set(CMAKE_FIND_ROOT_PATH ${STRATA_S390X_PREFIX} /usr/${triple})
+set(CMAKE_PREFIX_PATH ${STRATA_S390X_PREFIX})
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+foreach(kind LIBRARY INCLUDE PACKAGE)
+  set(CMAKE_FIND_ROOT_PATH_MODE_${kind} ONLY)
+endforeach()
