@@ -35,8 +35,8 @@ std::string workbench_fragment(const Case& c) {
   for (const CaseOperand& operand : c.operands) {
     // Longer texts than what they may become are not even made.
     if (operand.mesh.mesh.triangles.size() > most_characters / 10) return {};
-    const bool is_exact = operand.mesh.exact.empty();
-    const auto format = is_exact ? strata::Format::off : strata::Format::xoff;
+    const bool has_doubles = operand.mesh.exact.empty();
+    const auto format = has_doubles ? strata::Format::off : strata::Format::xoff;
     fragment += "&" + encoded(operand.name) + "." + std::string(strata::name(format)) + "=" +
                 encoded(strata::to_string(operand.mesh, format));
     if (fragment.size() > most_characters) return {};
