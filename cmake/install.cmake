@@ -30,6 +30,9 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/strataConfig.cmake ${CMAKE_CURRENT_BIN
 if(STRATA_WITH_GMP)
   install(FILES cmake/FindGMP.cmake DESTINATION ${package_dir})
 endif()
+if(STRATA_WITH_LIBDEFLATE)
+  install(FILES cmake/FindLibDeflate.cmake DESTINATION ${package_dir})
+endif()
 
 # pkg-config: the prefix is found from the file's own place, so that the tree can be moved.
 list(TRANSFORM module_targets PREPEND -l OUTPUT_VARIABLE pc_modules)

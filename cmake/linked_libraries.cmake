@@ -11,6 +11,7 @@ endmacro()
 strata_links("-ltbb" "libtbb-dev" STRATA_WITH_TBB)
 strata_links("-lgmp" "libgmp-dev" STRATA_WITH_GMP)
 strata_links("-lz" "zlib1g-dev" TRUE)
+strata_links("-ldeflate" "libdeflate-dev" STRATA_WITH_LIBDEFLATE)
 strata_links("-lassimp" "libassimp-dev" STRATA_WITH_ASSIMP)
 strata_links("-lpng" "libpng-dev" STRATA_WITH_PNG AND TARGET strata_openscad)
 strata_links("-lfontconfig;-lharfbuzz;-lfreetype" "libfontconfig-dev;libharfbuzz-dev;libfreetype-dev"

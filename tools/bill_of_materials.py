@@ -32,6 +32,7 @@ PARTS = [
     Part("zlib", "zlib1g-dev", "Zlib", "archives of 3MF", "required"),
     Part("GMP", "libgmp-dev", "LGPL-3.0-or-later", "big integers; left out by STRATA_WITH_GMP=OFF", "optional", ("system",)),
     Part("assimp", "libassimp-dev", "BSD-3-Clause", "readers of more formats; left out by STRATA_WITH_ASSIMP=OFF", "optional", ("system",)),
+    Part("libdeflate", "libdeflate-dev", "MIT", "unpacks archives of 3MF; zlib does with STRATA_WITH_LIBDEFLATE=OFF", "optional", ("system",)),
     Part("libpng", "libpng-dev", "libpng-2.0", "PNG textures in drawings, surfaces of pictures; left out by STRATA_WITH_PNG=OFF",
          "optional", ("system",)),
     Part("libjpeg-turbo", "libjpeg62-turbo-dev", "IJG AND BSD-3-Clause", "JPEG textures in drawings; left out by STRATA_WITH_JPEG=OFF",

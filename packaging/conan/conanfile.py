@@ -48,7 +48,8 @@ class Strata(ConanFile):
         toolchain = CMakeToolchain(self)
         toolchain.cache_variables.update({
             "STRATA_BUILD_TOOLS": False, "STRATA_BUILD_TESTS": False, "STRATA_BUILD_ORACLE": False, "STRATA_INSTALL": True,
-            "STRATA_WITH_PNG": False, "STRATA_WITH_FONTS": False, "STRATA_WITH_GMP": bool(self.options.gmp),
+            "STRATA_WITH_LIBDEFLATE": False, "STRATA_WITH_PNG": False, "STRATA_WITH_FONTS": False,
+            "STRATA_WITH_GMP": bool(self.options.gmp),
             "STRATA_WITH_ASSIMP": bool(self.options.assimp)})
         toolchain.generate()
         if not self.options.system:

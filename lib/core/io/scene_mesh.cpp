@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "core/io/face_list.h"
+#include "core/io/holds_for_all.h"
 #include "core/io/scene_channels.h"
 
 namespace strata::io {
@@ -49,17 +50,19 @@ Channel on_vertices_if_possible(Channel channel, const ScenePart& part) {
   return std::visit(
       [&](auto& values) {
         auto of_vertices = std::decay_t<decltype(values)>(part.vertices.size() * n);
-        std::vector<bool> is_set(part.vertices.size());
-        for (std::size_t corner = 0; corner < 3 * part.triangles.size(); ++corner) {
+        const auto value_at = [&](std::size_t corner) {
+          return values.begin() + static_cast<std::ptrdiff_t>(corner * n);
+        };
+        const auto value_of_vertex = [&](std::size_t corner) {
           const std::uint32_t v = part.triangles[corner / 3][corner % 3];
-          const auto from = values.begin() + static_cast<std::ptrdiff_t>(corner * n);
-          const auto to = of_vertices.begin() + static_cast<std::ptrdiff_t>(v * n);
-          if (!is_set[v])
-            std::copy_n(from, n, to);
-          else if (!std::equal(from, from + static_cast<std::ptrdiff_t>(n), to))
-            return std::move(channel);
-          is_set[v] = true;
-        }
+          return of_vertices.begin() + static_cast<std::ptrdiff_t>(v * n);
+        };
+        const std::size_t corners = 3 * part.triangles.size();
+        for (std::size_t corner = corners; corner-- > 0;) std::copy_n(value_at(corner), n, value_of_vertex(corner));
+        const bool is_of_vertices = holds_for_all(corners, [&](std::size_t corner) {
+          return std::equal(value_at(corner), value_at(corner + 1), value_of_vertex(corner));
+        });
+        if (!is_of_vertices) return std::move(channel);
         return Channel{channel.name, Element::vertex, channel.interpolation, channel.components,
                        std::move(of_vertices)};
       },

@@ -10,6 +10,7 @@
 
 #include "core/containers/huge_pages.h"
 #include "core/io/face_list.h"
+#include "core/io/holds_for_all.h"
 #include "core/io/xml_scanner.h"
 
 namespace strata::io {
@@ -331,27 +332,28 @@ class ModelParser {
     const std::size_t vertices = object.part.vertices.size();
     const std::vector<GivenTriangle> given =
         read_list(xml_, "triangle", [&](const XmlScanner& xml) { return triangle(xml, vertices); });
-    object.part.triangles.reserve(object.part.triangles.size() + given.size());
-    for (const GivenTriangle& t : given) {
-      add_surface(object, t.surface);
-      object.part.triangles.push_back(t.corners);
-    }
+    const std::size_t first = object.part.triangles.size(), count = first + given.size();
+    const auto append = [&](auto& values, const auto& value_of) {
+      values.reserve(count);
+      prefer_huge_pages(values.data(), count * sizeof(values[0]));
+      values.resize(count);
+      tbb::parallel_for(std::size_t{0}, given.size(), [&](std::size_t i) { values[first + i] = value_of(given[i]); });
+    };
+    append(object.part.triangles, [](const GivenTriangle& t) { return t.corners; });
+    const bool has_none = object.surfaces.empty() && holds_for_all(given.size(), [&](std::size_t i) {
+                            return completed(given[i].surface).group == 0;
+                          });
+    if (!has_none) append(object.surfaces, [&](const GivenTriangle& t) { return completed(t.surface); });
   }
 
   /// What a triangle does not say of its surface is that of the object. Without p1 it has the object's surface; p2 and
   /// p3 are p1 unless they are given.
-  void add_surface(ThreemfObject& object, ThreemfSurface surface) {
-    if (surface.corners[0] == none) {
-      surface = usual_;
-    } else {
-      if (surface.group == none) surface.group = usual_.group;
-      for (const std::size_t k : {1, 2})
-        if (surface.corners[k] == none) surface.corners[k] = surface.corners[0];
-    }
-    if (surface.group == 0 && object.surfaces.empty()) return;
-    if (object.surfaces.empty()) object.surfaces.reserve(object.part.triangles.capacity());
-    object.surfaces.resize(object.part.triangles.size());
-    object.surfaces.push_back(surface);
+  [[nodiscard]] ThreemfSurface completed(ThreemfSurface surface) const {
+    if (surface.corners[0] == none) return usual_;
+    if (surface.group == none) surface.group = usual_.group;
+    for (const std::size_t k : {1, 2})
+      if (surface.corners[k] == none) surface.corners[k] = surface.corners[0];
+    return surface;
   }
 
   void read_build() {

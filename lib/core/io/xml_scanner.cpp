@@ -14,9 +14,37 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 
-bool ends_name(char c) { return is_blank(c) || c == '=' || c == '/' || c == '>' || c == '<' || c == '"' || c == '\''; }
+constexpr auto name_ends = [] {
+  std::array<bool, 256> ends{};
+  for (const char c : std::string_view(" \n\t\r=/><\"'")) ends[static_cast<unsigned char>(c)] = true;
+  return ends;
+}();
 
-std::string_view local(std::string_view name) { return name.substr(name.find(':') + 1); }
+bool ends_name(char c) { return name_ends[static_cast<unsigned char>(c)]; }
+
+/// Where the next such character is, or the end. For short distances, where a call of memchr costs more.
+std::size_t next_of(std::string_view text, char c, std::size_t at) {
+  while (at < text.size() && text[at] != c) ++at;
+  return at;
+}
+
+/// A name without its prefix.
+std::string_view local(std::string_view name) {
+  const std::size_t colon = next_of(name, ':', 0);
+  return colon == name.size() ? name : name.substr(colon + 1);
+}
+
+/// Where the next end tag starts, or the end. Blocks without one are passed without a branch for each character.
+std::size_t next_end_tag(std::string_view text, std::size_t at) {
+  constexpr std::size_t block = 1 << 12;
+  for (; at + block < text.size(); at += block) {
+    unsigned char found = 0;
+    for (const char* c = text.data() + at; c != text.data() + at + block; ++c)
+      found |= static_cast<unsigned char>(static_cast<unsigned>(c[0] == '<') & static_cast<unsigned>(c[1] == '/'));
+    if (found != 0) break;
+  }
+  return std::min(text.find("</", at), text.size());
+}
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
@@ -77,18 +105,18 @@ void XmlScanner::skip_behind(std::string_view mark, const char* what) {
 
 void XmlScanner::skip_misc() {
   while (true) {
-    at_ = std::min(text_.find('<', at_), text_.size());
+    skip_blanks();
+    if (at_ < text_.size() && text_[at_] != '<') at_ = std::min(text_.find('<', at_), text_.size());
     const std::string_view rest = text_.substr(at_);
+    if (rest.size() < 2 || (rest[1] != '!' && rest[1] != '?')) return;
     if (rest.starts_with("<!--"))
       skip_behind("-->", "a comment");
     else if (rest.starts_with("<![CDATA["))
       skip_behind("]]>", "a CDATA section");
     else if (rest.starts_with("<?"))
       skip_behind("?>", "an instruction");
-    else if (rest.starts_with("<!"))
-      fail_at_line(at_, "document types and other declarations in XML are not read");
     else
-      return;
+      fail_at_line(at_, "document types and other declarations in XML are not read");
   }
 }
 
@@ -128,8 +156,8 @@ void XmlScanner::read_start() {
     skip_blanks();
     const char quote = at_ < text_.size() ? text_[at_] : ' ';
     if (quote != '"' && quote != '\'') fail_at_line(tag_, "the value of an attribute is not in quotes");
-    const std::size_t end = text_.find(quote, at_ + 1);
-    if (end == std::string_view::npos) fail_at_line(tag_, "the value of an attribute has no end");
+    const std::size_t end = next_of(text_, quote, at_ + 1);
+    if (end == text_.size()) fail_at_line(tag_, "the value of an attribute has no end");
     attributes_.push_back({local(attribute), text_.substr(at_ + 1, end - at_ - 1)});
     at_ = end + 1;
   }
@@ -158,7 +186,7 @@ bool XmlScanner::next_child() {
       fail_at_line(at_, "the XML is truncated: <" + std::string(open_.back().substr(0, 32)) + "> has no end");
     return false;
   }
-  if (text_.substr(at_, 2) == "</") {
+  if (at_ + 1 < text_.size() && text_[at_ + 1] == '/') {
     read_end();
     return false;
   }
@@ -182,7 +210,7 @@ std::vector<std::string_view> XmlScanner::pieces() const {
   constexpr std::size_t least = 1 << 17;
   std::vector<std::string_view> pieces;
   if (closed_) return pieces;
-  const std::size_t end = std::min(text_.find("</", at_), text_.size());
+  const std::size_t end = next_end_tag(text_, at_);
   for (std::size_t first = at_; first < end;) {
     const std::size_t cut = end - first > least ? std::min(text_.find('<', first + least), end) : end;
     pieces.push_back(text_.substr(first, cut - first));

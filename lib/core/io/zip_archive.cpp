@@ -2,6 +2,9 @@
 
 #include <tbb/parallel_for.h>
 #include <zlib.h>
+#if STRATA_WITH_LIBDEFLATE
+#include <libdeflate.h>
+#endif
 
 #include <algorithm>
 #include <bit>
@@ -72,8 +75,17 @@ class WideFields {
   std::string_view values_;
 };
 
-/// Inflates raw deflated data to exactly the bytes that there is room for.
-void inflate_to(std::string_view packed, UnpackedBytes& to, const std::string& name) {
+/// Inflates raw deflated data to exactly the bytes that there is room for. False where the data are damaged.
+#if STRATA_WITH_LIBDEFLATE
+[[nodiscard]] bool inflate_to(std::string_view packed, UnpackedBytes& to) {
+  const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
+      libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+  if (decompressor == nullptr) throw std::bad_alloc();
+  return libdeflate_deflate_decompress(decompressor.get(), packed.data(), packed.size(), to.data(), to.view().size(),
+                                       nullptr) == LIBDEFLATE_SUCCESS;
+}
+#else
+[[nodiscard]] bool inflate_to(std::string_view packed, UnpackedBytes& to) {
   z_stream stream{};
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
   const std::unique_ptr<z_stream, int (*)(z_streamp)> end(&stream, inflateEnd);
@@ -95,8 +107,9 @@ void inflate_to(std::string_view packed, UnpackedBytes& to, const std::string& n
     if (status == Z_OK && used == 0 && made == 0) break;
   }
   if (status == Z_MEM_ERROR) throw std::bad_alloc();
-  if (status != Z_STREAM_END || out != room) fail("member " + io::quoted(name) + " of the archive is damaged");
+  return status == Z_STREAM_END && out == room;
 }
+#endif
 
 /// CRC-32, of parts on all threads.
 std::uint32_t checksum(std::string_view bytes) {
@@ -198,12 +211,12 @@ UnpackedBytes ZipArchive::unpack(std::string_view name) {
     fail("member " + io::quoted(name) + " has an impossible size");
   budget_ -= member->unpacked;
   UnpackedBytes bytes(member->unpacked);
+  bool is_whole = packed.size() == member->unpacked;
   if (member->method == deflated)
-    inflate_to(packed, bytes, member->name);
-  else if (packed.size() == member->unpacked)
+    is_whole = inflate_to(packed, bytes);
+  else if (is_whole)
     std::copy(packed.begin(), packed.end(), bytes.data());
-  else
-    fail("member " + io::quoted(name) + " of the archive is damaged");
+  if (!is_whole) fail("member " + io::quoted(name) + " of the archive is damaged");
   if (checksum(bytes.view()) != member->checksum)
     fail("member " + io::quoted(name) + " of the archive is damaged: its checksum differs");
   return bytes;

@@ -27,12 +27,12 @@ std::uint32_t checksum_of(std::string_view bytes) {
 
 /// A block of deflated data that ends at a byte, and does not refer to blocks before it.
 std::string deflated_block(std::string_view bytes) {
-  constexpr int level = 3, memory = 9;
+  constexpr int level = 2, memory = 9;  // level 3 takes 1.5 times as long for 3 % less
   z_stream stream{};
   if (deflateInit2(&stream, level, Z_DEFLATED, -MAX_WBITS, memory, Z_DEFAULT_STRATEGY) != Z_OK) throw std::bad_alloc();
   const std::unique_ptr<z_stream, int (*)(z_streamp)> end(&stream, deflateEnd);
   constexpr std::size_t more = 64;
-  std::string packed(deflateBound(&stream, bytes.size()) + more, '\0');
+  std::string packed(deflateBound(&stream, static_cast<uLong>(bytes.size())) + more, '\0');
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   stream.avail_in = static_cast<uInt>(bytes.size());
   stream.next_out = reinterpret_cast<Bytef*>(packed.data());
