@@ -1,5 +1,10 @@
 #include "core/cells/walk.h"
 
+#include <algorithm>
+#include <array>
+
+#include "core/kernel/approximation.h"
+#include "core/kernel/filtered_orientation.h"
 #include "core/kernel/filtered_plane.h"
 
 namespace strata {
@@ -43,6 +48,29 @@ Sign turn_about_axis(const InputComplex& input, int axis, const Point& origin, c
   return first != Sign::zero ? first : second;
 }
 
+/// turn_about_axis for the edges of a face, where doubles with bounds tell it; else zero.
+std::array<Sign, 3> filtered_turns(const InputComplex& input, int axis, const InputComplex::Coordinates& origin,
+                                   const InputComplex::Indices& f) {
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  std::array<Sign, 3> turns;
+  if (input.has_doubles(f)) {
+    std::array<PlanePoint, 3> p;
+    const auto seen = [&](const InputComplex::Coordinates& x) {
+      return PlanePoint{x[static_cast<std::size_t>(i)], x[static_cast<std::size_t>(j)]};
+    };
+    for (std::size_t k = 0; k < 3; ++k) p[k] = seen(input.vertex(f[k]));
+    for (std::size_t k = 0; k < 3; ++k)
+      turns[k] = static_cast<Sign>(filtered_orientation(seen(origin), p[k], p[(k + 1) % 3]));
+  } else {
+    const BoundedPoint o{origin[0], origin[1], origin[2]};
+    std::array<BoundedPoint, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = approximate_vertex<Bounded>(input, f[k]);
+    for (std::size_t k = 0; k < 3; ++k)
+      turns[k] = orientation_of(o, p[k], p[(k + 1) % 3], i, j).sign().value_or(Sign::zero);
+  }
+  return turns;
+}
+
 /// Does the line from O' to q cross the interior of a triangle? Requires that q is not in its plane; if it is, the
 /// result may be false.
 bool passes(const InputComplex& input, const InputComplex::Indices& f, const InputComplex::Coordinates& origin,
@@ -84,9 +112,14 @@ int crossing(const InputComplex& input, std::uint32_t face, const InputComplex::
 int crossing_along_axis(const InputComplex& input, std::uint32_t face, const InputComplex::Coordinates& from,
                         const InputComplex::Coordinates& to, int axis) {
   const auto f = input.face(face);
-  const Point o = Point::free(from), a = vertex(input, f[0]), b = vertex(input, f[1]), c = vertex(input, f[2]);
-  const Sign ab = turn_about_axis(input, axis, o, a, b);
-  if (ab != turn_about_axis(input, axis, o, b, c) || ab != turn_about_axis(input, axis, o, c, a)) return 0;
+  const std::array<Sign, 3> turns = filtered_turns(input, axis, from, f);
+  const auto has = [&](Sign s) { return std::find(turns.begin(), turns.end(), s) != turns.end(); };
+  if (has(Sign::positive) && has(Sign::negative)) return 0;
+  if (has(Sign::zero)) {
+    const Point o = Point::free(from), a = vertex(input, f[0]), b = vertex(input, f[1]), c = vertex(input, f[2]);
+    const Sign ab = turn_about_axis(input, axis, o, a, b);
+    if (ab != turn_about_axis(input, axis, o, b, c) || ab != turn_about_axis(input, axis, o, c, a)) return 0;
+  }
   const Sign start = side_of_origin(input, face, from);
   return start == side_of_origin(input, face, to) ? 0 : to_int(start);
 }

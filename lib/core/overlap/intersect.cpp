@@ -20,6 +20,22 @@
 namespace strata {
 namespace {
 
+/// The pairs of faces of which the first, in the order of the sweep, is one of these.
+struct PartOfCell {
+  const Cell* cell;
+  std::size_t first, last;
+};
+
+/// Where many faces cannot be told apart, all pairs may be in one cell: large cells are shared out.
+std::vector<PartOfCell> parts_of(const std::vector<const Cell*>& cells) {
+  constexpr std::size_t at_once = 256;
+  std::vector<PartOfCell> parts;
+  for (const Cell* const cell : cells)
+    for (std::size_t i = 0; i < cell->faces.size(); i += at_once)
+      parts.push_back({cell, i, std::min(i + at_once, cell->faces.size())});
+  return parts;
+}
+
 /// The pairs of one cell. Faces are swept along the axis along which they are shortest, so that only those that overlap
 /// there are compared. The comparison runs over plain arrays, several faces at a time where the processor supports it.
 class CellPairs {
@@ -27,9 +43,10 @@ class CellPairs {
   explicit CellPairs(const Candidates& candidates)
       : input_(candidates.input()), cells_(candidates.cells()), self_(input_.may_self_intersect()) {}
 
-  void find(const Cell& cell, PairIntersections& intersections) {
+  void find(const PartOfCell& part, PairIntersections& intersections) {
+    const Cell& cell = *part.cell;
     load(cell);
-    for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
+    for (std::size_t i = part.first; i < part.last; ++i) {
       const auto later = order_.begin() + static_cast<std::ptrdiff_t>(i) + 1;
       const auto end =
           static_cast<std::size_t>(std::upper_bound(later, order_.end(), upper_[0][i],
@@ -129,13 +146,13 @@ std::vector<const Cell*> mixed_cells(const CellTree& cells) {
   return mixed;
 }
 
-/// The intersections of all cells, with constraints sorted by face and other face. All constraints of a pair come from
-/// one cell and are consecutive.
-Intersections gathered(const std::vector<PairIntersections>& per_cell, const InputComplex& input,
+/// The intersections of all parts of cells, with constraints sorted by face and other face. All constraints of a pair
+/// come from one part and are consecutive.
+Intersections gathered(const std::vector<PairIntersections>& per_part, const InputComplex& input,
                        const Monitor& monitor) {
   Intersections all{.constraints = {}, .equal = {}, .points = PointTable(input)};
-  std::vector<std::size_t> first_name{0};  // per cell
-  for (const PairIntersections& m : per_cell) {
+  std::vector<std::size_t> first_name{0};  // per part
+  for (const PairIntersections& m : per_part) {
     first_name.push_back(first_name.back() + m.constructed.size());
     all.equal.insert(all.equal.end(), m.equal.begin(), m.equal.end());
     all.pairs_tested += m.pairs_tested;
@@ -146,18 +163,18 @@ Intersections gathered(const std::vector<PairIntersections>& per_cell, const Inp
   all.equal.erase(std::unique(all.equal.begin(), all.equal.end()), all.equal.end());
 
   std::vector<SymbolicPoint> names(first_name.back());  // points found in several cells occur several times
-  tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t c) {
-    const auto& constructed = per_cell[c].constructed;
+  tbb::parallel_for(std::size_t{0}, per_part.size(), [&](std::size_t c) {
+    const auto& constructed = per_part[c].constructed;
     std::copy(constructed.begin(), constructed.end(), names.begin() + static_cast<std::ptrdiff_t>(first_name[c]));
   });
-  const std::vector<ConstraintPosition> positions = order_by_face(per_cell, input.face_count());
+  const std::vector<ConstraintPosition> positions = order_by_face(per_part, input.face_count());
   const PointId first = all.points.first();
   const std::vector<PointId> numbers = all.points.add(names, monitor);
   all.constraints.resize(positions.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions.size(), 1 << 12), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       Constraint& c = all.constraints[i];
-      c = per_cell[positions[i].cell].constraints[positions[i].index];
+      c = per_part[positions[i].cell].constraints[positions[i].index];
       for (PointId* p : {&c.tail, &c.head})
         if (*p >= first) *p = numbers[*p - first + first_name[positions[i].cell]];
     }
@@ -168,14 +185,14 @@ Intersections gathered(const std::vector<PairIntersections>& per_cell, const Inp
 }  // namespace
 
 Intersections intersect(const Candidates& candidates, const Monitor& monitor) {
-  const std::vector<const Cell*> mixed = mixed_cells(candidates.cells());
-  std::vector<PairIntersections> per_cell(mixed.size());
+  const std::vector<PartOfCell> parts = parts_of(mixed_cells(candidates.cells()));
+  std::vector<PairIntersections> found(parts.size());
   tbb::enumerable_thread_specific<CellPairs> pairs([&] { return CellPairs(candidates); });
-  tbb::parallel_for(std::size_t{0}, per_cell.size(), [&](std::size_t i) {
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t n) {
     monitor.check();
-    pairs.local().find(*mixed[i], per_cell[i]);
+    pairs.local().find(parts[n], found[n]);
   });
-  Intersections all = gathered(per_cell, candidates.input(), monitor);
+  Intersections all = gathered(found, candidates.input(), monitor);
   ensure("intersect", [&] { return validate(candidates.input(), all); });
   return all;
 }

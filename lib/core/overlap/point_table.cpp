@@ -103,10 +103,11 @@ std::vector<std::pair<PointId, PointId>> PointTable::equal_positions(std::vector
       places[i] = {nearest_doubles(*input_, point(ids[i])), ids[i]};
   });
   tbb::parallel_sort(places.begin(), places.end());
-  std::vector<std::pair<PointId, PointId>> same;
-  for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
-    while (last < places.size() && places[last].nearest == places[first].nearest) ++last;
-    monitor.check();
+  std::vector<std::size_t> starts;  // of places with equal doubles
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (i == 0 || places[i].nearest != places[i - 1].nearest) starts.push_back(i);
+  starts.push_back(places.size());
+  const auto find = [&](std::size_t first, std::size_t last, std::vector<std::pair<PointId, PointId>>& same) {
     constexpr std::size_t few = 8;
     if (last - first <= few) {
       for (std::size_t i = first + 1; i < last; ++i) {
@@ -125,8 +126,18 @@ std::vector<std::pair<PointId, PointId>> PointTable::equal_positions(std::vector
       for (std::size_t i = 1; i < exact.size(); ++i)
         if (exact[i].first == exact[i - 1].first) same.emplace_back(exact[i - 1].second, exact[i].second);
     }
-  }
-  return same;
+  };
+  constexpr std::size_t at_once = 256;
+  const std::size_t groups = starts.size() - 1;
+  std::vector<std::vector<std::pair<PointId, PointId>>> found((groups + at_once - 1) / at_once);
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
+    monitor.check();
+    for (std::size_t k = n * at_once; k < std::min((n + 1) * at_once, groups); ++k)
+      if (starts[k + 1] - starts[k] > 1) find(starts[k], starts[k + 1], found[n]);
+  });
+  std::vector<std::pair<PointId, PointId>> all;
+  for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
+  return all;
 }
 
 void PointTable::identify(std::span<const std::pair<PointId, PointId>> equal) {

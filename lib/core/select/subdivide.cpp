@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "core/containers/costly_first.h"
 #include "core/exact/invariants.h"
 #include "core/overlap/validate.h"
 #include "core/select/face_splitter.h"
@@ -74,11 +75,13 @@ Subdivision subdivide(const InputComplex& input, Intersections intersections, co
   std::vector<NewPoints> found(result.faces.size());
   tbb::enumerable_thread_specific<FaceSplitter> splitters(
       [&] { return FaceSplitter(input, classifier, result.points); });
-  tbb::parallel_for(std::size_t{0}, result.faces.size(), [&](std::size_t i) {
-    monitor.check();
-    result.faces[i] =
-        splitters.local().split(constraints.subspan(first[i], first[i + 1] - first[i]), found[i], result.pools.local());
-  });
+  for_costly_first(
+      result.faces.size(), [&](std::size_t i) { return first[i + 1] - first[i]; },
+      [&](std::size_t i) {
+        monitor.check();
+        result.faces[i] = splitters.local().split(constraints.subspan(first[i], first[i + 1] - first[i]), found[i],
+                                                  result.pools.local());
+      });
   std::vector<std::pair<PointId, PointId>> same = add_points(result, found, monitor);
   for (const EqualVertices& e : intersections.equal) same.emplace_back(e.a, e.b);
   if (needs_positions(input, classifier.rule)) {
