@@ -3,16 +3,97 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "core/exact/two_sum.h"
+#include "core/kernel/rational_point.h"
+
 namespace strata {
 namespace {
 
 constexpr std::array<std::size_t, 3> axes{0, 1, 2};
+
+/// An affine map with integer coefficients over one denominator for each coordinate: an image takes products and sums
+/// of integers, and one reduction to lowest terms.
+class IntegerMap {
+ public:
+  explicit IntegerMap(const Transform& map) {
+    for (const std::size_t i : axes) {
+      const Transform::Row& row = map.rows()[i];
+      denominators_[i] = 1;
+      for (const Rational& x : row) denominators_[i] = lcm(denominators_[i], denominator(x));
+      for (std::size_t j = 0; j < 4; ++j)
+        coefficients_[i][j] = numerator(row[j]) * (denominators_[i] / denominator(row[j]));
+    }
+  }
+
+  [[nodiscard]] RationalPoint operator()(const HPoint<Integer>& p) const {
+    const std::array<const Integer*, 4> by{&p.x, &p.y, &p.z, &p.w};
+    RationalPoint image;
+    for (const std::size_t i : axes) {
+      Integer sum;
+      for (std::size_t j = 0; j < 4; ++j)
+        if (!coefficients_[i][j].is_zero()) sum += coefficients_[i][j] * *by[j];
+      image[i] = Rational(sum, denominators_[i] * p.w);
+    }
+    return image;
+  }
+
+ private:
+  std::array<std::array<Integer, 4>, 3> coefficients_;
+  std::array<Integer, 3> denominators_;
+};
+
+/// A map whose coordinates are each a coordinate or its negative, moved by a double: the images of doubles are sums.
+class AxisMap {
+ public:
+  /// None for other maps.
+  static std::optional<AxisMap> of(const Transform& map) {
+    AxisMap found;
+    for (const std::size_t i : axes) {
+      const Transform::Row& row = map.rows()[i];
+      std::size_t others = 0;
+      for (const std::size_t j : axes) {
+        if (row[j] == 0) continue;
+        if (abs(row[j]) != 1) return std::nullopt;
+        found.from_[i] = j;
+        found.sign_[i] = row[j].sign();
+        ++others;
+      }
+      found.by_[i] = to_nearest_double(row[3]);
+      if (others != 1 || !std::isfinite(found.by_[i]) || to_rational(found.by_[i]) != row[3]) return std::nullopt;
+    }
+    return found;
+  }
+
+  /// The image, if it consists of doubles.
+  [[nodiscard]] std::optional<Vertex> operator()(const Vertex& p) const {
+    Vertex image;
+    for (const std::size_t i : axes) {
+      const WithRest sum = two_sum(sign_[i] * p[from_[i]], by_[i]);
+      if (sum.rest != 0 || !std::isfinite(sum.value)) return std::nullopt;
+      image[i] = sum.value;
+    }
+    return image;
+  }
+
+ private:
+  std::array<std::size_t, 3> from_{};
+  std::array<int, 3> sign_{};
+  std::array<double, 3> by_{};
+};
+
+/// True if each coordinate of an image depends on one coordinate only.
+bool keeps_axes(const Transform& map) {
+  return std::all_of(map.rows().begin(), map.rows().end(), [](const Transform::Row& row) {
+    return std::count_if(row.begin(), row.begin() + 3, [](const Rational& x) { return !x.is_zero(); }) == 1;
+  });
+}
 
 void require_not_zero(const Rational& x, const char* what) {
   if (x == 0) throw std::invalid_argument(what);
@@ -85,7 +166,11 @@ Transform Transform::rotation(const Quaternion& q) {
 
 RationalPoint Transform::operator()(const RationalPoint& p) const {
   RationalPoint q;
-  for (const std::size_t i : axes) q[i] = rows_[i][0] * p[0] + rows_[i][1] * p[1] + rows_[i][2] * p[2] + rows_[i][3];
+  for (const std::size_t i : axes) {
+    q[i] = rows_[i][3];
+    for (const std::size_t j : axes)
+      if (!rows_[i][j].is_zero()) q[i] += rows_[i][j] * p[j];
+  }
   return q;
 }
 
@@ -124,14 +209,28 @@ Transform operator*(const Transform& a, const Transform& b) {
 }
 
 ExactMesh transform(const ExactMesh& mesh, const Transform& map, Placement placement, const Monitor& monitor) {
-  ExactMesh image = mesh;
-  if (map.is_identity()) return image;
+  if (map.is_identity()) return mesh;
+  ExactMesh image{mesh.mesh, {}};
   const std::size_t count = mesh.mesh.vertices.size();
+  const std::optional<AxisMap> to_doubles = AxisMap::of(map);
+  const IntegerMap in_integers(map);
+  const bool is_simple = keeps_axes(map);
+  std::vector<const RationalPoint*> given(count);
+  for (const ExactVertex& e : mesh.exact)
+    if (e.vertex < count) given[e.vertex] = &e.position;
   std::vector<std::optional<RationalPoint>> exact(count);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& range) {
     monitor.check();
     for (std::size_t v = range.begin(); v != range.end(); ++v) {
-      RationalPoint p = map(mesh.position(static_cast<std::uint32_t>(v)));
+      const Vertex& from = mesh.mesh.vertices[v];
+      if (to_doubles && given[v] == nullptr)
+        if (const std::optional<Vertex> to = (*to_doubles)(from)) {
+          image.mesh.vertices[v] = *to;
+          continue;
+        }
+      RationalPoint p = is_simple             ? map(mesh.position(static_cast<std::uint32_t>(v)))
+                        : given[v] != nullptr ? in_integers(homogeneous(*given[v]))
+                                              : in_integers(homogeneous(from));
       bool is_rounded = false;
       for (const std::size_t i : axes) {
         const double x = to_nearest_double(p[i]);
@@ -142,7 +241,6 @@ ExactMesh transform(const ExactMesh& mesh, const Transform& map, Placement place
       if (is_rounded) exact[v] = std::move(p);
     }
   });
-  image.exact.clear();
   for (std::size_t v = 0; v < count; ++v)
     if (exact[v]) image.exact.push_back({static_cast<std::uint32_t>(v), std::move(*exact[v])});
   if (map.determinant() < 0)

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/exact/lattice.h"
+
 namespace strata {
 
 HPoint<Integer> homogeneous(const RationalPoint& p) {
@@ -12,6 +14,22 @@ HPoint<Integer> homogeneous(const RationalPoint& p) {
   for (std::size_t i = 0; i < 3; ++i)
     n[i] = denominator(p[i]) == w ? numerator(p[i]) : Integer(numerator(p[i]) * (w / denominator(p[i])));
   return {n[0], n[1], n[2], w, w == 1};
+}
+
+HPoint<Integer> homogeneous(const Vertex& p) { return homogeneous(std::span(&p, 1)).front(); }
+
+std::vector<HPoint<Integer>> homogeneous(std::span<const Vertex> points) {
+  Lattice lattice;
+  lattice.add(1);
+  for (const Vertex& p : points)
+    for (const double x : p) lattice.add(x);
+  const Integer w = Integer(1) << static_cast<std::size_t>(-lattice.unit());
+  std::vector<HPoint<Integer>> result;
+  result.reserve(points.size());
+  for (const Vertex& p : points)
+    result.push_back({lattice.integer<Integer>(p[0]), lattice.integer<Integer>(p[1]), lattice.integer<Integer>(p[2]), w,
+                      lattice.unit() == 0});
+  return result;
 }
 
 RationalPoint rational(const HPoint<Integer>& p) {

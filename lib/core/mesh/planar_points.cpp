@@ -1,7 +1,6 @@
 #include "core/mesh/planar_points.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace strata::facets {
@@ -23,19 +22,6 @@ int compare_points(const HPoint<Integer>& a, const HPoint<Integer>& b) {
   return 0;
 }
 
-/// Exponent of the lowest set bit of a double; x is finite and not zero.
-int last_bit_exponent(double x) {
-  int exponent = 0;
-  const auto significand = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
-  return exponent - 53 + __builtin_ctzll(static_cast<std::uint64_t>(significand));
-}
-
-Integer scaled_integer(double x, int unit) {  // x / 2^unit, where that is an integer
-  if (x == 0) return 0;
-  const int last = last_bit_exponent(x);
-  return Integer(static_cast<std::int64_t>(std::ldexp(x, -last))) << (last - unit);
-}
-
 std::vector<std::uint32_t> coordinate_ranks(const std::vector<HPoint<Integer>>& points, int axis,
                                             const Monitor& monitor) {
   std::vector<std::uint32_t> order(points.size());
@@ -53,20 +39,6 @@ std::vector<std::uint32_t> coordinate_ranks(const std::vector<HPoint<Integer>>& 
 }
 
 }  // namespace
-
-std::vector<HPoint<Integer>> homogeneous(std::span<const Vertex> vertices) {
-  int unit = 0;
-  for (const Vertex& v : vertices) {
-    for (const double x : v) unit = x == 0 ? unit : std::min(unit, last_bit_exponent(x));
-  }
-  std::vector<HPoint<Integer>> points;
-  points.reserve(vertices.size());
-  for (const Vertex& v : vertices) {
-    points.push_back({scaled_integer(v[0], unit), scaled_integer(v[1], unit), scaled_integer(v[2], unit),
-                      Integer(1) << -unit, unit == 0});
-  }
-  return points;
-}
 
 PointTable::PointTable(std::vector<HPoint<Integer>> points, std::vector<std::uint32_t>& name_of,
                        const Monitor& monitor) {

@@ -1,16 +1,12 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/kernel/rational_point.h"
 #include "strata/monitor.h"
 
 namespace strata::facets {
-
-/// Finite doubles as integers over one common power of two.
-[[nodiscard]] std::vector<HPoint<Integer>> homogeneous(std::span<const Vertex> vertices);
 
 /// Distinct points, named by numbers. Points given at the start are numbered in lexicographic order, so numbers compare
 /// as the points do, also along any line. Points added later have larger numbers and are compared exactly.

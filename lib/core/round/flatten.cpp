@@ -166,7 +166,7 @@ class View {
     std::vector<Vertex> seen;
     for (const Index c : corners_) seen.push_back({mesh.vertices[c][first()], mesh.vertices[c][second()], 0});
     std::vector<Index> names;
-    points_.emplace(facets::homogeneous(seen), names);
+    points_.emplace(homogeneous(seen), names);
     vertex_of_name_.resize(points_->size());
     for (std::size_t n = 0; n < corners_.size(); ++n) vertex_of_name_[names[n]] = corners_[n];
     std::vector<facets::Side> sides;
