@@ -12,6 +12,7 @@
 
 #include "core/csg/arena.h"
 #include "extensions/openscad/plan.h"
+#include "extensions/openscad/solid_operations.h"
 
 namespace strata::openscad {
 namespace {
@@ -83,6 +84,8 @@ class Evaluation {
       for (const std::uint32_t child : steps_[i].children) children.push_back(outcomes_[child].part);
       Report notes(report_.file());
       outcome.part = steps_[i].operation(std::move(children), inner_, notes);
+      if (steps_[i].is_evaluated && outcome.part.is_solid())
+        outcome.part = outcome.part.with_value(evaluated(outcome.part, inner_));
       if (!notes.is_empty()) outcome.notes = std::move(notes);
     } catch (const InputError& e) {
       outcome.error = failure(steps_[i], e);

@@ -103,8 +103,7 @@ Part moved(const Part& part, const std::array<double, 16>& m, Placement placemen
     if (const auto map = plane_map(m))
       return is_identity(*map) ? part : Part::of(transformed(part.shape(), *map, placement));
   } else if (m[15] != 0) {
-    if (const auto map = space_map(m))
-      return map->is_identity() ? part : Part::of(part.solid().transformed(*map, placement), part.is_union());
+    if (const auto map = space_map(m)) return map->is_identity() ? part : part.moved(*map, placement);
   }
   report.note(node.place, "a multmatrix without inverse makes nothing");
   return {};

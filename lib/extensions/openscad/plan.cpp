@@ -34,6 +34,9 @@ class Planner {
       n = n != root_ && is_dropped(nodes_[n]) ? nodes_[n].end : enter(n);
     }
     while (!open_.empty()) close();
+    for (const Step& step : steps_)
+      if (takes_values(step))
+        for (const std::uint32_t child : step.children) evaluate_if_shared(child);
     return std::move(steps_);
   }
 
@@ -141,6 +144,23 @@ class Planner {
     parent.children.push_back(known);
     parent.level = std::max(parent.level, steps_[known].level + 1);
     ++steps_[known].uses;
+  }
+
+  /// True for operations that evaluate the solids in them.
+  static bool takes_values(const Step& step) {
+    return step.kind == NodeKind::projection || step.kind == NodeKind::resize ||
+           (step.kind == NodeKind::minkowski && step.children.size() > 1);
+  }
+
+  /// Sees to it that what the value of this step is made of, without Booleans, is evaluated once.
+  void evaluate_if_shared(std::uint32_t number) {
+    while (true) {
+      Step& step = steps_[number];
+      if (!step.operation || step.kind >= NodeKind::hull) return;
+      if (step.uses > 1) step.is_evaluated = true;
+      if (step.uses > 1 || step.children.size() != 1 || step.kind >= NodeKind::difference) return;
+      number = step.children.front();
+    }
   }
 
   const std::vector<SyntaxNode>& nodes_;

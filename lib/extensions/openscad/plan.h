@@ -16,9 +16,10 @@ struct Step {
   NodeKind kind = NodeKind::union_;
   NodeOperation operation;  ///< none for a leaf
   std::vector<std::uint32_t> children;
-  std::uint32_t level = 0;  ///< above those of its children
-  std::uint32_t uses = 0;   ///< by other steps
-  Part part;                ///< of a leaf
+  std::uint32_t level = 0;    ///< above those of its children
+  std::uint32_t uses = 0;     ///< by other steps
+  Part part;                  ///< of a leaf
+  bool is_evaluated = false;  ///< several steps take its value: it is made once
 };
 
 /// The steps that a model takes, parents before their children; the first is the whole. Nodes with equal texts and

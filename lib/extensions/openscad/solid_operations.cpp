@@ -6,6 +6,7 @@
 
 #include "core/mesh/fill_holes.h"
 #include "extensions/openscad/rational_mesh.h"
+#include "extensions/openscad/shape_operations.h"
 #include "strata/convex.h"
 #include "strata/section.h"
 
@@ -35,7 +36,11 @@ void add(const ExactMesh& mesh, VertexCollector& points) {
 
 }  // namespace
 
-Solid evaluated(const Part& part, const Options& options) { return part.solid().evaluate(options); }
+Solid evaluated(const Part& part, const Options& options) {
+  if (!part.value()) return part.solid().evaluate(options);
+  const auto& [solid, map] = *part.value();
+  return map.is_identity() ? solid : solid.transformed(map, Placement::exact, Monitor(options.cancel));
+}
 
 Solid hull(std::span<const Part> parts, const Options& options) {
   VertexCollector points;
@@ -51,10 +56,9 @@ Solid hull(std::span<const Part> parts, const Options& options) {
 }
 
 planar::Region section_at_zero(const Solid& solid, const Options& options) {
-  const Plane plane{{0, 0, 1}, 0};
-  const planar::Region above = section(solid, plane, options);
-  const planar::Region below = section(solid.mirrored(RationalPoint{0, 0, 1}), plane, options);
-  return planar::union_(above, below);
+  const planar::Region above = section(solid, {{0, 0, 1}, 0}, options);
+  const planar::Region below = section(solid, {{0, 0, -1}, 0}, options);  // its coordinates are y, x
+  return planar::union_(above, transformed(below, {{{0, 1, 0}, {1, 0, 0}}}, Placement::exact));
 }
 
 planar::Region shadow(const Solid& solid) {
