@@ -1,3 +1,4 @@
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -39,6 +40,61 @@ TEST_CASE("a rotation by a rational quaternion is orthogonal and keeps volumes e
     CHECK(turned.sources() == solid.sources());
     CHECK(turned.rotated({q.w, -q.x, -q.y, -q.z}) == solid);
     CHECK(map.inverse() * map == Transform());
+  }
+}
+
+TEST_CASE("the vertices of an image are the images of vertices, whatever the map", "[csg][property]") {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    const auto number = [&]() -> Rational {
+      const int how = random.between(0, 4);
+      if (how == 0) return random.between(-3, 3);
+      if (how == 1) return Rational(random.between(-9, 9), random.between(1, 9));
+      return Rational(std::ldexp(random.between(-99, 99) * 0.1, how == 2 ? 0 : random.between(-60, 60)));
+    };
+    const auto axis_map = [&] {  // coordinates change places and signs
+      const auto first = static_cast<std::size_t>(random.between(0, 2));
+      const bool turns = random.between(0, 1) == 1;
+      std::array<Transform::Row, 3> rows;
+      for (std::size_t i = 0; i < 3; ++i) {
+        rows[i][(first + (turns ? i : 2 - i)) % 3] = random.between(0, 1) == 1 ? 1 : -1;
+        rows[i][3] = number();
+      }
+      return Transform(rows);
+    };
+    const auto any_map = [&] {
+      while (true) {
+        std::array<Transform::Row, 3> rows;
+        for (Transform::Row& row : rows)
+          for (Rational& x : row) x = number();
+        try {
+          return Transform(rows);
+        } catch (const std::invalid_argument&) {  // determinant 0
+        }
+      }
+    };
+    ExactMesh mesh = Solid(test::lattice_solid(random)).exact_mesh();
+    if (seed % 2 == 1) mesh = transform(mesh, any_map(), Placement::exact);
+    for (const Transform& map : {axis_map(), Transform::translation({number(), number(), number()}), any_map()}) {
+      const ExactMesh image = transform(mesh, map, Placement::exact),
+                      rounded = transform(mesh, map, Placement::rounded);
+      CHECK(rounded.exact.empty());
+      CHECK(image.mesh.vertices == rounded.mesh.vertices);
+      std::size_t next = 0;
+      for (std::uint32_t v = 0; v < mesh.mesh.vertices.size(); ++v) {
+        const RationalPoint expected = map(mesh.position(v));
+        bool is_listed = false;
+        for (std::size_t i = 0; i < 3; ++i) {
+          CHECK(image.mesh.vertices[v][i] == to_nearest_double(expected[i]));
+          is_listed = is_listed || Rational(image.mesh.vertices[v][i]) != expected[i];
+        }
+        CHECK(image.position(v) == expected);
+        CHECK((next < image.exact.size() && image.exact[next].vertex == v) == is_listed);
+        next += is_listed;
+      }
+      CHECK(next == image.exact.size());
+    }
   }
 }
 

@@ -153,6 +153,40 @@ TEST_CASE("projections are sections at zero, or shadows", "[openscad]") {
   CHECK(area_of("projection(cut = true) { multmatrix([[1],[0,1],[0,0,1,1]]) { cube(2); } }") == 0);
 }
 
+TEST_CASE("a section that only touches the solid from above has its coordinates", "[openscad]") {
+  const auto corner = [](const std::string& text) { return planar::canonical_form(shape_of(text)); };
+  const std::string shape = "polygon(points = [[1,2],[6,2],[1,4]]);";
+  CHECK(corner("projection(cut = true) { multmatrix([[1],[0,1],[0,0,1,-2]]) { linear_extrude(height = 2) { " + shape +
+               " } } }") == corner(shape));
+}
+
+TEST_CASE("what several nodes take the value of is the same as for each alone", "[openscad]") {
+  const std::string body =
+      "multmatrix([[0.6,-0.8,0.1],[0.8,0.6],[0,0.1,1]]) { difference() { sphere(r = 9, $fn = 12); "
+      "cylinder(r = 3, h = 40, center = true, $fn = 9); } }";
+  const auto at = [&](int z) { return "multmatrix([[1],[0,1],[0,0,1," + std::to_string(z) + "]]) { " + body + " }"; };
+  const auto cut = [&](int z) {  // maps that do not commute
+    return "projection(cut = true) { multmatrix([[1,0,0.5],[0,2],[0.5,0,1]]) { " + at(z) + " } }";
+  };
+  std::string shapes = "group() { ";
+  Rational areas = 0;
+  for (int z = -4; z <= 4; ++z) {
+    shapes += "multmatrix([[1,0,0," + std::to_string(30 * z) + "],[0,1]]) { " + cut(z) + " } ";
+    areas += area_of(cut(z));
+  }
+  CHECK(areas > 0);
+  CHECK(area_of(shapes + "}") == areas);
+  const std::string sized = "resize(newsize = [3,4,5]) { " + body + " }";
+  CHECK(volume_of(sized + "multmatrix([[1,0,0,99],[0,1],[0,0,1]]) { " + sized + at(0) + " }") ==
+        2 * volume_of(sized) + volume_of(body));
+  // Where vertices are rounded in their places, the value of what is moved is not known.
+  const auto rounded_area = [&](const std::string& text) {
+    return planar::area(read_csg(text, "test.csg", Placement::rounded).shape.value_or(planar::Region()));
+  };
+  const std::string beside = "multmatrix([[1,0,0,60],[0,1]]) { " + cut(2) + " }";
+  CHECK(rounded_area(cut(1) + beside) == rounded_area(cut(1)) + rounded_area(beside));
+}
+
 TEST_CASE("resize scales to sizes, exactly", "[openscad]") {
   CHECK(area_of("resize(newsize = [3,1,0]) { square([7,9]); }") == 3);
   CHECK(area_of("resize(newsize = [3,0,0]) { square([7,9]); }") == 27);
