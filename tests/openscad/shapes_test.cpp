@@ -179,6 +179,14 @@ TEST_CASE("what several nodes take the value of is the same as for each alone", 
   const std::string sized = "resize(newsize = [3,4,5]) { " + body + " }";
   CHECK(volume_of(sized + "multmatrix([[1,0,0,99],[0,1],[0,0,1]]) { " + sized + at(0) + " }") ==
         2 * volume_of(sized) + volume_of(body));
+  // The part itself is beyond all doubles; what becomes of it is not.
+  const auto scaled = [](const std::string& by, const std::string& what) {
+    return "multmatrix([[" + by + "],[0," + by + "],[0,0," + by + "]]) { " + what + " }";
+  };
+  const auto small = [&](const std::string& by) {
+    return "projection(cut = false) { " + scaled(by, scaled("1e300", "cube(1e10);")) + " }";
+  };
+  CHECK(area_of(small("1e-300") + small("2e-300")) == area_of(small("2e-300")));
   // Where vertices are rounded in their places, the value of what is moved is not known.
   const auto rounded_area = [&](const std::string& text) {
     return planar::area(read_csg(text, "test.csg", Placement::rounded).shape.value_or(planar::Region()));

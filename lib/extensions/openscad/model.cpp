@@ -84,8 +84,7 @@ class Evaluation {
       for (const std::uint32_t child : steps_[i].children) children.push_back(outcomes_[child].part);
       Report notes(report_.file());
       outcome.part = steps_[i].operation(std::move(children), inner_, notes);
-      if (steps_[i].is_evaluated && outcome.part.is_solid())
-        outcome.part = outcome.part.with_value(evaluated(outcome.part, inner_));
+      if (steps_[i].is_evaluated && outcome.part.is_solid()) add_value(outcome.part);
       if (!notes.is_empty()) outcome.notes = std::move(notes);
     } catch (const InputError& e) {
       outcome.error = failure(steps_[i], e);
@@ -101,6 +100,14 @@ class Evaluation {
     ++done_;
     if (const Progress& progress = options_.evaluation.progress)
       progress(static_cast<double>(done_) / static_cast<double>(total_));
+  }
+
+  void add_value(Part& part) const {
+    try {
+      part = part.with_value(evaluated(part, inner_));
+    } catch (const std::overflow_error&) {
+      // A coordinate is beyond all doubles here, and may not be where the part is moved to: each step evaluates it.
+    }
   }
 
   [[nodiscard]] std::exception_ptr failure(const Step& step, const std::exception& e) const {

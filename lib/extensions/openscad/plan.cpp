@@ -146,7 +146,7 @@ class Planner {
     ++steps_[known].uses;
   }
 
-  /// True for operations that evaluate the solids in them.
+  /// True for operations that always evaluate the solids in them.
   static bool takes_values(const Step& step) {
     return step.kind == NodeKind::projection || step.kind == NodeKind::resize ||
            (step.kind == NodeKind::minkowski && step.children.size() > 1);

@@ -19,7 +19,7 @@ struct Step {
   std::uint32_t level = 0;    ///< above those of its children
   std::uint32_t uses = 0;     ///< by other steps
   Part part;                  ///< of a leaf
-  bool is_evaluated = false;  ///< several steps take its value: it is made once
+  bool is_evaluated = false;  ///< several steps use it, and one of them takes its value, which is made once
 };
 
 /// The steps that a model takes, parents before their children; the first is the whole. Nodes with equal texts and
