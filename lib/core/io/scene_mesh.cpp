@@ -58,6 +58,7 @@ Channel on_vertices_if_possible(Channel channel, const ScenePart& part) {
           return of_vertices.begin() + static_cast<std::ptrdiff_t>(v * n);
         };
         const std::size_t corners = 3 * part.triangles.size();
+        // From last to first: of values that are equal but for a sign of zero the first counts.
         for (std::size_t corner = corners; corner-- > 0;) std::copy_n(value_at(corner), n, value_of_vertex(corner));
         const bool is_of_vertices = holds_for_all(corners, [&](std::size_t corner) {
           return std::equal(value_at(corner), value_at(corner + 1), value_of_vertex(corner));

@@ -152,7 +152,8 @@ class Planner {
            (step.kind == NodeKind::minkowski && step.children.size() > 1);
   }
 
-  /// Sees to it that what the value of this step is made of, without Booleans, is evaluated once.
+  /// For a step whose value is taken: goes down, through maps and unions of one child, to the first step that several
+  /// others use, and has that one evaluated.
   void evaluate_if_shared(std::uint32_t number) {
     while (true) {
       Step& step = steps_[number];
