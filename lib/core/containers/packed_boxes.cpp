@@ -115,25 +115,44 @@ void PackedBoxes::for_each_near(const Box& bounds, std::size_t first, const Visi
   }
 }
 
+std::span<const std::uint32_t> PackedBoxes::items_of(std::size_t group) const {
+  constexpr std::size_t size = width * width;
+  const std::size_t first = group * size;
+  return {items_.begin() + first, items_.begin() + std::min(first + size, items_.size())};
+}
+
 void PackedBoxes::append_pairs_of(std::size_t group, std::vector<Pair>& pairs) const {
+  append_pairs_of(group, pairs, [](auto, auto) { return false; });
+}
+
+void PackedBoxes::append_pairs_of(std::size_t group, std::vector<Pair>& pairs, AreApart are_apart) const {
   if (levels_.size() == 1) return append_pairs(0, 0, levels_.front()[0].bounds(), pairs);
+  constexpr std::size_t many = width * width / 4;  // pairs of one pack: a quarter of those there can be with one group
   struct Node {
     std::size_t number;
     std::uint32_t packs;
+    bool is_asked;
   };
   std::vector<Node> near;
   for_each_near(levels_[1][group].bounds(), group, [&](std::size_t node, std::uint32_t packs) {
-    if (packs != 0) near.push_back({node, packs});
+    if (packs != 0) near.push_back({node, packs, node == group});
   });
   for (std::size_t pack = group * width; pack < std::min(pack_count(), (group + 1) * width); ++pack) {
     const Box bounds = levels_[1][group].box(pack % width);
-    for (const Node& node : near)
+    for (Node& node : near) {
+      const std::size_t before = pairs.size();
       for (std::uint32_t packs = tests_->overlapping(levels_[1][node.number], bounds) & node.packs; packs != 0;
            packs &= packs - 1) {
         const auto k = static_cast<std::size_t>(std::countr_zero(packs));
         if (const std::size_t other = node.number * width + k; other >= pack)
           append_pairs(pack, other, levels_[1][node.number].box(k), pairs);
       }
+      if (node.is_asked || pairs.size() - before < many) continue;
+      node.is_asked = true;
+      if (!are_apart(items_of(group), items_of(node.number))) continue;
+      node.packs = 0;
+      pairs.resize(before);
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/containers/box_pack.h"
@@ -21,6 +22,8 @@ class PackedBoxes {
   using Keys = std::array<std::uint32_t, 3>;
   using BoxOf = FunctionRef<Box(std::uint32_t item)>;
   using KeysOf = FunctionRef<Keys(std::uint32_t item)>;
+  /// Is it known that none of these items makes a pair with one of those?
+  using AreApart = FunctionRef<bool(std::span<const std::uint32_t> items, std::span<const std::uint32_t> others)>;
   struct Pair {
     std::uint32_t item, other;
   };
@@ -37,11 +40,15 @@ class PackedBoxes {
   /// Appends the pairs of overlapping boxes whose first member, in the order of the packs, is in this group. Over all
   /// groups, every pair once. Always in the same order. Thread-safe.
   void append_pairs_of(std::size_t group, std::vector<Pair>& pairs) const;
+  /// The same, but for pairs of two groups that are apart, as far as it was worth asking: most boxes of long items
+  /// overlap.
+  void append_pairs_of(std::size_t group, std::vector<Pair>& pairs, AreApart are_apart) const;
 
  private:
   using Level = FreshArray<BoxPack>;
 
   [[nodiscard]] std::size_t pack_count() const { return levels_.front().size(); }
+  [[nodiscard]] std::span<const std::uint32_t> items_of(std::size_t group) const;
   template <class Visit>
   void for_each_near(const Box& bounds, std::size_t first, const Visit& visit) const;
   void append_pairs(std::size_t first, std::size_t second, const Box& bounds_of_second, std::vector<Pair>& pairs) const;

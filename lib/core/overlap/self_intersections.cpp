@@ -8,15 +8,18 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "core/containers/packed_boxes.h"
 #include "core/kernel/face_box.h"
+#include "core/overlap/fans.h"
 #include "core/overlap/meeting.h"
+#include "core/overlap/separation.h"
 
 namespace strata {
 namespace {
 
-/// Tests pairs of faces. One per thread.
+/// Tests pairs of faces, quicker where the first face of a pair is that of the last one. One per thread.
 class PairTest {
  public:
   explicit PairTest(const InputComplex& input) : input_(input) {}
@@ -26,7 +29,12 @@ class PairTest {
     intersections_.constraints.clear();
     intersections_.constructed.clear();
     intersections_.equal.clear();
-    if (!meet_faces(input_, FilteredFace(input_, 0, face), FilteredFace(input_, 0, other), intersections_)) return;
+    if (!has_first_ || first_.face != a) first_ = FilteredFace(input_, 0, a);
+    has_first_ = true;
+    const FilteredFace second(input_, 0, b);
+    if (!(a < b ? meet_faces(input_, first_, second, intersections_)
+                : meet_faces(input_, second, first_, intersections_)))
+      return;
     found.push_back({face, other, false, input_.vertex(input_.face(face)[0])});
     if (intersections_.constraints.empty()) return;
     const Constraint& first = intersections_.constraints.front();
@@ -43,6 +51,8 @@ class PairTest {
   }
 
   const InputComplex& input_;
+  FilteredFace first_;
+  bool has_first_ = false;
   PairIntersections intersections_;
 };
 
@@ -62,15 +72,25 @@ Box bounds_of(std::span<const Vertex> points) {
       });
 }
 
+std::vector<Vertex> corners_of(const InputComplex& input, std::span<const std::uint32_t> faces) {
+  std::vector<Vertex> corners;
+  corners.reserve(3 * faces.size());
+  for (const std::uint32_t f : faces)
+    for (const std::uint32_t v : input.faces(0)[f]) corners.push_back(input.points(0)[v]);
+  return corners;
+}
+
 }  // namespace
 
 std::vector<SelfIntersection> find_self_intersections(const InputComplex& input, const EmbeddedStars* stars,
                                                       const Monitor& monitor, std::size_t enough) {
-  // Faces around a vertex where nothing crosses are no pairs.
+  // Faces around a vertex where nothing crosses are no pairs; those around a fan are compared there.
+  const Fans fans(input, stars);
+  const auto is_key = [&](std::uint32_t v) { return (stars != nullptr && stars->at(v)) || fans.at(v); };
   const auto keys_of = [&](std::uint32_t face) {
     PackedBoxes::Keys keys = input.faces(0)[face];
     for (std::uint32_t& v : keys)
-      if (stars == nullptr || !stars->at(v)) v = PackedBoxes::no_key;
+      if (!is_key(v)) v = PackedBoxes::no_key;
     return keys;
   };
   const PackedBoxes boxes(
@@ -78,27 +98,36 @@ std::vector<SelfIntersection> find_self_intersections(const InputComplex& input,
       keys_of);
   tbb::enumerable_thread_specific<PairTest> tests([&] { return PairTest(input); });
 
-  // Rounds of groups, so that the end does not depend on threads.
-  constexpr std::size_t groups_per_task = 8, tasks_per_round = 256;
+  // Rounds, so that the end does not depend on threads.
   std::vector<SelfIntersection> all;
-  const std::size_t tasks = (boxes.group_count() + groups_per_task - 1) / groups_per_task;
-  for (std::size_t first = 0; first < tasks && all.size() < enough; first += tasks_per_round) {
-    std::vector<std::vector<SelfIntersection>> found(std::min(tasks_per_round, tasks - first));
-    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
-      monitor.check();
-      PairTest& test = tests.local();
-      std::vector<PackedBoxes::Pair> pairs;
-      const std::size_t begin = (first + n) * groups_per_task;
-      for (std::size_t group = begin; group < std::min(begin + groups_per_task, boxes.group_count()); ++group) {
-        pairs.clear();
-        boxes.append_pairs_of(group, pairs);
-        for (const auto& [a, b] : pairs) test(a, b, found[n]);
-      }
-    });
-    for (const auto& f : found) all.insert(all.end(), f.begin(), f.end());
-  }
+  const auto test_pairs = [&](std::size_t count, const auto& append_pairs_of) {
+    constexpr std::size_t groups_per_task = 8, tasks_per_round = 256;
+    const std::size_t tasks = (count + groups_per_task - 1) / groups_per_task;
+    for (std::size_t first = 0; first < tasks && all.size() < enough; first += tasks_per_round) {
+      std::vector<std::vector<SelfIntersection>> found(std::min(tasks_per_round, tasks - first));
+      tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
+        monitor.check();
+        PairTest& test = tests.local();
+        std::vector<PackedBoxes::Pair> pairs;
+        const std::size_t begin = (first + n) * groups_per_task;
+        for (std::size_t group = begin; group < std::min(begin + groups_per_task, count); ++group) {
+          pairs.clear();
+          append_pairs_of(group, pairs);
+          for (const auto& [a, b] : pairs) test(a, b, found[n]);
+        }
+      });
+      for (const auto& f : found) all.insert(all.end(), f.begin(), f.end());
+    }
+  };
+  const auto are_apart = [&](std::span<const std::uint32_t> some, std::span<const std::uint32_t> others) {
+    return are_separated(corners_of(input, some), corners_of(input, others));
+  };
+  test_pairs(boxes.group_count(),
+             [&](std::size_t group, auto& pairs) { boxes.append_pairs_of(group, pairs, are_apart); });
+  test_pairs(fans.part_count(), [&](std::size_t part, auto& pairs) { fans.append_pairs_of(part, pairs); });
+
   std::sort(all.begin(), all.end(), [](const SelfIntersection& a, const SelfIntersection& b) {
-    return a.face < b.face || (a.face == b.face && a.other < b.other);
+    return std::pair(a.face, a.other) < std::pair(b.face, b.other);
   });
   return all;
 }
