@@ -74,17 +74,18 @@ class ConcurrentHashIndex {
   }
 
   /// Adds `number`. Of equal things the one of the lowest number stays, whatever the order in which threads come: a
-  /// slot, once taken, is lowered to the least number seen.
+  /// slot, once taken, is lowered to the least number seen. Returns true if an equal thing was in the table.
   template <class IsEqual>
-  void add_lowest(std::uint64_t hash, std::uint32_t number, const IsEqual& is_equal) {
+  bool add_lowest(std::uint64_t hash, std::uint32_t number, const IsEqual& is_equal) {
     for (std::size_t at = hash;; ++at) {
       const std::atomic_ref<std::uint32_t> slot(slots_.slots[at & slots_.mask]);
       std::uint32_t there = slot.load(std::memory_order_relaxed);
-      if (there == HashSlots::vacant && slot.compare_exchange_strong(there, number, std::memory_order_relaxed)) return;
+      if (there == HashSlots::vacant && slot.compare_exchange_strong(there, number, std::memory_order_relaxed))
+        return false;
       if (!is_equal(there)) continue;
       while (number < there && !slot.compare_exchange_weak(there, number, std::memory_order_relaxed)) {
       }
-      return;
+      return true;
     }
   }
 

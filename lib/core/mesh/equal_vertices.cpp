@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <array>
+#include <atomic>
 #include <bit>
 
 #include "core/containers/hash_index.h"
@@ -35,7 +36,12 @@ std::vector<std::uint32_t> first_equal(std::span<const Vertex> vertices, Equal e
       }
     });
   };
-  for_each_vertex([&](std::uint32_t v, const auto& is_equal) { table.add_lowest(hash_of(vertices[v]), v, is_equal); });
+  std::atomic<bool> has_equal = false;
+  for_each_vertex([&](std::uint32_t v, const auto& is_equal) {
+    first[v] = v;
+    if (table.add_lowest(hash_of(vertices[v]), v, is_equal)) has_equal.store(true, std::memory_order_relaxed);
+  });
+  if (!has_equal) return first;
   for_each_vertex(
       [&](std::uint32_t v, const auto& is_equal) { first[v] = table.find(hash_of(vertices[v]), is_equal); });
   return first;
@@ -43,8 +49,9 @@ std::vector<std::uint32_t> first_equal(std::span<const Vertex> vertices, Equal e
 
 std::vector<Triangle> with_vertices(std::span<const Triangle> triangles, const std::vector<std::uint32_t>& first) {
   std::vector<Triangle> result(triangles.begin(), triangles.end());
-  for (Triangle& t : result)
-    for (std::uint32_t& v : t) v = first[v];
+  tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t n) {
+    for (std::uint32_t& v : result[n]) v = first[v];
+  });
   return result;
 }
 
