@@ -1,6 +1,9 @@
 #include "core/csg/round_to_solid.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -9,6 +12,8 @@
 #include <string>
 #include <utility>
 
+#include "core/containers/collect.h"
+#include "core/containers/huge_pages.h"
 #include "core/csg/arena.h"
 #include "core/csg/boolean.h"
 #include "core/csg/inspection.h"
@@ -152,22 +157,25 @@ class SolidRounding {
  private:
   [[nodiscard]] MovingMesh nearest() const {
     const std::span<const Vertex> points = exact_.mesh.vertices;
+    std::vector<bool> is_rounded(points.size(), false);
+    for (const std::uint32_t v : exact_.rounded) is_rounded[v] = true;
+    const std::vector<std::uint32_t> moving =
+        collect(points.size(), [&](std::uint32_t v) { return is_rounded[v] || grid_(points[v], 0) != points[v]; });
     std::vector<VertexMove> moves;
-    auto rounded = exact_.rounded.begin();
-    for (std::uint32_t v = 0; v < points.size(); ++v) {
-      const bool is_rounded = rounded != exact_.rounded.end() && *rounded == v;
+    resize_fresh(moves, moving.size());
+    tbb::parallel_for(std::size_t{0}, moving.size(), [&](std::size_t n) {
+      const std::uint32_t v = moving[n];
       const Vertex to = grid_(points[v], 0);
-      if (is_rounded || to != points[v])
-        moves.push_back({v, v, to, distance(points[v], to) + (is_rounded ? half_unit(points[v]) : 0)});
-      if (is_rounded) ++rounded;
-      if (!is_finite(to)) refuse(v);
-    }
+      moves[n] = {v, v, to, distance(points[v], to) + (is_rounded[v] ? half_unit(points[v]) : 0)};
+    });
+    for (const VertexMove& m : moves)
+      if (!is_finite(m.to)) refuse(m.vertex);
     std::vector<std::uint32_t> source_face(exact_.mesh.triangles.size());
     std::iota(source_face.begin(), source_face.end(), 0U);
     Mesh mesh{{points.begin(), points.end()}, {exact_.mesh.triangles.begin(), exact_.mesh.triangles.end()}};
-    MovingMesh moving(std::move(mesh), std::move(source_face), std::vector<double>(exact_.mesh.triangles.size(), 0));
-    moving.move(moves);
-    return moving;
+    MovingMesh result(std::move(mesh), std::move(source_face), std::vector<double>(exact_.mesh.triangles.size(), 0));
+    result.move(moves);
+    return result;
   }
 
   /// Piles of sheets are flattened where other repairs did not suffice.
@@ -271,14 +279,23 @@ class SolidRounding {
 
   /// A vertex is as near to the exact boundary as any of its triangles.
   static void count_moved_vertices(const MovingMesh::Parts& rounded, RoundingReport& report) {
-    std::vector<double> of_vertex(rounded.mesh.vertices.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t t = 0; t < rounded.moved.size(); ++t)
-      for (const std::uint32_t v : rounded.mesh.triangles[t]) of_vertex[v] = std::min(of_vertex[v], rounded.moved[t]);
-    for (const double moved : of_vertex) {
-      if (std::isinf(moved)) continue;  // no triangle has it
-      report.moved_vertices += moved > 0;
-      report.far_vertices += moved > 4 * report.unit;
-    }
+    const std::size_t count = rounded.mesh.vertices.size();
+    std::vector<double> of_vertex;
+    resize_fresh(of_vertex, count, std::numeric_limits<double>::infinity());
+    tbb::parallel_for(std::size_t{0}, rounded.moved.size(), [&](std::size_t t) {
+      const double way = rounded.moved[t];
+      for (const std::uint32_t v : rounded.mesh.triangles[t]) {
+        const std::atomic_ref<double> least(of_vertex[v]);
+        double before = least.load(std::memory_order_relaxed);
+        while (way < before && !least.compare_exchange_weak(before, way, std::memory_order_relaxed)) {
+        }
+      }
+    });
+    const auto is_between = [&](double low, std::uint32_t v) {
+      return of_vertex[v] > low && !std::isinf(of_vertex[v]);
+    };
+    report.moved_vertices += collect(count, [&](std::uint32_t v) { return is_between(0, v); }).size();
+    report.far_vertices += collect(count, [&](std::uint32_t v) { return is_between(4 * report.unit, v); }).size();
   }
 
   const NearestMesh& exact_;

@@ -158,8 +158,9 @@ void MovingMesh::add_changed(std::vector<std::uint32_t> faces) {
 }
 
 MovingMesh::Parts MovingMesh::take() && {
-  std::size_t kept = 0;
-  for (std::uint32_t f = 0; f < mesh_.triangles.size(); ++f) {
+  const auto gone = collect(mesh_.triangles.size(), [&](std::uint32_t f) { return !is_left(f); });
+  std::size_t kept = gone.empty() ? mesh_.triangles.size() : gone.front();
+  for (auto f = static_cast<std::uint32_t>(kept); f < mesh_.triangles.size(); ++f) {
     if (!is_left(f)) continue;
     mesh_.triangles[kept] = mesh_.triangles[f];
     source_face_[kept] = source_face_[f];

@@ -3,12 +3,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <span>
 #include <utility>
 
 #include "core/containers/box_cover.h"
 #include "core/containers/collect.h"
+#include "core/containers/huge_pages.h"
 #include "core/kernel/disjoint_sets.h"
 #include "core/kernel/input_complex.h"
 #include "core/mesh/edge_table.h"
@@ -35,20 +37,23 @@ std::vector<std::uint32_t> faces_to_search(const MovingMesh& mesh) {
   return collect(count, [&](std::uint32_t f) { return mesh.is_left(f) && cover.meets(mesh.box(f)); });
 }
 
-/// Some triangles of a mesh, as a mesh; `numbers` are the vertices' numbers in the whole.
+/// Some triangles of a mesh, as a mesh; `numbers` becomes the vertices' numbers in the whole.
 Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces, std::vector<std::uint32_t>& numbers) {
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> number_in_part(mesh.vertices.size(), unused);
-  for (const std::uint32_t f : faces)
-    for (const std::uint32_t v : mesh.triangles[f]) number_in_part[v] = 0;
+  std::vector<std::uint32_t> number_in_part;
+  resize_fresh(number_in_part, mesh.vertices.size(), unused);
+  tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t n) {
+    for (const std::uint32_t v : mesh.triangles[faces[n]])
+      std::atomic_ref(number_in_part[v]).store(0, std::memory_order_relaxed);
+  });
+  numbers = collect(mesh.vertices.size(), [&](std::uint32_t v) { return number_in_part[v] != unused; });
   Mesh part;
-  for (std::uint32_t v = 0; v < number_in_part.size(); ++v) {
-    if (number_in_part[v] == unused) continue;
-    number_in_part[v] = static_cast<std::uint32_t>(numbers.size());
-    numbers.push_back(v);
-    part.vertices.push_back(mesh.vertices[v]);
-  }
-  part.triangles.resize(faces.size());
+  resize_fresh(part.vertices, numbers.size());
+  tbb::parallel_for(std::size_t{0}, numbers.size(), [&](std::size_t n) {
+    number_in_part[numbers[n]] = static_cast<std::uint32_t>(n);
+    part.vertices[n] = mesh.vertices[numbers[n]];
+  });
+  resize_fresh(part.triangles, faces.size());
   tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t n) {
     const auto& [a, b, c] = mesh.triangles[faces[n]];
     part.triangles[n] = {number_in_part[a], number_in_part[b], number_in_part[c]};
