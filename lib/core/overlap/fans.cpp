@@ -75,37 +75,29 @@ std::vector<std::uint32_t> vertices_of_many_faces(const InputComplex& input, con
   return collect(vertex_count, [&](std::uint32_t v) { return face_count[v] >= Fans::least_faces; });
 }
 
+/// Of a face, from one of its vertices.
+Box directions_from(const InputComplex& input, std::uint32_t vertex, std::uint32_t face) {
+  const auto points = input.points(0);
+  const auto& corners = input.faces(0)[face];
+  const auto at = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
+  const auto towards = [&](std::size_t turns) {
+    return direction(points[vertex], points[corners[(at + turns) % 3]], input.has_doubles(corners));
+  };
+  return box_between(towards(1), towards(2));
+}
+
 }  // namespace
 
 Fans::Fans(const InputComplex& input, const EmbeddedStars* stars)
     : faces_(input.faces(0)), vertices_(vertices_of_many_faces(input, stars)) {
   if (vertices_.empty()) return;
-  const auto points = input.points(0);
-  const auto faces = faces_;
-
-  std::vector<std::vector<std::uint32_t>> faces_of(vertices_.size());
-  for (const std::uint32_t f : collect(faces.size(), [&](std::uint32_t g) {
-         return std::any_of(faces[g].begin(), faces[g].end(), [&](std::uint32_t v) { return at(v); });
-       }))
-    for (const std::uint32_t v : faces[f])
-      if (const auto place = std::lower_bound(vertices_.begin(), vertices_.end(), v);
-          place != vertices_.end() && *place == v)
-        faces_of[static_cast<std::size_t>(place - vertices_.begin())].push_back(f);
-
+  const std::vector<std::vector<std::uint32_t>> faces_of = faces_around();
   std::vector<std::size_t> first(vertices_.size() + 1, 0), axis(vertices_.size());
   for (std::size_t n = 0; n < vertices_.size(); ++n) first[n + 1] = first[n] + faces_of[n].size();
   blades_.resize(first.back());
   tbb::parallel_for(std::size_t{0}, vertices_.size(), [&](std::size_t n) {
     std::vector<Box> boxes;
-    for (const std::uint32_t f : faces_of[n]) {
-      const auto& corners = faces[f];
-      const auto i =
-          static_cast<std::size_t>(std::find(corners.begin(), corners.end(), vertices_[n]) - corners.begin());
-      const auto towards = [&](std::size_t k) {
-        return direction(points[corners[i]], points[corners[(i + k) % 3]], input.has_doubles(corners));
-      };
-      boxes.push_back(box_between(towards(1), towards(2)));
-    }
+    for (const std::uint32_t f : faces_of[n]) boxes.push_back(directions_from(input, vertices_[n], f));
     const BoxSweep sweep = sweep_of(boxes);
     axis[n] = sweep.axis;
     for (std::size_t k = 0; k < sweep.order.size(); ++k)
@@ -116,6 +108,19 @@ Fans::Fans(const InputComplex& input, const EmbeddedStars* stars)
   for (std::size_t n = 0; n < vertices_.size(); ++n)
     for (std::size_t k = first[n]; k < first[n + 1]; k += most_in_part)
       parts_.push_back({k, std::min(k + most_in_part, first[n + 1]), first[n + 1], axis[n], vertices_[n]});
+}
+
+/// Of each fan, by increasing number.
+std::vector<std::vector<std::uint32_t>> Fans::faces_around() const {
+  std::vector<std::vector<std::uint32_t>> faces_of(vertices_.size());
+  const auto is_in_fan = [&](std::uint32_t f) {
+    return std::any_of(faces_[f].begin(), faces_[f].end(), [&](std::uint32_t v) { return at(v); });
+  };
+  for (const std::uint32_t f : collect(faces_.size(), is_in_fan))
+    for (const std::uint32_t v : faces_[f])
+      if (const auto n = std::lower_bound(vertices_.begin(), vertices_.end(), v) - vertices_.begin(); at(v))
+        faces_of[static_cast<std::size_t>(n)].push_back(f);
+  return faces_of;
 }
 
 /// Do two faces share a fan of a lower number?

@@ -49,6 +49,7 @@ class Fans {
     std::uint32_t vertex;
   };
 
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> faces_around() const;
   [[nodiscard]] bool have_earlier_fan(std::uint32_t face, std::uint32_t other, std::uint32_t vertex) const;
 
   std::span<const InputComplex::Indices> faces_;
