@@ -1,6 +1,7 @@
 #include "core/overlap/separation.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -44,6 +45,30 @@ TEST_CASE("a gap that coordinates half a unit away could close is none", "[overl
 TEST_CASE("what is beyond the range of doubles is not separated", "[overlap]") {
   CHECK_FALSE(are_separated(Points{{1.7e308, 0, 0}}, Points{{-1.7e308, 0, 0}}));
   CHECK_FALSE(are_separated(Points{{0, 0, 0}}, Points{{0x1p-1074, 0, 0}}));
+}
+
+TEST_CASE("products of coordinates and directions that overflow separate nothing", "[overlap]") {
+  const Vertex common{0x1.52e06ec73a928p+514, -0x1.b6f4c9f69301cp+518, -0x1.daa3ae4588b3ep+517};
+  const Points a{{-0x1.ebbb42889bc97p+515, -0x1.30eece4a145fp+515, 0x1.8d6df7bff3c94p+515}, common};
+  const Points b{{-0x1.ed7fef537b854p+515, -0x1.2f2ed5dcce258p+515, 0x1.8b9e9963ade2cp+515}, common};
+  CHECK_FALSE(are_separated(a, b));
+  CHECK_FALSE(are_separated(b, a));
+}
+
+// Seen to fail: sizes without a limit, beside a bound on errors that does not overflow with them.
+TEST_CASE("sets that share a point are separated at no scale", "[overlap][property]") {
+  std::mt19937 random(7);
+  const auto number = [&] { return std::uniform_real_distribution<double>(-1, 1)(random); };
+  for (int exponent = -1074; exponent < 1023; ++exponent)
+    for (int n = 0; n < 400; ++n) {
+      const auto at = [&](double scale) {
+        const double s = std::ldexp(scale, exponent);
+        return Vertex{s * number(), s * number(), s * number()};
+      };
+      const Vertex common = at(1), near = at(1), step = at(0x1p-8);
+      const Points a{near, common}, b{{near[0] + step[0], near[1] + step[1], near[2] + step[2]}, common};
+      if (are_separated(a, b)) FAIL("at 2^" << exponent);
+    }
 }
 
 // Seen to fail: a difference that is compared with zero.

@@ -69,8 +69,7 @@ double largest_coordinate(std::span<const Vertex> points) {
 
 bool are_separated(std::span<const Vertex> points, std::span<const Vertex> others) {
   if (points.empty() || others.empty()) return true;
-  // A product of sums has an error of 3 * 2^-53 of its terms' sizes; there are two, and coordinates have errors.
-  const double relative = 0x1p-48 * std::max(largest_coordinate(points), largest_coordinate(others));
+  const double largest = std::max(largest_coordinate(points), largest_coordinate(others));
   constexpr int most_directions = 32;
   Corners corners{minus(others[0], points[0])};
   double last = std::numeric_limits<double>::infinity();
@@ -79,11 +78,13 @@ bool are_separated(std::span<const Vertex> points, std::span<const Vertex> other
     if (!(nearest.squared_distance() < last)) return false;  // the hulls meet, or are too near
     last = nearest.squared_distance();
     const Vertex& direction = nearest.point();
+    const double size = std::abs(direction[0]) + std::abs(direction[1]) + std::abs(direction[2]);
+    if (!(size * largest < 0x1p1000)) return false;  // products may overflow
     const auto is_before = [&](const Vertex& a, const Vertex& b) { return dot(direction, a) < dot(direction, b); };
     const Vertex& from = *std::max_element(points.begin(), points.end(), is_before);
     const Vertex& to = *std::min_element(others.begin(), others.end(), is_before);
-    const double size = std::abs(direction[0]) + std::abs(direction[1]) + std::abs(direction[2]);
-    if (dot(direction, to) - dot(direction, from) > relative * size + 0x1p-1000) return true;
+    // A product of sums has an error of 3 * 2^-53 of its terms' sizes; there are two, and coordinates have errors.
+    if (dot(direction, to) - dot(direction, from) > 0x1p-48 * (size * largest) + 0x1p-1000) return true;
     corners = nearest.corners();
     corners.push_back(minus(to, from));
   }
