@@ -87,7 +87,7 @@ def main():
             if run("check", corpus / mesh, "-q").returncode != 0:
                 continue
             own = folder / "own.off"
-            if run("resolve", corpus / mesh, "-o", own, "-q").returncode != 0:
+            if run("resolve", corpus / mesh, "--attributes", "none", "-o", own, "-q").returncode != 0:
                 continue
             points, faces = read_off(own)
             if not points:

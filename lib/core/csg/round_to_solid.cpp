@@ -1,6 +1,7 @@
 #include "core/csg/round_to_solid.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <atomic>
@@ -170,10 +171,18 @@ class SolidRounding {
     });
     for (const VertexMove& m : moves)
       if (!is_finite(m.to)) refuse(m.vertex);
-    std::vector<std::uint32_t> source_face(exact_.mesh.triangles.size());
-    std::iota(source_face.begin(), source_face.end(), 0U);
-    Mesh mesh{{points.begin(), points.end()}, {exact_.mesh.triangles.begin(), exact_.mesh.triangles.end()}};
-    MovingMesh result(std::move(mesh), std::move(source_face), std::vector<double>(exact_.mesh.triangles.size(), 0));
+    const std::span<const Triangle> triangles = exact_.mesh.triangles;
+    Mesh mesh;
+    std::vector<std::uint32_t> source_face;
+    std::vector<double> moved;
+    tbb::parallel_invoke([&] { mesh.vertices.assign(points.begin(), points.end()); },
+                         [&] { mesh.triangles.assign(triangles.begin(), triangles.end()); },
+                         [&] {
+                           resize_fresh(source_face, triangles.size());
+                           std::iota(source_face.begin(), source_face.end(), 0U);
+                           resize_fresh(moved, triangles.size());
+                         });
+    MovingMesh result(std::move(mesh), std::move(source_face), std::move(moved));
     result.move(moves);
     return result;
   }
@@ -312,8 +321,10 @@ RoundedMesh round_to_solid(const NearestMesh& mesh, const CoordinateGrid& grid, 
 }
 
 void put_rounded(RoundedMesh rounded, BooleanResult& result) {
-  std::vector<Source> sources(rounded.source_face.size());
-  for (std::size_t i = 0; i < sources.size(); ++i) sources[i] = result.sources[rounded.source_face[i]];
+  std::vector<Source> sources;
+  resize_fresh(sources, rounded.source_face.size());
+  tbb::parallel_for(std::size_t{0}, sources.size(),
+                    [&](std::size_t i) { sources[i] = result.sources[rounded.source_face[i]]; });
   result.mesh = std::move(rounded.mesh);
   result.sources = std::move(sources);
   result.exact.clear();
