@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/mesh/lattice_sum.h"
+
 namespace strata {
 namespace {
 
@@ -57,13 +59,6 @@ class Nearest {
   Corners corners_;
   double squared_distance_ = std::numeric_limits<double>::infinity();
 };
-
-double largest_coordinate(std::span<const Vertex> points) {
-  double largest = 0;
-  for (const Vertex& p : points)
-    for (const double x : p) largest = std::max(largest, std::abs(x));
-  return largest;
-}
 
 }  // namespace
 
