@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "strata/coordinate_grid.h"
@@ -30,6 +32,31 @@ inline constexpr std::uint32_t none = 0xffffffff;
 
 /// A point with rational coordinates.
 using RationalPlacement = std::array<Rational, 2>;
+
+/// The point between p and q at which a quantity is `at` that is `from` at p and `to` at q, and linear between them: its
+/// coordinates are p + (q - p) (at - from) / (to - from). Such is the point where an edge of space crosses a plane
+/// across an axis. Requires finite doubles, and from < at < to or from > at > to.
+struct PointBetween {
+  PlanePoint p{}, q{};
+  double from = 0, to = 0, at = 0;
+  friend bool operator==(const PointBetween&, const PointBetween&) = default;
+};
+
+/// A point with rational coordinates: these, or what they are computed from whenever they are asked for.
+class RationalPlace {
+ public:
+  RationalPlace(RationalPlacement p) : kept_(std::move(p)) {}     // NOLINT: coordinates are a place
+  RationalPlace(const PointBetween& between) : kept_(between) {}  // NOLINT: and so is this
+
+  [[nodiscard]] RationalPlacement exact() const;
+  /// Null where coordinates were given.
+  [[nodiscard]] const PointBetween* between() const { return std::get_if<PointBetween>(&kept_); }
+  /// Null where they are computed.
+  [[nodiscard]] const RationalPlacement* given() const { return std::get_if<RationalPlacement>(&kept_); }
+
+ private:
+  std::variant<RationalPlacement, PointBetween> kept_;
+};
 
 /// The directed line through two given points, by their numbers.
 struct Line {
@@ -52,7 +79,7 @@ struct Meet {
 struct Places {
   std::vector<PlanePoint> place;             ///< of every point; exact for doubles
   std::vector<PlanePoint> error;             ///< of every point that is not given as doubles
-  std::vector<RationalPlacement> rationals;  ///< of every point given as rationals
+  std::vector<RationalPlace> rationals;      ///< of every point given as rationals
   std::vector<Meet> meets;                   ///< of every point that is a meet
   std::vector<Line> lines;                   ///< no line's points are equal, except where a segment is a single point
 
@@ -64,11 +91,11 @@ struct Places {
   [[nodiscard]] bool is_double(std::uint32_t p) const { return p < doubles(); }
   [[nodiscard]] bool is_meet(std::uint32_t p) const { return p >= given(); }
   [[nodiscard]] const Meet& meet(std::uint32_t p) const { return meets[p - given()]; }
-  [[nodiscard]] const RationalPlacement& rational(std::uint32_t p) const { return rationals[p - doubles()]; }
+  [[nodiscard]] const RationalPlace& rational(std::uint32_t p) const { return rationals[p - doubles()]; }
 
   /// Appends a point; doubles before rationals before meets. Requires finite doubles and lines that are not parallel.
   std::uint32_t add(const PlanePoint& p);
-  std::uint32_t add(RationalPlacement p);
+  std::uint32_t add(RationalPlace p);
   std::uint32_t add(const Meet& m);
   /// Takes the last meets away, so that `count` points are left.
   void drop_meets(std::uint32_t count);
@@ -105,13 +132,13 @@ struct Loops {
 class LoopsBuilder {
  public:
   void add_vertex(const PlanePoint& p);
-  void add_vertex(RationalPlacement p);  ///< rationals that are doubles are taken as such
+  void add_vertex(RationalPlace p);  ///< rationals that are doubles are taken as such
   void end_loop();
   [[nodiscard]] Loops finish();
 
  private:
   std::vector<PlanePoint> doubles_;
-  std::vector<RationalPlacement> rationals_;
+  Places rationals_;
   std::vector<std::array<std::uint32_t, 2>> vertices_;  ///< 0 and a double's number, or 1 and a rational's
   std::vector<std::uint32_t> first_vertex_{0};
 };

@@ -64,7 +64,7 @@ class Reader<Rational> {
 
  private:
   [[nodiscard]] PointForm<Integer> given(std::uint32_t p) const {
-    if (!places_.is_double(p)) return form(places_.rational(p));
+    if (!places_.is_double(p)) return form(places_.rational(p).exact());
     return form({to_rational(places_.place[p][0]), to_rational(places_.place[p][1])});
   }
   [[nodiscard]] static PointForm<Integer> form(const RationalPlacement& p) {

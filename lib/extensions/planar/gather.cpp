@@ -1,7 +1,7 @@
 #include "extensions/planar/gather.h"
 
-#include <map>
-
+#include "core/containers/hash_index.h"
+#include "core/containers/point_hash.h"
 #include "core/exact/arithmetic.h"
 #include "extensions/planar/predicates.h"
 
@@ -19,14 +19,10 @@ struct Offsets {
   }
 };
 
-/// Order of points given as rationals, by their doubles first: exact numbers are rarely compared.
-struct ByPlace {
-  using Key = std::pair<PlanePoint, const RationalPlacement*>;
-  bool operator()(const Key& a, const Key& b) const {
-    if (a.first != b.first) return a.first < b.first;
-    return *a.second < *b.second;
-  }
-};
+bool are_equal(const RationalPlace& p, const RationalPlace& q) {
+  if (const auto *a = p.between(), *b = q.between(); a != nullptr && b != nullptr && *a == *b) return true;
+  return p.exact() == q.exact();
+}
 
 class Gatherer {
  public:
@@ -55,7 +51,9 @@ class Gatherer {
         places().place.push_back({own.place[p][0] + 0.0, own.place[p][1] + 0.0});
     }
     name_ = first_equal(places().place);
-    std::map<ByPlace::Key, std::uint32_t, ByPlace> known;
+    std::size_t rationals = 0;
+    for (const Operand& o : operands_) rationals += o.loops->places.rationals.size();
+    HashIndex known(rationals);
     for (std::size_t i = 0; i < operands_.size(); ++i) {
       const Places& own = operands_[i].loops->places;
       offsets_[i].rationals = places().size();
@@ -63,8 +61,9 @@ class Gatherer {
         places().place.push_back(own.place[p]);
         places().error.push_back(own.error[p - own.doubles()]);
         places().rationals.push_back(own.rational(p));
-        const ByPlace::Key key(own.place[p], &own.rational(p));
-        name_.push_back(known.try_emplace(key, places().size() - 1).first->second);
+        name_.push_back(known.find_or_add(hash_of(own.place[p]), places().size() - 1, [&](std::uint32_t q) {
+          return places().place[q] == own.place[p] && are_equal(places().rational(q), own.rational(p));
+        }));
       }
     }
     std::uint32_t meets = places().size();

@@ -21,23 +21,24 @@ void LoopsBuilder::add_vertex(const PlanePoint& p) {
   doubles_.push_back(p);
 }
 
-void LoopsBuilder::add_vertex(RationalPlacement p) {
-  if (is_dyadic(p[0]) && is_dyadic(p[1])) {
-    const PlanePoint nearest{to_nearest_double(p[0]), to_nearest_double(p[1])};
-    if (std::isfinite(nearest[0]) && std::isfinite(nearest[1]) && to_rational(nearest[0]) == p[0] &&
-        to_rational(nearest[1]) == p[1])
-      return add_vertex(nearest);
+void LoopsBuilder::add_vertex(RationalPlace p) {
+  const std::uint32_t number = rationals_.add(std::move(p));
+  if (rationals_.error.back() == PlanePoint{0, 0}) {
+    add_vertex(rationals_.place.back());
+    rationals_.place.pop_back();
+    rationals_.error.pop_back();
+    rationals_.rationals.pop_back();
+    return;
   }
-  vertices_.push_back({1, static_cast<std::uint32_t>(rationals_.size())});
-  rationals_.push_back(std::move(p));
+  vertices_.push_back({1, number});
 }
 
 void LoopsBuilder::end_loop() { first_vertex_.push_back(static_cast<std::uint32_t>(vertices_.size())); }
 
 Loops LoopsBuilder::finish() {
   Loops loops;
-  for (const PlanePoint& p : doubles_) loops.places.add(p);
-  for (RationalPlacement& p : rationals_) loops.places.add(std::move(p));
+  loops.places = std::move(rationals_);
+  loops.places.place.insert(loops.places.place.begin(), doubles_.begin(), doubles_.end());
   for (const auto& [kind, number] : vertices_)
     loops.vertices.push_back(number + (kind == 0 ? 0 : static_cast<std::uint32_t>(doubles_.size())));
   loops.edge_line.assign(loops.vertices.size(), none);

@@ -16,8 +16,20 @@ using Pair = std::array<Real, 2>;
 Bounded given_coordinate(const Places& places, std::uint32_t p, std::size_t axis, const Bounded*) {
   return bounded(places, p, axis);
 }
+/// How far between p and q the point is: 0 at p, 1 at q.
+DoubleDouble part_of_way(const PointBetween& b) {
+  return (DoubleDouble(b.at) - DoubleDouble(b.from)) / (DoubleDouble(b.to) - DoubleDouble(b.from));
+}
+DoubleDouble coordinate(const PointBetween& b, const DoubleDouble& part, std::size_t axis) {
+  const double p = b.p[axis], q = b.q[axis];
+  return p == q ? DoubleDouble(p) : DoubleDouble(p) + part * (DoubleDouble(q) - DoubleDouble(p));
+}
+
 DoubleDouble given_coordinate(const Places& places, std::uint32_t p, std::size_t axis, const DoubleDouble*) {
-  return places.is_double(p) ? DoubleDouble(places.place[p][axis]) : nearest_double_double(places.rational(p)[axis]);
+  if (places.is_double(p)) return places.place[p][axis];
+  const RationalPlace& place = places.rational(p);
+  if (const PointBetween* b = place.between()) return coordinate(*b, part_of_way(*b), axis);
+  return nearest_double_double((*place.given())[axis]);
 }
 
 template <class Real>
@@ -66,6 +78,28 @@ Bounded bounded_rational(const Rational& x) {
   return {value, std::abs(value) * Bounded::rounding + Bounded::underflow};
 }
 
+Pair<Bounded> bounded_pair(const RationalPlacement& p) { return {bounded_rational(p[0]), bounded_rational(p[1])}; }
+
+/// The same for the point of a segment, whose rationals are computed where double-doubles do not tell the nearest
+/// double, or where the coordinate may be a double.
+Pair<Bounded> bounded_pair(const PointBetween& between) {
+  const DoubleDouble part = part_of_way(between);
+  Pair<Bounded> pair;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const DoubleDouble x = coordinate(between, part, i);
+    const bool is_settled = x.error == 0 || (x.rounds_to_value() && std::abs(x.low) > x.error * Bounded::slack);
+    if (!is_settled) return bounded_pair(RationalPlace(between).exact());
+    pair[i] = x.error == 0 ? Bounded(x.value)
+                           : Bounded(x.value, std::abs(x.value) * Bounded::rounding + Bounded::underflow);
+  }
+  return pair;
+}
+
+Pair<Bounded> bounded_pair(const RationalPlace& place) {
+  if (const PointBetween* b = place.between()) return bounded_pair(*b);
+  return bounded_pair(*place.given());
+}
+
 /// True when the bounds of a meet are small relative to its lines' points. False for infinite values.
 bool is_sharp(const Places& places, const Meet& meet, const Pair<Bounded>& p) {
   for (std::size_t i = 0; i < 2; ++i) {
@@ -78,13 +112,30 @@ bool is_sharp(const Places& places, const Meet& meet, const Pair<Bounded>& p) {
 
 }  // namespace
 
+RationalPlacement RationalPlace::exact() const {
+  if (const RationalPlacement* p = given()) return *p;
+  const PointBetween& b = *between();
+  Lattice lattice;
+  for (const double x : {b.p[0], b.p[1], b.q[0], b.q[1], b.from, b.to, b.at}) lattice.add(x);
+  const auto integer = [&](double x) { return lattice.integer<Integer>(x); };
+  const Integer at = integer(b.at), before = at - integer(b.from), after = integer(b.to) - at, whole = before + after;
+  const auto coordinate = [&](std::size_t i) -> Rational {
+    if (b.p[i] == b.q[i]) return b.p[i];
+    Integer sum = integer(b.p[i]) * after + integer(b.q[i]) * before;
+    const int unit = lattice.unit();
+    if (unit >= 0) return {std::move(sum) << static_cast<std::size_t>(unit), whole};
+    return {sum, whole << static_cast<std::size_t>(-unit)};
+  };
+  return {coordinate(0), coordinate(1)};
+}
+
 std::uint32_t Places::add(const PlanePoint& p) {
   place.push_back(p);
   return size() - 1;
 }
 
-std::uint32_t Places::add(RationalPlacement p) {
-  const Bounded x = bounded_rational(p[0]), y = bounded_rational(p[1]);
+std::uint32_t Places::add(RationalPlace p) {
+  const auto [x, y] = bounded_pair(p);
   place.push_back({x.value, y.value});
   error.push_back({x.error, y.error});
   rationals.push_back(std::move(p));
@@ -98,7 +149,7 @@ std::uint32_t Places::add(const Meet& m) {
     p = {q[0].bounded(), q[1].bounded()};
     if (!is_sharp(*this, m, p)) {
       const RationalPlacement exact = exact_meet(*this, m);
-      p = {bounded_rational(exact[0]), bounded_rational(exact[1])};
+      p = bounded_pair(exact);
     }
   }
   place.push_back({p[0].value, p[1].value});
@@ -116,7 +167,7 @@ void Places::drop_meets(std::uint32_t count) {
 
 RationalPlacement exact_position(const Places& places, std::uint32_t point) {
   if (places.is_meet(point)) return exact_meet(places, places.meet(point));
-  if (!places.is_double(point)) return places.rational(point);
+  if (!places.is_double(point)) return places.rational(point).exact();
   return {to_rational(places.place[point][0]), to_rational(places.place[point][1])};
 }
 

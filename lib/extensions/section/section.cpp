@@ -11,36 +11,15 @@
 #include "core/csg/arena.h"
 #include "core/csg/plane_rectangle.h"
 #include "core/exact/bounded.h"
-#include "core/exact/lattice.h"
+#include "extensions/section/axis_plane.h"
 #include "extensions/section/cut.h"
+#include "extensions/section/general_position.h"
+#include "extensions/section/positions.h"
 
 namespace strata {
 namespace {
 
 using Index = std::uint32_t;
-
-/// Exact positions of vertices by number.
-class Positions {
- public:
-  explicit Positions(const ExactMesh& mesh) : mesh_(mesh) {}
-
-  [[nodiscard]] const Vertex& rounded(Index v) const { return mesh_.mesh.vertices[v]; }
-  /// The exact position of a vertex that is not three doubles, or null.
-  [[nodiscard]] const RationalPoint* rational(Index v) const {
-    if (mesh_.exact.empty()) return nullptr;
-    const auto at = std::lower_bound(mesh_.exact.begin(), mesh_.exact.end(), v,
-                                     [](const ExactVertex& e, Index w) { return e.vertex < w; });
-    return at != mesh_.exact.end() && at->vertex == v ? &at->position : nullptr;
-  }
-  [[nodiscard]] RationalPoint exact(Index v) const {
-    if (const RationalPoint* p = rational(v)) return *p;
-    const Vertex& p = rounded(v);
-    return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
-  }
-
- private:
-  const ExactMesh& mesh_;
-};
 
 /// Any plane.
 class AnyPlane {
@@ -87,51 +66,6 @@ class AnyPlane {
   std::array<Bounded, 3> normal_;
   Bounded offset_;
   std::vector<bool> is_in_front_;
-};
-
-/// A plane perpendicular to an axis.
-class AxisPlane {
- public:
-  AxisPlane(std::size_t axis, double height, const ExactMesh& mesh)
-      : axis_(axis), u_((axis + 1) % 3), v_((axis + 2) % 3), height_(height), at_(mesh) {}
-
-  [[nodiscard]] bool is_in_front(Index v) const {
-    const double z = at_.rounded(v)[axis_];
-    if (z != height_) return z > height_;  // rounding is monotone
-    const RationalPoint* p = at_.rational(v);
-    return p != nullptr && (*p)[axis_] > to_rational(height_);
-  }
-  void add_crossing(Index behind, Index front, planar::LoopsBuilder& loops) const {
-    if (at_.rational(behind) != nullptr || at_.rational(front) != nullptr) return add_rational(behind, front, loops);
-    const Vertex &p = at_.rounded(behind), &q = at_.rounded(front);
-    if (p[axis_] == height_ || (p[u_] == q[u_] && p[v_] == q[v_]))
-      return loops.add_vertex(planar::PlanePoint{p[u_], p[v_]});
-    Lattice lattice;
-    for (const double x : {p[0], p[1], p[2], q[0], q[1], q[2], height_}) lattice.add(x);
-    const auto integer = [&](double x) { return lattice.integer<Integer>(x); };
-    const Integer h = integer(height_), below = h - integer(p[axis_]), above = integer(q[axis_]) - h,
-                  whole = below + above;
-    const auto between = [&](std::size_t i) -> Rational {
-      if (p[i] == q[i]) return p[i];
-      Integer sum = integer(p[i]) * above + integer(q[i]) * below;
-      const int unit = lattice.unit();
-      if (unit >= 0) return {std::move(sum) << static_cast<std::size_t>(unit), whole};
-      return {sum, whole << static_cast<std::size_t>(-unit)};
-    };
-    loops.add_vertex(planar::RationalPlacement{between(u_), between(v_)});
-  }
-
- private:
-  void add_rational(Index behind, Index front, planar::LoopsBuilder& loops) const {
-    const RationalPoint p = at_.exact(behind), q = at_.exact(front);
-    const Rational h = to_rational(height_), below = h - p[axis_], above = q[axis_] - h, whole = below + above;
-    const auto between = [&](std::size_t i) { return (p[i] * above + q[i] * below) / whole; };
-    loops.add_vertex(planar::RationalPlacement{between(u_), between(v_)});
-  }
-
-  std::size_t axis_, u_, v_;
-  double height_;
-  Positions at_;
 };
 
 /// The triangles that planes may cross, for batches of planes in order.
@@ -250,7 +184,8 @@ void slice(const Solid& solid, std::size_t axis, std::span<const double> coordin
       tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
         cancelled.check();
         const AxisPlane plane(axis, coordinates[first + i], solid.exact_mesh());
-        regions[i] = region_of(mesh, triangles[i], plane, cancelled);
+        auto region = section_in_general_position(mesh.triangles, triangles[i], plane);
+        regions[i] = region ? std::move(*region) : region_of(mesh, triangles[i], plane, cancelled);
       });
       for (std::size_t i = 0; i < regions.size(); ++i) visit(first + i, std::move(regions[i]));
       first += count;
