@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 
+#include "extensions/section/general_position.h"
 #include "strata/primitives.h"
 #include "support/shapes.h"
 
@@ -46,6 +48,44 @@ class RandomSolids {
 
   std::mt19937 random_;
 };
+
+/// What a region is, point by point, in its order.
+struct Listed {
+  std::vector<std::vector<planar::RationalPlacement>> loops;
+  std::vector<std::uint32_t> first_loop;
+  std::vector<bool> is_double;  ///< of every corner
+
+  friend bool operator==(const Listed&, const Listed&) = default;
+};
+
+Listed listed(const planar::Region& region) {
+  Listed list;
+  list.first_loop = region.first_loop;
+  const planar::Places& places = region.loops.places;
+  for (std::uint32_t l = 0; l < region.loops.size(); ++l) {
+    auto& loop = list.loops.emplace_back();
+    for (const std::uint32_t v : region.loops.loop(l)) {
+      loop.push_back(planar::exact_position(places, v));
+      list.is_double.push_back(places.is_double(v));
+      for (std::size_t i = 0; i < 2; ++i) REQUIRE(places.place[v][i] == to_nearest_double(loop.back()[i]));
+    }
+  }
+  return list;
+}
+
+/// Slices are the sections that any plane gives, which go through an arrangement always.
+void check_slices(const Solid& solid, std::span<const double> heights) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    RationalPoint normal{0, 0, 0};
+    normal[axis] = 1;
+    const std::vector<planar::Region> slices = slice(solid, axis, heights);
+    for (std::size_t k = 0; k < heights.size(); ++k) {
+      CAPTURE(axis, heights[k]);
+      REQUIRE(listed(slices[k]) == listed(section(solid, {normal, heights[k]})));
+      REQUIRE(planar::validate(slices[k]).empty());
+    }
+  }
+}
 
 }  // namespace
 
@@ -117,6 +157,85 @@ TEST_CASE("slices are sections", "[section]") {
       CHECK(planar::validate(regions[k]).empty());
     }
   }
+}
+
+TEST_CASE("slices of random solids are sections, in general position and not", "[section]") {
+  const std::vector<double> heights{-1, 0, 0x1p-40, 0.1, 1.0 / 3, 0.5, 1, 1.2, 1.5, 2, 2.3, 2.5, 2.75, 3.1, 3.5, 4, 4.5, 9};
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    RandomSolids solids(seed);
+    const Solid solid = solids.solid();
+    check_slices(solid, heights);
+    check_slices(solid.separated(), heights);
+    check_slices(solid.scaled(Rational(1, 3)), heights);
+    check_slices(solid.rotated({1, 2, 3}, 20.0 * seed), heights);
+  }
+}
+
+TEST_CASE("vertices and faces in the plane need no arrangement, touching does", "[section]") {
+  const auto is_in_general_position = [](const Solid& solid, double height) {
+    std::vector<std::uint32_t> all(solid.mesh().triangles.size());
+    std::iota(all.begin(), all.end(), 0U);
+    return section_in_general_position(solid.mesh().triangles, all, {2, height, solid.exact_mesh()}).has_value();
+  };
+  const Solid cube = box({0, 0, 0}, {2, 2, 2});
+  for (const double height : {-1.0, 0.0, 1.0, 2.0, 3.0}) CHECK(is_in_general_position(cube, height));
+  const Solid sphere = make_sphere(2, 24);
+  for (const Vertex& p : sphere.mesh().vertices) CHECK(is_in_general_position(sphere, p[2]));
+  CHECK(is_in_general_position(cube.scaled(Rational(1, 3)), 1.0 / 3));
+  const Solid touching = cube | cube.translated({2, 2, 0});
+  CHECK_FALSE(is_in_general_position(touching, 1));
+  CHECK_FALSE(is_in_general_position(touching.separated(), 1));
+}
+
+TEST_CASE("slices with holes within holes", "[section]") {
+  std::vector<Solid> shells;
+  for (const double x : {0.0, 10.0, 20.0})
+    for (const double y : {0.0, 10.0})
+      for (int k = 0; k < 4; ++k)
+        shells.push_back(make_sphere(4 - k, 12 + k).rotated({1.0, 1.0 * k, 2.0}, 7 * k).translated({x, y, static_cast<double>(k)}));
+  const Solid solid = symmetric_difference(shells);
+  const std::vector<double> heights{-2.1, -1.05, 0.1, 0.3, 1.1, 1.9, 2.2, 2.6, 3.05, 3.9};
+  check_slices(solid, heights);
+  CHECK(slice(solid, 2, std::vector{2.2}).front().loops.size() == 24);
+  // A plate with many holes in each of several islands.
+  Solid plate = box({0, 0, 0}, {20, 20, 1}) | box({1, 21, 0}, {20, 22, 1}) | box({8, 8, 0}, {9, 9, 1});
+  std::vector<Solid> holes{plate};
+  for (int i = 0; i < 18; ++i)
+    for (int j = 0; j < 18; ++j)
+      holes.push_back(box({i + 1.25, j + 1.25, -1}, {i + 1.75, j + 1.75, 2}));
+  const Solid sieve = difference(holes);
+  check_slices(sieve, std::vector{0.5});
+  CHECK(slice(sieve, 2, std::vector{0.5}).front().loops.size() == 2 + 324);
+}
+
+TEST_CASE("slices of tiny and of huge solids are sections", "[section]") {
+  for (const double scale : {5e-324, 1e-300, 1e-150, 1e150, 1e300, 1.5e308}) {
+    CAPTURE(scale);
+    const std::vector<Vertex> unit{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+    Mesh mesh = test::convex_hull(unit);
+    for (Vertex& p : mesh.vertices)
+      for (double& x : p) x *= scale;
+    const std::vector<double> heights{-scale, -scale / 2, -scale / 3, 0, scale / 7, scale / 4, std::nextafter(scale, 0)};
+    check_slices(Solid(mesh), heights);
+  }
+}
+
+TEST_CASE("a mesh that is no solid is cut all the same", "[section]") {
+  // Taken at its word, it crosses itself; or it has a face twice.
+  Mesh mesh = test::box({0, 0, 0}, {2, 2, 2});
+  const Mesh other = test::box({1, 1, 1}, {3, 3, 3});
+  for (Triangle t : other.triangles) {
+    for (std::uint32_t& v : t) v += 8;
+    mesh.triangles.push_back(t);
+  }
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  CHECK(planar::area(slice(Solid(mesh, InputClass::solid), 2, std::vector{1.5}).front()) == 8);
+  CHECK(planar::area(slice(Solid(mesh), 2, std::vector{1.5}).front()) == 7);
+  Mesh twice = test::box({0, 0, 0}, {2, 2, 2});
+  const Mesh once = twice;
+  twice.triangles.insert(twice.triangles.end(), once.triangles.begin(), once.triangles.end());
+  CHECK(planar::area(slice(Solid(twice, InputClass::solid), 2, std::vector{1.5}).front()) == 4);
 }
 
 TEST_CASE("along every axis", "[section]") {

@@ -19,6 +19,7 @@
 #include "strata/incremental.h"
 #include "strata/io.h"
 #include "strata/resolve.h"
+#include "strata/section.h"
 #include "strata/solid.h"
 
 namespace bench {
@@ -112,6 +113,26 @@ void resolve_case(const Request& request, strata::Inside inside) {
   answer["triangles"] = solid.mesh().triangles.size();
   answer["vertices"] = solid.mesh().vertices.size();
   if (!request.result_file.empty()) write_case(request.result_file, {&solid.mesh(), 1});
+  std::cout << answer.dump() << '\n';
+}
+
+/// The first mesh in planes a step apart from its lowest point on: from a solid that is made before to all regions.
+void slice_case(const Request& request, std::size_t planes) {
+  const strata::Solid solid(read_case(request.case_file).front(), request.input);
+  const strata::BoundingBox box = solid.bounding_box();
+  const double step = (box.upper[2] - box.lower[2]) / static_cast<double>(planes);
+  std::vector<double> heights;
+  for (std::size_t k = 0; k < planes; ++k) heights.push_back(box.lower[2] + step * static_cast<double>(k));
+  const strata::Options options{.threads = request.threads};
+  std::vector<strata::planar::Region> regions;
+  const Measurement measurement =
+      measure({[&] { regions = {}; }, [&] { regions = strata::slice(solid, 2, heights, options); }}, request);
+  std::size_t vertices = 0;
+  for (const strata::planar::Region& region : regions) vertices += region.loops.vertices.size();
+  json answer = to_json(measurement);
+  answer["threads"] = request.threads;
+  answer["planes"] = planes;
+  answer["vertices"] = vertices;
   std::cout << answer.dump() << '\n';
 }
 
@@ -222,6 +243,12 @@ int work(int argc, char** argv) {
       ->transform(CLI::Transformer(insides))
       ->default_str("winding");
   resolving->callback([&] { resolve_case(request, inside); });
+
+  std::size_t planes = 1000;
+  CLI::App* slicing = app.add_subcommand("slice", "Measures sections of one mesh by planes a step apart");
+  add_options(*slicing, request);
+  slicing->add_option("--planes", planes, "how many")->capture_default_str()->check(CLI::PositiveNumber);
+  slicing->callback([&] { slice_case(request, planes); });
 
   CLI::App* judging = app.add_subcommand("judge", "Volume and closedness of a result; prints JSON");
   judging->add_option("FILE", file)->required();

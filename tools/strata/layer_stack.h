@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,19 @@ class LayerStack {
   /// strata::IoError.
   LayerStack(const Settings& settings, strata::planar::PlanePoint lower, strata::planar::PlanePoint upper);
 
-  /// `at`: where the plane is, as text. Unless quotients are written, the region is rounded such that it is one again.
-  void add(std::size_t plane, const std::string& at, std::size_t mesh, const strata::planar::Region& region,
-           double area, const strata::Monitor& monitor);
+  /// The polygons of a mesh in a plane.
+  struct Layer {
+    std::size_t plane = 0;
+    std::string at;  ///< where the plane is
+    std::size_t mesh = 0;
+    strata::planar::Region region;
+    std::optional<double> area;  ///< computed from the region where it is not given
+  };
+  /// Unless quotients are written, the region is rounded such that it is one again. Layers are made text in parallel,
+  /// some at a time, and written in the order in which they came.
+  void add(Layer layer, const strata::Monitor& monitor);
+  /// Writes the layers that wait for others.
+  void flush(const strata::Monitor& monitor);
   void finish();
 
   /// How many regions with their vertices at the nearest doubles would meet themselves, and were rearranged.
@@ -39,6 +50,13 @@ class LayerStack {
   Format format_;
   strata::planar::Coordinates coordinates_;
   OutputFile file_;
+  struct Text {
+    std::string text;
+    bool is_rearranged = false;
+  };
+  [[nodiscard]] Text text_of(Layer layer, const strata::Monitor& monitor) const;
+
+  std::vector<Layer> waiting_;
   bool is_first_ = true;
   std::size_t rearranged_ = 0;
 };

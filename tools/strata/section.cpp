@@ -124,21 +124,6 @@ struct Counts {
   }
 };
 
-/// The area, exact and rounded once with --exact, else from the rounded vertices, relative to the first of each loop.
-double area_of(const planar::Region& region, const Settings& settings) {
-  if (settings.exact) return strata::to_nearest_double(planar::area(region));
-  double twice = 0;
-  for (std::uint32_t l = 0; l < region.loops.size(); ++l) {
-    const std::span<const std::uint32_t> loop = region.loops.loop(l);
-    const planar::PlanePoint& o = region.loops.places.place[loop.front()];
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-      const planar::PlanePoint &p = region.loops.places.place[loop[i]], &q = region.loops.places.place[loop[i + 1]];
-      twice += (p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]);
-    }
-  }
-  return twice / 2;
-}
-
 }  // namespace
 
 ExitCode run_section(const SectionSettings& section, const Settings& settings) {
@@ -163,8 +148,8 @@ ExitCode run_section(const SectionSettings& section, const Settings& settings) {
   Json areas = Json::array();
   for (std::size_t k = 0; k < solids.size(); ++k) {
     const double area = strata::true_area(plane, projected[k]);
-    stack.add(0, section.plane, k, regions[k], area, {});
     counts.add(regions[k]);
+    stack.add({0, section.plane, k, std::move(regions[k]), area}, {});
     areas.push_back({{"mesh", k}, {"area", area}, {"projected_area_exact", projected[k].str()}});
   }
   stack.finish();
@@ -193,12 +178,12 @@ ExitCode run_slice(const SectionSettings& section, const Settings& settings) {
     for (std::size_t k = 0; k < solids.size(); ++k)
       strata::slice(
           solids[k], section.along, heights,
-          [&](std::size_t plane, const planar::Region& region) {
-            monitor.check();
-            stack->add(plane, fmt::format("{}", heights[plane] + 0.0), k, region, area_of(region, settings), monitor);
+          [&](std::size_t plane, planar::Region region) {
             counts.add(region);
+            stack->add({plane, fmt::format("{}", heights[plane] + 0.0), k, std::move(region), {}}, monitor);
           },
           options);
+    stack->flush(monitor);
   });
   run.begin_writing();
   stack->finish();

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <map>
 #include <set>
 #include <string>
 
@@ -11,10 +10,19 @@
 namespace strata::planar {
 namespace {
 
-/// The incidences at a vertex of the arrangement of all edges.
-struct AtVertex {
-  std::vector<std::uint32_t> vertices;      ///< of loops, as indices
-  std::vector<std::uint32_t> edges_inside;  ///< edges that contain the vertex in their interior
+/// That a vertex of the arrangement is a vertex of a loop, or inside an edge.
+struct Incidence {
+  std::uint32_t at = 0;
+  bool is_inside = false;
+  std::uint32_t number = 0;  ///< of the loops' vertex, or of the edge
+
+  friend auto operator<=>(const Incidence&, const Incidence&) = default;
+};
+
+/// An edge along a piece, which is given by its ends.
+struct AlongPiece {
+  std::array<std::uint32_t, 2> ends{};
+  std::uint32_t edge = 0;
 };
 
 class MeetingCollector {
@@ -32,29 +40,39 @@ class MeetingCollector {
 
  private:
   void add_points() {
-    std::map<std::uint32_t, AtVertex> at;
-    for (std::uint32_t i = 0; i < loops_.vertices.size(); ++i) at[vertex(loops_.vertices[i])].vertices.push_back(i);
+    std::vector<Incidence> all;
+    all.reserve(loops_.vertices.size());
+    for (std::uint32_t i = 0; i < loops_.vertices.size(); ++i) all.push_back({vertex(loops_.vertices[i]), false, i});
     for (std::uint32_t s = 0; s < gathered_.edge_of.size(); ++s)
       for (std::uint32_t k = arrangement_.first_piece[s] + 1; k < arrangement_.first_piece[s + 1]; ++k)
-        at[arrangement_.pieces[k][0]].edges_inside.push_back(gathered_.edge_of[s]);
-    for (const auto& [v, what] : at) {
-      if (what.vertices.size() > 1) add(SelfMeetingKind::vertex_on_vertex, v, what.vertices, {});
-      if (!what.vertices.empty() && !what.edges_inside.empty())
-        add(SelfMeetingKind::vertex_on_edge, v, what.vertices, what.edges_inside);
-      if (what.vertices.empty()) add(SelfMeetingKind::edges_crossing, v, {}, what.edges_inside);
+        all.push_back({arrangement_.pieces[k][0], true, gathered_.edge_of[s]});
+    std::sort(all.begin(), all.end());
+    for (auto first = all.begin(), last = first; first != all.end(); first = last) {
+      last = std::find_if(first, all.end(), [&](const Incidence& i) { return i.at != first->at; });
+      if (last - first == 1) continue;
+      std::vector<std::uint32_t> vertices, edges;
+      for (auto i = first; i != last; ++i) (i->is_inside ? edges : vertices).push_back(i->number);
+      if (vertices.size() > 1) add(SelfMeetingKind::vertex_on_vertex, first->at, vertices, {});
+      if (!vertices.empty() && !edges.empty()) add(SelfMeetingKind::vertex_on_edge, first->at, vertices, edges);
+      if (vertices.empty()) add(SelfMeetingKind::edges_crossing, first->at, {}, edges);
     }
   }
   void add_overlaps() {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> edges;
+    std::vector<AlongPiece> all;
+    all.reserve(arrangement_.pieces.size());
     for (std::uint32_t s = 0; s < gathered_.edge_of.size(); ++s)
       for (std::uint32_t k = arrangement_.first_piece[s]; k < arrangement_.first_piece[s + 1]; ++k) {
         const auto [p, q] = arrangement_.pieces[k];
-        edges[std::minmax(p, q)].push_back(gathered_.edge_of[s]);
+        all.push_back({{std::min(p, q), std::max(p, q)}, gathered_.edge_of[s]});
       }
-    for (const auto& [ends, through] : edges) {
-      if (through.size() < 2) continue;
-      add(SelfMeetingKind::edges_overlapping, ends.first, {}, through);
-      found_.back().to = exact_position(arrangement_.places, ends.second);
+    std::stable_sort(all.begin(), all.end(), [](const AlongPiece& a, const AlongPiece& b) { return a.ends < b.ends; });
+    for (auto first = all.begin(), last = first; first != all.end(); first = last) {
+      last = std::find_if(first, all.end(), [&](const AlongPiece& a) { return a.ends != first->ends; });
+      if (last - first == 1) continue;
+      std::vector<std::uint32_t> through;
+      for (auto a = first; a != last; ++a) through.push_back(a->edge);
+      add(SelfMeetingKind::edges_overlapping, first->ends[0], {}, std::move(through));
+      found_.back().to = exact_position(arrangement_.places, first->ends[1]);
     }
   }
   void add_lone_vertices() {

@@ -19,22 +19,25 @@ class AxisPlane {
     const RationalPoint* p = at_.rational(v);
     return p != nullptr && (*p)[axis_] > to_rational(height_);
   }
-  /// False for no vertex in the plane; true also for some that are rational and near it.
-  [[nodiscard]] bool is_near(std::uint32_t v) const { return at_.rounded(v)[axis_] == height_; }
+  [[nodiscard]] bool contains(std::uint32_t v) const {
+    if (at_.rounded(v)[axis_] != height_) return false;
+    const RationalPoint* p = at_.rational(v);
+    return p == nullptr || (*p)[axis_] == to_rational(height_);
+  }
   [[nodiscard]] const Vertex& rounded(std::uint32_t v) const { return at_.rounded(v); }
   /// True where these are its exact coordinates.
   [[nodiscard]] bool is_double(std::uint32_t v) const { return at_.rational(v) == nullptr; }
 
-  /// The point of the edge from a vertex behind the plane to one in front.
+  /// The point of the edge from a vertex not in front of the plane to one in front.
   [[nodiscard]] planar::RationalPlace crossing(std::uint32_t behind, std::uint32_t front) const {
     if (!is_double(behind) || !is_double(front)) return rational_crossing(behind, front);
     const Vertex &p = at_.rounded(behind), &q = at_.rounded(front);
-    return planar::PointBetween{{p[u_], p[v_]}, {q[u_], q[v_]}, p[axis_], q[axis_], height_};
+    const planar::PlanePoint from{p[u_], p[v_]}, to{q[u_], q[v_]};
+    if (p[axis_] == height_) return planar::PointBetween{from, from, 0, 2, 1};
+    return planar::PointBetween{from, to, p[axis_], q[axis_], height_};
   }
-  /// Adds that point to a loop. The first vertex may be in the plane.
+  /// Adds that point to a loop.
   void add_crossing(std::uint32_t behind, std::uint32_t front, planar::LoopsBuilder& loops) const {
-    const Vertex& p = at_.rounded(behind);
-    if (p[axis_] == height_ && is_double(behind)) return loops.add_vertex(planar::PlanePoint{p[u_], p[v_]});
     loops.add_vertex(crossing(behind, front));
   }
 

@@ -41,10 +41,8 @@ struct TriangleLoops {
   std::vector<Index> first{0};  ///< of every loop, and the count
 };
 
-/// nullopt where a vertex is in the plane.
-std::optional<std::vector<CrossingTriangle>> crossing_triangles(std::span<const Triangle> triangles,
-                                                                std::span<const Index> numbers,
-                                                                const AxisPlane& plane) {
+std::vector<CrossingTriangle> crossing_triangles(std::span<const Triangle> triangles, std::span<const Index> numbers,
+                                                 const AxisPlane& plane) {
   std::vector<CrossingTriangle> crossing;
   crossing.reserve(numbers.size());
   for (const Index n : numbers) {
@@ -53,7 +51,6 @@ std::optional<std::vector<CrossingTriangle>> crossing_triangles(std::span<const 
                               static_cast<unsigned>(plane.is_in_front(t[1])) << 1 |
                               static_cast<unsigned>(plane.is_in_front(t[2])) << 2;
     if (in_front == 0 || in_front == 7) continue;
-    if (plane.is_near(t[0]) || plane.is_near(t[1]) || plane.is_near(t[2])) return std::nullopt;
     // By the corners in front: the corner from which the boundary goes behind the plane.
     constexpr std::array<std::uint8_t, 7> last_in_front{0, 0, 1, 1, 2, 0, 2};
     const std::size_t down = last_in_front[in_front];
@@ -94,16 +91,53 @@ std::optional<TriangleLoops> link(const std::vector<CrossingTriangle>& crossing)
   return loops;
 }
 
-/// Every point at which loops enter a triangle.
-planar::Places places_of(const TriangleLoops& loops, const AxisPlane& plane) {
+/// A point of a loop: where it enters a triangle. Where a vertex is in the plane, the loop enters many triangles there;
+/// the point is where it enters the last of them.
+struct LoopPoint {
+  Index before = 0, after = 0;  ///< the triangles in which the loop comes and goes
+  bool is_at_one_edge = true;   ///< which both have in common
+};
+
+/// The points of loops, one loop after the other; consecutive ones are different.
+struct PointLoops {
+  std::vector<LoopPoint> points;
+  std::vector<Index> first{0};  ///< of every loop, and the count
+};
+
+PointLoops points_of(const TriangleLoops& loops, const AxisPlane& plane) {
+  PointLoops result;
+  result.points.reserve(loops.triangles.size());
+  const auto are_at_one_vertex = [&](Index t, Index u) {
+    const Index v = loops.triangles[t].enter.behind;
+    return loops.triangles[u].enter.behind == v && plane.contains(v);
+  };
+  for (std::size_t l = 0; l + 1 < loops.first.size(); ++l) {
+    const Index begin = loops.first[l], end = loops.first[l + 1];
+    bool is_same = are_at_one_vertex(end - 1, begin);
+    for (Index before = end - 1, at = begin; at < end; before = at++) {
+      const bool next_is_same = are_at_one_vertex(at, at + 1 < end ? at + 1 : begin);
+      if (!next_is_same) result.points.push_back({before, at, !is_same});
+      is_same = next_is_same;
+    }
+    if (result.points.size() > result.first.back()) result.first.push_back(static_cast<Index>(result.points.size()));
+  }
+  return result;
+}
+
+planar::Places places_of(const PointLoops& loops, const TriangleLoops& triangles, const AxisPlane& plane) {
   planar::Places places;
-  const std::size_t count = loops.triangles.size();
+  const std::size_t count = loops.points.size();
   places.place.reserve(count);
   places.error.reserve(count);
   places.rationals.reserve(count);
-  for (const CrossingTriangle& t : loops.triangles) places.add(plane.crossing(t.enter.behind, t.enter.front));
+  for (const LoopPoint& p : loops.points) {
+    const CrossingEdge& e = triangles.triangles[p.after].enter;
+    places.add(plane.crossing(e.behind, e.front));
+  }
   return places;
 }
+
+bool are_doubles(const planar::Places& places, Index p) { return places.error[p] == planar::PlanePoint{0, 0}; }
 
 /// Points that have the same doubles may be the same.
 bool are_surely_different(const std::vector<planar::PlanePoint>& points) {
@@ -127,12 +161,13 @@ struct CornerLoops {
 
 class CornerFinder {
  public:
-  CornerFinder(const TriangleLoops& loops, const planar::Places& places, const AxisPlane& plane)
-      : loops_(loops), places_(places), plane_(plane) {}
+  CornerFinder(const TriangleLoops& triangles, const PointLoops& loops, const planar::Places& places,
+               const AxisPlane& plane)
+      : triangles_(triangles), loops_(loops), places_(places), plane_(plane) {}
 
   /// nullopt for a loop without area.
   std::optional<CornerLoops> find() {
-    result_.corners.reserve(loops_.triangles.size());
+    result_.corners.reserve(loops_.points.size());
     for (std::size_t l = 0; l + 1 < loops_.first.size(); ++l)
       if (!add_loop(loops_.first[l], loops_.first[l + 1])) return std::nullopt;
     return std::move(result_);
@@ -170,19 +205,23 @@ class CornerFinder {
     result_.loops.push_back(loop);
     return true;
   }
-  /// How the loop turns between two triangles: to the left at a convex edge.
+  /// How the loop turns: to the left at a convex edge.
   [[nodiscard]] Sign turn_at(Index before, Index at, Index after) const {
-    const CrossingTriangle &t = loops_.triangles[before], &u = loops_.triangles[at];
+    const LoopPoint& point = loops_.points[at];
+    if (!point.is_at_one_edge) return turn_of_points(before, at, after);
+    const CrossingTriangle &t = triangles_.triangles[point.before], &u = triangles_.triangles[point.after];
     const std::array corners{t.enter.front, t.enter.behind, t.apex, u.apex};
-    if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return plane_.is_double(v); }))
-      return -orient3d(plane_.rounded(corners[0]), plane_.rounded(corners[1]), plane_.rounded(corners[2]),
-                       plane_.rounded(corners[3]));
-    return turn_of_points(before, at, after);
+    if (!std::all_of(corners.begin(), corners.end(), [&](Index v) { return plane_.is_double(v); }))
+      return turn_of_points(before, at, after);
+    return -orient3d(plane_.rounded(corners[0]), plane_.rounded(corners[1]), plane_.rounded(corners[2]),
+                     plane_.rounded(corners[3]));
   }
   [[nodiscard]] Sign turn_of_points(Index before, Index at, Index after) const {
-    using planar::bounded;
+    const std::array points{before, at, after};
+    if (std::all_of(points.begin(), points.end(), [&](Index p) { return are_doubles(places_, p); }))
+      return orient2d(places_.place[before], places_.place[at], places_.place[after]);
     const auto way = [&](Index from, Index to, std::size_t i) {
-      return bounded(places_, to, i) - bounded(places_, from, i);
+      return planar::bounded(places_, to, i) - planar::bounded(places_, from, i);
     };
     const Bounded turn = way(before, at, 0) * way(at, after, 1) - way(before, at, 1) * way(at, after, 0);
     if (const auto sign = turn.sign()) return *sign;
@@ -190,7 +229,8 @@ class CornerFinder {
     return static_cast<Sign>(((q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0])).sign());
   }
 
-  const TriangleLoops& loops_;
+  const TriangleLoops& triangles_;
+  const PointLoops& loops_;
   const planar::Places& places_;
   const AxisPlane& plane_;
   CornerLoops result_;
@@ -212,21 +252,29 @@ class Nesting {
         outer.push_back(l);
         continue;
       }
-      // Its outer loop has the lesser least point.
-      for (auto at = outer.rbegin(); at != outer.rend() && loop.outer == none; ++at) {
-        const CornerLoops::Loop& around = loops_.loops[*at];
-        if (around.left > loop.left || around.right < loop.right || around.low > loop.low || around.high < loop.high)
-          continue;
-        tested_ += around.last - around.first;
-        if (contains(around, loops_.corners[loop.first])) loop.outer = *at;
-      }
-      tested_ += outer.size() / 16;
+      loop.outer = outer_of(loop, outer);
       if (loop.outer == none || tested_ > most) return false;
     }
     return true;
   }
 
  private:
+  /// Of loops in the order of their least points, all of them lesser than the hole's.
+  [[nodiscard]] Index outer_of(const CornerLoops::Loop& hole, std::span<const Index> outer) {
+    tested_ += outer.size() / 16;
+    Index found = none;  // the last one whose box contains the hole's: if no other one does, it need not be tested
+    for (auto at = outer.rbegin(); at != outer.rend(); ++at) {
+      const CornerLoops::Loop& loop = loops_.loops[*at];
+      if (loop.left > hole.left || loop.right < hole.right || loop.low > hole.low || loop.high < hole.high) continue;
+      if (found != none && is_around(loops_.loops[found], hole)) return found;
+      found = *at;
+    }
+    return found;
+  }
+  [[nodiscard]] bool is_around(const CornerLoops::Loop& loop, const CornerLoops::Loop& hole) {
+    tested_ += loop.last - loop.first;
+    return contains(loop, loops_.corners[hole.first]);
+  }
   /// True where a ray upwards from the point, which is not on the loop, leaves what the loop goes around.
   [[nodiscard]] bool contains(const CornerLoops::Loop& loop, Index point) {
     bool is_inside = false;
@@ -265,7 +313,7 @@ planar::Region region_of(planar::Places&& places, const CornerLoops& loops) {
   const std::size_t count = loops.corners.size();
   to.vertices.reserve(count);
   to.edge_line.assign(count, none);
-  const auto is_double = [&](Index p) { return places.error[p] == planar::PlanePoint{0, 0}; };
+  const auto is_double = [&](Index p) { return are_doubles(places, p); };
   const auto doubles = static_cast<Index>(std::count_if(loops.corners.begin(), loops.corners.end(), is_double));
   to.places.place.resize(count);
   to.places.error.reserve(count - doubles);
@@ -293,13 +341,12 @@ planar::Region region_of(planar::Places&& places, const CornerLoops& loops) {
 
 std::optional<planar::Region> section_in_general_position(std::span<const Triangle> triangles,
                                                           std::span<const Index> numbers, const AxisPlane& plane) {
-  const auto crossing = crossing_triangles(triangles, numbers, plane);
-  if (!crossing) return std::nullopt;
-  const auto linked = link(*crossing);
+  const auto linked = link(crossing_triangles(triangles, numbers, plane));
   if (!linked) return std::nullopt;
-  planar::Places places = places_of(*linked, plane);
+  const PointLoops points = points_of(*linked, plane);
+  planar::Places places = places_of(points, *linked, plane);
   if (!are_surely_different(places.place)) return std::nullopt;
-  auto loops = CornerFinder(*linked, places, plane).find();
+  auto loops = CornerFinder(*linked, points, places, plane).find();
   if (!loops) return std::nullopt;
   std::sort(loops->loops.begin(), loops->loops.end(), [&](const auto& l, const auto& m) {
     return planar::compare_xy(places, loops->corners[l.first], loops->corners[m.first]) == Sign::negative;

@@ -79,7 +79,9 @@ class CrossedTriangles {
             std::minmax({mesh.vertices[mesh.triangles[t][0]][axis], mesh.vertices[mesh.triangles[t][1]][axis],
                          mesh.vertices[mesh.triangles[t][2]][axis]});
         const auto begin = std::lower_bound(heights.begin(), heights.end(), low);
-        const auto end = std::upper_bound(begin, heights.end(), high);
+        auto end = begin;  // mostly few planes farther on
+        while (end != heights.end() && end - begin < 8 && *end <= high) ++end;
+        if (end - begin == 8) end = std::upper_bound(end, heights.end(), high);
         range_[t] = {static_cast<Index>(begin - heights.begin()), static_cast<Index>(end - heights.begin())};
       }
     });
