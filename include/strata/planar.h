@@ -33,8 +33,8 @@ inline constexpr std::uint32_t none = 0xffffffff;
 /// A point with rational coordinates.
 using RationalPlacement = std::array<Rational, 2>;
 
-/// The point between p and q at which a quantity is `at` that is `from` at p and `to` at q, and linear between them: its
-/// coordinates are p + (q - p) (at - from) / (to - from). Such is the point where an edge of space crosses a plane
+/// The point between p and q at which a quantity is `at` that is `from` at p and `to` at q, and linear between them:
+/// its coordinates are p + (q - p) (at - from) / (to - from). Such is the point where an edge of space crosses a plane
 /// across an axis. Requires finite doubles, and from < at < to or from > at > to.
 struct PointBetween {
   PlanePoint p{}, q{};
@@ -77,11 +77,11 @@ struct Meet {
 /// Numbers: points given as doubles come first, then those given as rationals, then meets.
 /// `place` and `error` hold the exact point: |exact - place[i]| <= error (as in `Bounded`) for each coordinate.
 struct Places {
-  std::vector<PlanePoint> place;             ///< of every point; exact for doubles
-  std::vector<PlanePoint> error;             ///< of every point that is not given as doubles
-  std::vector<RationalPlace> rationals;      ///< of every point given as rationals
-  std::vector<Meet> meets;                   ///< of every point that is a meet
-  std::vector<Line> lines;                   ///< no line's points are equal, except where a segment is a single point
+  std::vector<PlanePoint> place;         ///< of every point; exact for doubles
+  std::vector<PlanePoint> error;         ///< of every point that is not given as doubles
+  std::vector<RationalPlace> rationals;  ///< of every point given as rationals
+  std::vector<Meet> meets;               ///< of every point that is a meet
+  std::vector<Line> lines;               ///< no line's points are equal, except where a segment is a single point
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(place.size()); }
   /// How many points are given as doubles: the first ones.

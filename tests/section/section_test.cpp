@@ -160,7 +160,8 @@ TEST_CASE("slices are sections", "[section]") {
 }
 
 TEST_CASE("slices of random solids are sections, in general position and not", "[section]") {
-  const std::vector<double> heights{-1, 0, 0x1p-40, 0.1, 1.0 / 3, 0.5, 1, 1.2, 1.5, 2, 2.3, 2.5, 2.75, 3.1, 3.5, 4, 4.5, 9};
+  const std::vector<double> heights{-1, 0,   0x1p-40, 0.1,  1.0 / 3, 0.5, 1, 1.2, 1.5,
+                                    2,  2.3, 2.5,     2.75, 3.1,     3.5, 4, 4.5, 9};
   for (unsigned seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
     RandomSolids solids(seed);
@@ -193,7 +194,8 @@ TEST_CASE("slices with holes within holes", "[section]") {
   for (const double x : {0.0, 10.0, 20.0})
     for (const double y : {0.0, 10.0})
       for (int k = 0; k < 4; ++k)
-        shells.push_back(make_sphere(4 - k, 12 + k).rotated({1.0, 1.0 * k, 2.0}, 7 * k).translated({x, y, static_cast<double>(k)}));
+        shells.push_back(
+            make_sphere(4 - k, 12 + k).rotated({1.0, 1.0 * k, 2.0}, 7 * k).translated({x, y, static_cast<double>(k)}));
   const Solid solid = symmetric_difference(shells);
   const std::vector<double> heights{-2.1, -1.05, 0.1, 0.3, 1.1, 1.9, 2.2, 2.6, 3.05, 3.9};
   check_slices(solid, heights);
@@ -202,11 +204,18 @@ TEST_CASE("slices with holes within holes", "[section]") {
   Solid plate = box({0, 0, 0}, {20, 20, 1}) | box({1, 21, 0}, {20, 22, 1}) | box({8, 8, 0}, {9, 9, 1});
   std::vector<Solid> holes{plate};
   for (int i = 0; i < 18; ++i)
-    for (int j = 0; j < 18; ++j)
-      holes.push_back(box({i + 1.25, j + 1.25, -1}, {i + 1.75, j + 1.75, 2}));
+    for (int j = 0; j < 18; ++j) holes.push_back(box({i + 1.25, j + 1.25, -1}, {i + 1.75, j + 1.75, 2}));
   const Solid sieve = difference(holes);
   check_slices(sieve, std::vector{0.5});
   CHECK(slice(sieve, 2, std::vector{0.5}).front().loops.size() == 2 + 324);
+}
+
+TEST_CASE("a hole beside an island that is bent around it", "[section]") {
+  const Solid notch = box({2, 2, -1}, {18, 6, 2}) | box({2, 2, -1}, {6, 18, 2});
+  const Solid island = box({3, 3, 0}, {17, 5, 1}) | box({3, 3, 0}, {5, 17, 1});
+  const Solid solid = (box({0, 0, 0}, {20, 20, 1}) - notch - box({10, 10, -1}, {12, 12, 2})) | island;
+  check_slices(solid, std::vector{0.0, 0.5});
+  CHECK(slice(solid, 2, std::vector{0.5}).front().first_loop == std::vector<std::uint32_t>{0, 3, 4});
 }
 
 TEST_CASE("slices of tiny and of huge solids are sections", "[section]") {
@@ -216,7 +225,8 @@ TEST_CASE("slices of tiny and of huge solids are sections", "[section]") {
     Mesh mesh = test::convex_hull(unit);
     for (Vertex& p : mesh.vertices)
       for (double& x : p) x *= scale;
-    const std::vector<double> heights{-scale, -scale / 2, -scale / 3, 0, scale / 7, scale / 4, std::nextafter(scale, 0)};
+    const std::vector<double> heights{
+        -scale, -scale / 2, -scale / 3, 0, scale / 7, scale / 4, std::nextafter(scale, 0)};
     check_slices(Solid(mesh), heights);
   }
 }

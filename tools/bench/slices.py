@@ -3,13 +3,14 @@
 
 Usage: tools/bench/slices.py BUILD CASE [--planes N] [--seconds N]
 
-BUILD is a build folder with the programs strata and strata-bench, CASE the name of a case of the benchmark, whose first operand is cut. Strata's time is that
-of the whole command, files in, file out; the peers' that of their functions, arrays in, polygons out, without making their mesh. All areas are
-added up, to see that they found the same. A peer that is not done after N seconds is stopped between planes, and its time is told for the planes that it did.
-Medians of 3 for Strata, once for peers. Needs Python with NumPy, trimesh (with shapely and networkx) and manifold3d.
+BUILD is a build folder with the programs strata and strata-bench, CASE the name of a case of the benchmark, whose first operand is cut. All engines are timed
+from a solid that is made before to the polygons of all planes, in turn, on one plane after the other or, Strata and trimesh, all at once; Strata's whole command,
+files in, check, text out, is timed as well. All areas are added up, to see that they found the same. A peer that is not done after N seconds is stopped between planes,
+and its time is told for the planes that it did, once; all others are medians of R rounds. Needs Python with NumPy, trimesh (with shapely and networkx) and manifold3d.
 """
 import argparse
 import csv
+import json
 import pathlib
 import statistics
 import subprocess
@@ -24,16 +25,21 @@ import peer  # noqa: E402
 from snap_rounding import write  # noqa: E402
 
 
-def strata(build, path, step, folder):
-    out, seconds = folder / "out.csv", []
-    for _ in range(3):
-        start = time.perf_counter()
-        subprocess.run([build / "tools/strata/strata", "slice", path, "--step", repr(step), "-o", out, "-q"], check=True)
-        seconds.append(time.perf_counter() - start)
+def strata_command(build, path, step, folder):
+    out = folder / "out.csv"
+    start = time.perf_counter()
+    subprocess.run([build / "tools/strata/strata", "slice", path, "--step", repr(step), "-o", out, "-q"], check=True)
+    seconds = time.perf_counter() - start
     csv.field_size_limit(10**9)
     with open(out, newline="") as file:
         rows = list(csv.DictReader(file))
-    return statistics.median(seconds), len(rows), sum(float(row["area"]) for row in rows), [float(row["at"]) for row in rows]
+    return seconds, [float(row["at"]) for row in rows], sum(float(row["area"]) for row in rows)
+
+
+def strata_slices(build, case, planes):
+    command = [build / "tools/bench/strata-bench", "slice", case, "--planes", str(planes), "--threads", "2"]
+    answer = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+    return answer["median"], answer["planes"]
 
 
 def trimesh_slices(vertices, triangles, heights, limit):
@@ -71,23 +77,42 @@ def main():
     parser.add_argument("case")
     parser.add_argument("--planes", type=int, default=1000)
     parser.add_argument("--seconds", type=float, default=120)
+    parser.add_argument("--rounds", type=int, default=5)
     options = parser.parse_args()
+    build = options.build.absolute()
+    times, done, areas = {}, {}, {}
+
+    def took(engine, seconds, planes, area=None):
+        times.setdefault(engine, []).append(seconds)
+        done[engine] = planes
+        areas[engine] = "" if area is None else f"{area:.9g}"
+
+    peers = {"manifold3d": manifold_slices, "trimesh": trimesh_slices}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        subprocess.run([options.build / "tools/bench/strata-bench", "make", options.case, folder / "case"], check=True, capture_output=True)
+        subprocess.run([build / "tools/bench/strata-bench", "make", options.case, folder / "case"], check=True, capture_output=True)
         vertices, triangles = peer.read_case(folder / "case")[0]
         write(folder / "mesh.ply", vertices, triangles)
         step = float(vertices[:, 2].max() - vertices[:, 2].min()) / options.planes
-        seconds, planes, area, heights = strata(options.build.absolute(), folder / "mesh.ply", step, folder)
-    print("| engine | planes | seconds | ms per plane | sum of areas |\n|---|---|---|---|---|")
-    print(f"| Strata | {planes} | {seconds:.2f} | {1000 * seconds / planes:.2f} | {area:.9g} |", flush=True)
-    for engine, slices in ("trimesh", trimesh_slices), ("manifold3d", manifold_slices):
-        try:
-            seconds, done, area = slices(vertices, triangles, heights, options.seconds)
-        except ImportError as error:
-            print(f"| {engine} | | | | not here: {error} |")
-            continue
-        print(f"| {engine} | {done} | {seconds:.2f} | {1000 * seconds / done:.2f} | {area:.9g} |", flush=True)
+        for _ in range(options.rounds):
+            seconds, heights, area = strata_command(build, folder / "mesh.ply", step, folder)
+            took("Strata, whole command", seconds, len(heights), area)
+            took("Strata", *strata_slices(build, folder / "case", options.planes))
+            for engine, slices in list(peers.items()):
+                try:
+                    took(engine, *slices(vertices, triangles, heights, options.seconds))
+                except ImportError as error:
+                    print(f"{engine} is not here: {error}", file=sys.stderr)
+                    del peers[engine]
+                    continue
+                if done[engine] < len(heights) or times[engine][-1] > options.seconds / options.rounds:
+                    del peers[engine]  # once is enough
+    print("| engine | planes | seconds | ms per plane | over Strata | sum of areas |\n|---|---|---|---|---|---|")
+    own = statistics.median(times["Strata"]) / done["Strata"]
+    for engine, all_times in times.items():
+        seconds = statistics.median(all_times)
+        each = seconds / done[engine]
+        print(f"| {engine} | {done[engine]} | {seconds:.3f} | {1000 * each:.2f} | {each / own:.1f} | {areas[engine]} |")
 
 
 if __name__ == "__main__":

@@ -114,12 +114,12 @@ LayerStack::Text LayerStack::text_of(Layer layer, const strata::Monitor& monitor
       return {fmt::format("{},\"{}\",{},{},\"{}\"\n", layer.plane, layer.at, layer.mesh, number(area), wkt()),
               is_rearranged};
     case Format::geojson:
-      return {fmt::format(
-                  "\n{{\"type\":\"Feature\",\"properties\":{{\"plane\":{},\"at\":\"{}\",\"mesh\":{},\"area\":{}}},"
-                  "\"geometry\":{}}}",
-                  layer.plane, layer.at, layer.mesh, number(area),
-                  without_line_end(to_text(region, PlanarFormat::geojson))),
-              is_rearranged};
+      return {
+          fmt::format("\n{{\"type\":\"Feature\",\"properties\":{{\"plane\":{},\"at\":\"{}\",\"mesh\":{},\"area\":{}}},"
+                      "\"geometry\":{}}}",
+                      layer.plane, layer.at, layer.mesh, number(area),
+                      without_line_end(to_text(region, PlanarFormat::geojson))),
+          is_rearranged};
     case Format::svg:
       return {fmt::format("<g data-plane=\"{}\" data-at=\"{}\" data-mesh=\"{}\"><path d=\"{}\"/></g>\n", layer.plane,
                           layer.at, layer.mesh, svg_path(region)),

@@ -20,7 +20,7 @@ struct Offsets {
 };
 
 bool are_equal(const RationalPlace& p, const RationalPlace& q) {
-  if (const auto *a = p.between(), *b = q.between(); a != nullptr && b != nullptr && *a == *b) return true;
+  if (const auto* a = p.between(), *b = q.between(); a != nullptr && b != nullptr && *a == *b) return true;
   return p.exact() == q.exact();
 }
 

@@ -89,8 +89,8 @@ Pair<Bounded> bounded_pair(const PointBetween& between) {
     const DoubleDouble x = coordinate(between, part, i);
     const bool is_settled = x.error == 0 || (x.rounds_to_value() && std::abs(x.low) > x.error * Bounded::slack);
     if (!is_settled) return bounded_pair(RationalPlace(between).exact());
-    pair[i] = x.error == 0 ? Bounded(x.value)
-                           : Bounded(x.value, std::abs(x.value) * Bounded::rounding + Bounded::underflow);
+    pair[i] =
+        x.error == 0 ? Bounded(x.value) : Bounded(x.value, std::abs(x.value) * Bounded::rounding + Bounded::underflow);
   }
   return pair;
 }

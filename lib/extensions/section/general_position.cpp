@@ -150,8 +150,8 @@ bool are_surely_different(const std::vector<planar::PlanePoint>& points) {
 /// Loops by their corners: points of `Places`. A loop starts at its least one.
 struct CornerLoops {
   struct Loop {
-    Index first = 0, last = 0;  ///< in `corners`; the last one is not in the loop
-    bool is_outer = false;      ///< counter-clockwise
+    Index first = 0, last = 0;                      ///< in `corners`; the last one is not in the loop
+    bool is_outer = false;                          ///< counter-clockwise
     double left = 0, right = 0, low = 0, high = 0;  ///< a box that contains it
     Index outer = none;                             ///< of a hole: its outer loop
   };

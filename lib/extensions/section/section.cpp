@@ -68,21 +68,55 @@ class AnyPlane {
   std::vector<bool> is_in_front_;
 };
 
+/// Finds planes by their coordinates: at once where they are evenly spaced, as mostly, and else by halving.
+class PlaneSearch {
+ public:
+  explicit PlaneSearch(std::span<const double> heights) : heights_(heights) {
+    if (heights.size() < 2) return;
+    const double range = heights.back() - heights.front(), per_unit = static_cast<double>(heights.size() - 1) / range;
+    if (std::isfinite(range) && std::isfinite(per_unit)) per_unit_ = per_unit;
+  }
+  /// The first plane at a height or above it.
+  [[nodiscard]] std::size_t first_from(double height) const {
+    if (heights_.empty() || height <= heights_.front()) return 0;
+    if (height > heights_.back()) return heights_.size();
+    std::size_t k = 0;
+    if (per_unit_ != 0)
+      k = std::min(static_cast<std::size_t>((height - heights_.front()) * per_unit_), heights_.size() - 1);
+    for (int step = 0; step < 3; ++step) {
+      if (heights_[k] < height) {
+        ++k;
+      } else if (heights_[k - 1] >= height) {
+        --k;
+      } else {
+        return k;
+      }
+    }
+    return static_cast<std::size_t>(std::lower_bound(heights_.begin(), heights_.end(), height) - heights_.begin());
+  }
+
+ private:
+  std::span<const double> heights_;
+  double per_unit_ = 0;  ///< planes; 0 where it is not known
+};
+
 /// The triangles that planes may cross, for batches of planes in order.
 class CrossedTriangles {
  public:
   CrossedTriangles(const Mesh& mesh, std::size_t axis, std::span<const double> heights)
       : range_(mesh.triangles.size()), first_(heights.size() + 1, 0) {
+    const PlaneSearch search(heights);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, range_.size(), 4096), [&](const auto& block) {
       for (std::size_t t = block.begin(); t != block.end(); ++t) {
         const auto [low, high] =
             std::minmax({mesh.vertices[mesh.triangles[t][0]][axis], mesh.vertices[mesh.triangles[t][1]][axis],
                          mesh.vertices[mesh.triangles[t][2]][axis]});
-        const auto begin = std::lower_bound(heights.begin(), heights.end(), low);
-        auto end = begin;  // mostly few planes farther on
-        while (end != heights.end() && end - begin < 8 && *end <= high) ++end;
-        if (end - begin == 8) end = std::upper_bound(end, heights.end(), high);
-        range_[t] = {static_cast<Index>(begin - heights.begin()), static_cast<Index>(end - heights.begin())};
+        const std::size_t begin = search.first_from(low);
+        std::size_t end = begin;  // mostly few planes farther on
+        while (end < heights.size() && end - begin < 8 && heights[end] <= high) ++end;
+        if (end - begin == 8)
+          end = static_cast<std::size_t>(std::upper_bound(heights.begin(), heights.end(), high) - heights.begin());
+        range_[t] = {static_cast<Index>(begin), static_cast<Index>(end)};
       }
     });
     for (const auto& [begin, end] : range_)
