@@ -86,7 +86,7 @@ BooleanResult finished(const InputComplex& input, const std::vector<Verdict>& ve
   if (options.rounding && !options.exact_vertices) {
     const NearestMesh nearest{result.mesh, rounded_vertices(input, boundary, result.mesh.vertices, monitor),
                               [&](std::uint32_t vertex) { return exact_position(input, boundary, vertex); }};
-    put_rounded(round_to_solid(nearest, *options.rounding, monitor), result);
+    round_result(nearest, *options.rounding, monitor, result);
   }
   return result;
 }

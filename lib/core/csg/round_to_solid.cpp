@@ -1,13 +1,12 @@
 #include "core/csg/round_to_solid.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -21,6 +20,7 @@
 #include "core/kernel/grid_rounding.h"
 #include "core/mesh/connections.h"
 #include "core/mesh/equal_vertices.h"
+#include "core/mesh/lattice_sum.h"
 #include "core/mesh/prepare.h"
 #include "core/round/distances.h"
 #include "core/round/flatten.h"
@@ -130,7 +130,12 @@ class SolidRounding {
   SolidRounding(const NearestMesh& exact, const GridRounding& grid, const Monitor& monitor)
       : exact_(exact), grid_(grid), monitor_(monitor) {}
 
-  RoundedMesh run() {
+  struct Outcome {
+    std::optional<MovingMesh::Parts> parts;  ///< none: those of the exact mesh, as they are
+    RoundingReport report;
+  };
+
+  Outcome run() {
     MovingMesh moving = nearest();
     RoundingReport report;
     int repairs = 0, resolves = 0;
@@ -142,7 +147,7 @@ class SolidRounding {
       if (wrong.empty() && winds_like_a_solid(moving, region, monitor_)) {
         const std::vector<VertexMove> met = vertices_that_met(moving, region, report.rounds == 0);
         moving.move(met);
-        return finished(std::move(moving), report, !met.empty());
+        return finished(std::move(moving), &region, report, !met.empty());
       }
       ++report.rounds;
       if (!wrong.empty() && repairs < most_repairs && repaired(moving, region, wrong, repairs > 0)) {
@@ -151,7 +156,7 @@ class SolidRounding {
       }
       repairs = 0;
       if (!wrong.empty() && !reach_.is_time_to_resolve(wrong.size())) continue;
-      if (!resolve_again(moving, ++resolves)) return finished(std::move(moving), report, false);
+      if (!resolve_again(moving, ++resolves)) return finished(std::move(moving), nullptr, report, false);
     }
   }
 
@@ -161,7 +166,9 @@ class SolidRounding {
     std::vector<bool> is_rounded(points.size(), false);
     for (const std::uint32_t v : exact_.rounded) is_rounded[v] = true;
     const std::vector<std::uint32_t> moving =
-        collect(points.size(), [&](std::uint32_t v) { return is_rounded[v] || grid_(points[v], 0) != points[v]; });
+        grid_.holds_all_doubles() ? exact_.rounded : collect(points.size(), [&](std::uint32_t v) {
+          return is_rounded[v] || grid_(points[v], 0) != points[v];
+        });
     std::vector<VertexMove> moves;
     resize_fresh(moves, moving.size());
     tbb::parallel_for(std::size_t{0}, moving.size(), [&](std::size_t n) {
@@ -171,18 +178,7 @@ class SolidRounding {
     });
     for (const VertexMove& m : moves)
       if (!is_finite(m.to)) refuse(m.vertex);
-    const std::span<const Triangle> triangles = exact_.mesh.triangles;
-    Mesh mesh;
-    std::vector<std::uint32_t> source_face;
-    std::vector<double> moved;
-    tbb::parallel_invoke([&] { mesh.vertices.assign(points.begin(), points.end()); },
-                         [&] { mesh.triangles.assign(triangles.begin(), triangles.end()); },
-                         [&] {
-                           resize_fresh(source_face, triangles.size());
-                           std::iota(source_face.begin(), source_face.end(), 0U);
-                           resize_fresh(moved, triangles.size());
-                         });
-    MovingMesh result(std::move(mesh), std::move(source_face), std::move(moved));
+    MovingMesh result(exact_.mesh);
     result.move(moves);
     return result;
   }
@@ -267,15 +263,21 @@ class SolidRounding {
     return moves;
   }
 
-  RoundedMesh finished(MovingMesh moving, RoundingReport report, bool have_vertices_met) const {
-    double largest = 0;
-    for (const Vertex& v : exact_.mesh.vertices) largest = std::max(largest, size(v));
-    report.unit = grid_.unit_at(largest);
+  /// `region`: what was searched last, if it was.
+  Outcome finished(MovingMesh moving, const ChangedRegion* region, RoundingReport report,
+                   bool have_vertices_met) const {
+    report.unit = grid_.unit_at(largest_coordinate(exact_.mesh.vertices));
+    if (moving.is_as_given()) {
+      if (region != nullptr) count_moved_vertices(moving, *region, report);
+      for (const double moved : moving.moved_of_changed())
+        report.largest_movement = std::max(report.largest_movement, moved);
+      return {std::nullopt, report};
+    }
     MovingMesh::Parts parts = std::move(moving).take();
     if (report.rounds > 0 || have_vertices_met) compare(parts, report);
     count_moved_vertices(parts, report);
     for (const double moved : parts.moved) report.largest_movement = std::max(report.largest_movement, moved);
-    return {std::move(parts.mesh), std::move(parts.source_face), report};
+    return {std::move(parts), report};
   }
 
   void compare(const MovingMesh::Parts& rounded, RoundingReport& report) const {
@@ -287,24 +289,56 @@ class SolidRounding {
   }
 
   /// A vertex is as near to the exact boundary as any of its triangles.
-  static void count_moved_vertices(const MovingMesh::Parts& rounded, RoundingReport& report) {
-    const std::size_t count = rounded.mesh.vertices.size();
-    std::vector<double> of_vertex;
-    resize_fresh(of_vertex, count, std::numeric_limits<double>::infinity());
-    tbb::parallel_for(std::size_t{0}, rounded.moved.size(), [&](std::size_t t) {
-      const double way = rounded.moved[t];
-      for (const std::uint32_t v : rounded.mesh.triangles[t]) {
-        const std::atomic_ref<double> least(of_vertex[v]);
+  class VertexMovements {
+   public:
+    explicit VertexMovements(std::size_t vertices) {
+      resize_fresh(of_vertex_, vertices, std::numeric_limits<double>::infinity());
+    }
+    /// From many threads.
+    void add(const Triangle& t, double way) {
+      for (const std::uint32_t v : t) {
+        const std::atomic_ref<double> least(of_vertex_[v]);
         double before = least.load(std::memory_order_relaxed);
         while (way < before && !least.compare_exchange_weak(before, way, std::memory_order_relaxed)) {
         }
       }
-    });
-    const auto is_between = [&](double low, std::uint32_t v) {
-      return of_vertex[v] > low && !std::isinf(of_vertex[v]);
+    }
+    void count(RoundingReport& report) const {
+      const auto is_between = [&](double low, std::uint32_t v) {
+        return of_vertex_[v] > low && !std::isinf(of_vertex_[v]);
+      };
+      const std::vector<std::uint32_t> moved =
+          collect(of_vertex_.size(), [&](std::uint32_t v) { return is_between(0, v); });
+      report.moved_vertices += moved.size();
+      report.far_vertices += static_cast<std::size_t>(
+          std::count_if(moved.begin(), moved.end(), [&](std::uint32_t v) { return is_between(4 * report.unit, v); }));
+    }
+
+   private:
+    std::vector<double> of_vertex_;
+  };
+  static void count_moved_vertices(const MovingMesh::Parts& rounded, RoundingReport& report) {
+    VertexMovements movements(rounded.mesh.vertices.size());
+    tbb::parallel_for(std::size_t{0}, rounded.moved.size(),
+                      [&](std::size_t t) { movements.add(rounded.mesh.triangles[t], rounded.moved[t]); });
+    movements.count(report);
+  }
+  /// Triangles that were not changed did not move. Those that have vertices of changed ones were searched.
+  static void count_moved_vertices(const MovingMesh& rounded, const ChangedRegion& region, RoundingReport& report) {
+    const MeshView mesh = rounded.mesh();
+    const std::vector<std::uint32_t>& changed = rounded.changed();
+    if (changed.empty()) return;
+    const auto position_in = [](const std::vector<std::uint32_t>& sorted, std::uint32_t number) {
+      return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), number) - sorted.begin());
     };
-    report.moved_vertices += collect(count, [&](std::uint32_t v) { return is_between(0, v); }).size();
-    report.far_vertices += collect(count, [&](std::uint32_t v) { return is_between(4 * report.unit, v); }).size();
+    VertexMovements movements(region.vertices().size());
+    tbb::parallel_for(std::size_t{0}, region.faces().size(), [&](std::size_t n) {
+      const std::uint32_t f = region.faces()[n], at = position_in(changed, f);
+      Triangle t = mesh.triangles[f];
+      for (std::uint32_t& v : t) v = position_in(region.vertices(), v);
+      movements.add(t, at < changed.size() && changed[at] == f ? rounded.moved_of_changed()[at] : 0);
+    });
+    movements.count(report);
   }
 
   const NearestMesh& exact_;
@@ -317,7 +351,17 @@ class SolidRounding {
 
 RoundedMesh round_to_solid(const NearestMesh& mesh, const CoordinateGrid& grid, const Monitor& monitor) {
   const GridRounding rounding(grid);
-  return SolidRounding(mesh, rounding, monitor).run();
+  auto [parts, report] = SolidRounding(mesh, rounding, monitor).run();
+  if (!parts) parts = MovingMesh(mesh.mesh).take();
+  return {std::move(parts->mesh), std::move(parts->source_face), report};
+}
+
+void round_result(const NearestMesh& mesh, const CoordinateGrid& grid, const Monitor& monitor, BooleanResult& result) {
+  const GridRounding rounding(grid);
+  auto [parts, report] = SolidRounding(mesh, rounding, monitor).run();
+  if (parts) return put_rounded({std::move(parts->mesh), std::move(parts->source_face), report}, result);
+  result.exact.clear();
+  result.rounding = report;
 }
 
 void put_rounded(RoundedMesh rounded, BooleanResult& result) {

@@ -17,6 +17,7 @@ class GridRounding {
   [[nodiscard]] double operator()(double x, int bits_less) const;
   [[nodiscard]] Vertex operator()(const Vertex& v, int bits_less) const;
   [[nodiscard]] bool holds(const Vertex& v) const;
+  [[nodiscard]] bool holds_all_doubles() const { return format_ == CoordinateGrid::Format::float64 && numerator_ == 0; }
 
   /// The distance from a number of this size to the next.
   [[nodiscard]] double unit_at(double x) const;

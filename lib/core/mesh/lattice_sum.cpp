@@ -1,5 +1,8 @@
 #include "core/mesh/lattice_sum.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -98,11 +101,16 @@ Rational LatticeSum::value() const {
 }
 
 double largest_coordinate(std::span<const Vertex> vertices) {
-  double largest = 0;
-  for (const Vertex& v : vertices)
-    for (const double x : v)
-      if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
-  return largest;
+  using Range = tbb::blocked_range<std::size_t>;
+  return tbb::parallel_reduce(
+      Range(0, vertices.size(), 4096), 0.0,
+      [&](const Range& range, double largest) {
+        for (std::size_t v = range.begin(); v != range.end(); ++v)
+          for (const double x : vertices[v])
+            if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
+        return largest;
+      },
+      [](double a, double b) { return std::max(a, b); });
 }
 
 }  // namespace strata

@@ -158,7 +158,7 @@ struct Filling {
 /// A pile as it is seen along the axis of its plane. Its corners are named by their places there.
 class View {
  public:
-  View(const Mesh& mesh, const Pile& pile) : mesh_(mesh), plane_(pile.plane) {
+  View(MeshView mesh, const Pile& pile) : mesh_(mesh), plane_(pile.plane) {
     for (const Index f : pile.faces)
       corners_.insert(corners_.end(), mesh.triangles[f].begin(), mesh.triangles[f].end());
     std::sort(corners_.begin(), corners_.end());
@@ -278,7 +278,7 @@ class View {
     }
   }
 
-  const Mesh& mesh_;
+  MeshView mesh_;
   const ViewedPlane& plane_;
   std::vector<Index> corners_;  ///< vertices
   std::optional<facets::PointTable> points_;
@@ -286,7 +286,7 @@ class View {
   facets::Chain boundary_;
 };
 
-std::optional<Filling> filling_of(const Mesh& mesh, const Pile& pile, const GridRounding& grid, bool may_divide) {
+std::optional<Filling> filling_of(MeshView mesh, const Pile& pile, const GridRounding& grid, bool may_divide) {
   if (pile.faces.size() < 2) return {};
   try {
     std::optional<Filling> filling = View(mesh, pile).filling(grid, may_divide);
@@ -309,7 +309,7 @@ bool flatten(MovingMesh& mesh, const ChangedRegion& region, const std::vector<In
   std::vector<Seed> seeds;
   for (const Index f : wrong) {
     const auto& [a, b, c] = mesh.mesh().triangles[f];
-    const std::vector<Vertex>& points = mesh.mesh().vertices;
+    const std::span<const Vertex> points = mesh.mesh().vertices;
     if (mesh.is_left(f)) seeds.push_back({f, ViewedPlane(points[a], points[b], points[c])});
   }
   std::stable_sort(seeds.begin(), seeds.end(),

@@ -1,13 +1,18 @@
 #include "core/round/moving_mesh.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "core/containers/collect.h"
+#include "core/containers/huge_pages.h"
 
 namespace strata {
 namespace {
@@ -16,7 +21,7 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// Of a triangle, and, where doubles are rounded, of the points that they stand for. What is beyond the largest double
 /// meets no other box.
-Box box_around(const Mesh& mesh, std::uint32_t face) {
+Box box_around(MeshView mesh, std::uint32_t face) {
   constexpr double largest = std::numeric_limits<double>::max();
   Box box;
   for (const std::uint32_t v : mesh.triangles[face]) box.include(mesh.vertices[v]);
@@ -25,6 +30,13 @@ Box box_around(const Mesh& mesh, std::uint32_t face) {
     box.upper[i] = std::nextafter(box.upper[i], largest);
   }
   return box;
+}
+
+/// To the last bit: 0 is not -0.
+bool are_same(const Vertex& a, const Vertex& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  });
 }
 
 std::pair<std::uint32_t, std::uint32_t> side(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
@@ -49,37 +61,64 @@ void drop_unused_vertices(Mesh& mesh) {
 MovingMesh::MovingMesh(Mesh mesh, std::vector<std::uint32_t> source_face, std::vector<double> moved)
     : mesh_(std::move(mesh)), source_face_(std::move(source_face)), moved_(std::move(moved)), swept_(std::in_place) {}
 
+void MovingMesh::copy_given() {
+  if (!boundary_) return;
+  const MeshView from = *std::exchange(boundary_, std::nullopt);
+  const std::vector<double> of_changed = std::move(moved_);
+  tbb::parallel_invoke([&] { mesh_.vertices.assign(from.vertices.begin(), from.vertices.end()); },
+                       [&] { mesh_.triangles.assign(from.triangles.begin(), from.triangles.end()); },
+                       [&] {
+                         resize_fresh(source_face_, from.triangles.size());
+                         std::iota(source_face_.begin(), source_face_.end(), 0U);
+                         moved_ = {};
+                         resize_fresh(moved_, from.triangles.size());
+                         for (std::size_t n = 0; n < changed_.size(); ++n) moved_[changed_[n]] = of_changed[n];
+                       });
+}
+
 Box MovingMesh::box(std::uint32_t face) const {
   Box box;
-  for (const std::uint32_t v : mesh_.triangles[face]) box.include(mesh_.vertices[v]);
+  for (const std::uint32_t v : mesh().triangles[face]) box.include(mesh().vertices[v]);
   return box;
 }
 
 void MovingMesh::move(std::span<const VertexMove> moves) {
   if (moves.empty()) return;
-  std::vector<std::uint32_t> move_of(mesh_.vertices.size(), none);
-  for (std::size_t m = 0; m < moves.size(); ++m) move_of[moves[m].vertex] = static_cast<std::uint32_t>(m);
-  std::vector<std::uint32_t> touched = collect(mesh_.triangles.size(), [&](std::uint32_t f) {
-    const Triangle& t = mesh_.triangles[f];
-    return is_left(f) && std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return move_of[v] != none; });
+  const bool stays = changed_.empty() && std::all_of(moves.begin(), moves.end(), [&](const VertexMove& m) {
+                       return m.becomes == m.vertex && are_same(m.to, mesh().vertices[m.vertex]);
+                     });
+  if (!stays) copy_given();
+  const MeshView mesh = this->mesh();
+  std::vector<bool> moves_away(mesh.vertices.size(), false);
+  for (const VertexMove& m : moves) moves_away[m.vertex] = true;
+  std::vector<std::uint32_t> touched = collect(mesh.triangles.size(), [&](std::uint32_t f) {
+    const auto [a, b, c] = mesh.triangles[f];
+    return (moves_away[a] || moves_away[b] || moves_away[c]) && !repeats_vertex(mesh.triangles[f]);
   });
-  if (2 * touched.size() > mesh_.triangles.size()) swept_.reset();
+  const auto move_of = [&](std::uint32_t v) -> const VertexMove& {
+    return *std::lower_bound(moves.begin(), moves.end(), v,
+                             [](const VertexMove& m, std::uint32_t w) { return m.vertex < w; });
+  };
+  if (2 * touched.size() > mesh.triangles.size()) swept_.reset();
+  if (is_as_given()) moved_.resize(touched.size());
   const std::size_t before = swept_ ? swept_->size() : 0;
   if (swept_) swept_->resize(before + touched.size());
   tbb::parallel_for(std::size_t{0}, touched.size(), [&](std::size_t n) {
     const std::uint32_t f = touched[n];
-    if (swept_) (*swept_)[before + n] = box_around(mesh_, f);
+    if (swept_) (*swept_)[before + n] = box_around(mesh, f);
     double way = 0;
-    for (std::uint32_t& v : mesh_.triangles[f]) {
-      if (move_of[v] == none) continue;
-      const VertexMove& m = moves[move_of[v]];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t v = mesh.triangles[f][i];
+      if (!moves_away[v]) continue;
+      const VertexMove& m = move_of(v);
       if (swept_) (*swept_)[before + n].include(m.to);
       way = std::max(way, m.way);
-      v = m.becomes;
+      if (!is_as_given()) mesh_.triangles[f][i] = m.becomes;
     }
-    moved_[f] += way;
+    moved_[is_as_given() ? n : f] += way;
   });
   for (const VertexMove& m : moves) {
+    if (is_as_given()) break;
     mesh_.vertices[m.vertex] = m.to;
     has_unused_ = has_unused_ || m.becomes != m.vertex;
   }
@@ -87,6 +126,7 @@ void MovingMesh::move(std::span<const VertexMove> moves) {
 }
 
 void MovingMesh::flip(std::span<const FlatFlip> flips) {
+  copy_given();
   std::vector<std::uint32_t> touched;
   for (const auto& [cap, base, corner, way] : flips) {
     const Triangle t = mesh_.triangles[cap], u = mesh_.triangles[base];
@@ -107,6 +147,7 @@ void MovingMesh::flip(std::span<const FlatFlip> flips) {
 }
 
 void MovingMesh::cancel(std::span<const std::pair<std::uint32_t, std::uint32_t>> opposites) {
+  copy_given();
   for (const auto& [face, opposite] : opposites) {
     const Triangle t = mesh_.triangles[face];
     for (std::size_t i = 0; i < 3; ++i) lost_sides_.insert(side(t[i], t[(i + 1) % 3]));
@@ -116,6 +157,7 @@ void MovingMesh::cancel(std::span<const std::pair<std::uint32_t, std::uint32_t>>
 }
 
 void MovingMesh::replace(std::span<const std::uint32_t> faces, std::span<const Triangle> by, double way) {
+  copy_given();
   Box passed;
   double moved = 0;
   for (const std::uint32_t f : faces) {
@@ -140,12 +182,15 @@ void MovingMesh::replace(std::span<const std::uint32_t> faces, std::span<const T
 }
 
 std::uint32_t MovingMesh::add_vertex(const Vertex& at) {
+  copy_given();
   mesh_.vertices.push_back(at);
   return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
 }
 
 void MovingMesh::set_searched(const std::vector<std::uint32_t>& wrong) {
-  if (!swept_) changed_ = wrong;
+  if (swept_) return;
+  copy_given();
+  changed_ = wrong;
 }
 
 void MovingMesh::add_changed(std::vector<std::uint32_t> faces) {
@@ -158,6 +203,7 @@ void MovingMesh::add_changed(std::vector<std::uint32_t> faces) {
 }
 
 MovingMesh::Parts MovingMesh::take() && {
+  copy_given();
   const auto gone = collect(mesh_.triangles.size(), [&](std::uint32_t f) { return !is_left(f); });
   std::size_t kept = gone.empty() ? mesh_.triangles.size() : gone.front();
   for (auto f = static_cast<std::uint32_t>(kept); f < mesh_.triangles.size(); ++f) {

@@ -34,11 +34,14 @@ class MovingMesh {
  public:
   /// Per triangle: the face of the exact boundary that it is part of, and how far it is from that boundary at most.
   MovingMesh(Mesh mesh, std::vector<std::uint32_t> source_face, std::vector<double> moved);
+  /// The exact boundary itself, of which every vertex is at its nearest doubles. Refers to the mesh; it is copied when
+  /// something of it changes.
+  explicit MovingMesh(MeshView boundary) : boundary_(boundary), swept_(std::in_place) {}
 
-  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
-  [[nodiscard]] const std::vector<std::uint32_t>& source_face() const { return source_face_; }
-  [[nodiscard]] const std::vector<double>& moved() const { return moved_; }
-  [[nodiscard]] bool is_left(std::uint32_t face) const { return !repeats_vertex(mesh_.triangles[face]); }
+  [[nodiscard]] MeshView mesh() const { return boundary_ ? *boundary_ : MeshView(mesh_); }
+  /// Nothing has changed yet but how far vertices are from the exact ones.
+  [[nodiscard]] bool is_as_given() const { return boundary_.has_value(); }
+  [[nodiscard]] bool is_left(std::uint32_t face) const { return !repeats_vertex(mesh().triangles[face]); }
   [[nodiscard]] Box box(std::uint32_t face) const;
 
   /// At most one move per vertex, by increasing vertex; what a vertex becomes does not move. O(n), in parallel.
@@ -60,6 +63,8 @@ class MovingMesh {
   [[nodiscard]] const std::optional<std::vector<Box>>& swept() const { return swept_; }
   /// Edges, from the lower to the higher vertex, that triangles no longer have without a move of a vertex.
   [[nodiscard]] const std::set<std::pair<std::uint32_t, std::uint32_t>>& lost_sides() const { return lost_sides_; }
+  /// How far changed triangles are from the exact boundary at most; of a mesh as it was given.
+  [[nodiscard]] const std::vector<double>& moved_of_changed() const { return moved_; }
   /// All triangles were searched for intersections, and these have some.
   void set_searched(const std::vector<std::uint32_t>& wrong);
 
@@ -73,11 +78,13 @@ class MovingMesh {
   [[nodiscard]] Parts take() &&;
 
  private:
+  void copy_given();
   void add_changed(std::vector<std::uint32_t> faces);
 
+  std::optional<MeshView> boundary_;  ///< in place of `mesh_` and `source_face_`, as long as nothing changed
   Mesh mesh_;
   std::vector<std::uint32_t> source_face_;
-  std::vector<double> moved_;
+  std::vector<double> moved_;  ///< of every triangle; with `boundary_`, of the changed ones
   std::vector<std::uint32_t> changed_;
   std::optional<std::vector<Box>> swept_;
   bool has_unused_ = false;  ///< vertices that triangles had

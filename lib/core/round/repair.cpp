@@ -42,7 +42,7 @@ std::vector<Index> vertices_of(const MovingMesh& mesh, std::span<const Index> fa
 /// Vertices that stay, in cells by their places. Each is near those that come later and are within its reach.
 class Staying {
  public:
-  Staying(const std::vector<Vertex>& points, const GridRounding& grid, double reach)
+  Staying(std::span<const Vertex> points, const GridRounding& grid, double reach)
       : points_(points), grid_(grid), reach_(reach) {}
 
   /// The lowest number of a vertex that stays and has this one in its reach.
@@ -97,7 +97,7 @@ class Staying {
         for (const double z : {-1.0, 0.0, 1.0}) visit(Cell{e, {middle[0] + x, middle[1] + y, middle[2] + z}});
   }
 
-  const std::vector<Vertex>& points_;
+  std::span<const Vertex> points_;
   const GridRounding& grid_;
   double reach_;
   int lowest_exponent_ = std::numeric_limits<int>::max(), highest_exponent_ = std::numeric_limits<int>::min();
@@ -105,7 +105,7 @@ class Staying {
 };
 
 bool join_near_vertices(MovingMesh& mesh, std::span<const Index> wrong, const GridRounding& grid, double reach) {
-  const std::vector<Vertex>& points = mesh.mesh().vertices;
+  const std::span<const Vertex> points = mesh.mesh().vertices;
   Staying staying(points, grid, reach);
   std::vector<VertexMove> moves;
   for (const Index v : vertices_of(mesh, wrong)) {
@@ -177,7 +177,7 @@ std::optional<Cap> cap_of(const MovingMesh& mesh, Index face, const GridRounding
 }
 
 bool flip_caps(MovingMesh& mesh, std::span<const Index> wrong, const GridRounding& grid, double reach) {
-  const std::vector<Triangle>& triangles = mesh.mesh().triangles;
+  const std::span<const Triangle> triangles = mesh.mesh().triangles;
   std::map<std::pair<Index, Index>, std::vector<Cap>> caps;  // by the side that a neighbour has
   std::vector<bool> has_cap(mesh.mesh().vertices.size(), false);
   for (const Index f : wrong) {

@@ -38,7 +38,7 @@ std::vector<std::uint32_t> faces_to_search(const MovingMesh& mesh) {
 }
 
 /// Some triangles of a mesh, as a mesh; `numbers` becomes the vertices' numbers in the whole.
-Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces, std::vector<std::uint32_t>& numbers) {
+Mesh part_of(MeshView mesh, std::span<const std::uint32_t> faces, std::vector<std::uint32_t>& numbers) {
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> number_in_part;
   resize_fresh(number_in_part, mesh.vertices.size(), unused);

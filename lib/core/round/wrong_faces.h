@@ -41,6 +41,8 @@ class ChangedRegion {
 
   /// The faces of the region by increasing number.
   [[nodiscard]] const std::vector<std::uint32_t>& faces() const { return faces_; }
+  /// Their vertices by increasing number, equal ones too.
+  [[nodiscard]] const std::vector<std::uint32_t>& vertices() const { return vertices_; }
   /// Vertices that have the coordinates of one with a lower number, by increasing number, and that one.
   [[nodiscard]] const std::vector<std::pair<std::uint32_t, std::uint32_t>>& equal_vertices() const { return equal_; }
 
