@@ -70,6 +70,27 @@ Solid random_solid(unsigned seed, int operands) {
 
 }  // namespace
 
+TEST_CASE("vertices that stay at their nearest doubles count as moved", "[rounding]") {
+  // All of it moves.
+  const Solid third = make_box({0, 0, 0}, {1, 1, 1}).scaled(Rational(1, 3)).translated({Rational(1, 7), 0, 0});
+  const RoundedMesh all = check_rounded(third.exact_mesh(), {});
+  CHECK(all.mesh == third.mesh());
+  CHECK(all.report.moved_vertices == 8);
+  CHECK(all.report.far_vertices == 0);
+  CHECK(all.report.largest_movement > 0);
+  // Part of it does.
+  const Solid sphere = make_sphere(2, 48), tool = third.translated({1, 1, 1}), cut = sphere - tool;
+  const RoundedMesh some = check_rounded(cut.exact_mesh(), {});
+  const std::array operands{Operand{sphere.mesh(), {}}, Operand{tool.mesh(), tool.exact_mesh().exact}};
+  const BooleanResult result =
+      combine(Operation::difference, operands, {.input = InputClass::solid, .rounding = CoordinateGrid()});
+  CHECK(some.mesh == cut.mesh());
+  CHECK(some.report.moved_vertices == cut.exact_mesh().exact.size());
+  REQUIRE(result.rounding.has_value());
+  CHECK(result.rounding->moved_vertices == some.report.moved_vertices);
+  CHECK(result.rounding->largest_movement == some.report.largest_movement);
+}
+
 TEST_CASE("a solid on the grid is not changed", "[csg][rounding]") {
   const Solid cube = box({0, 0, 0}, {1, 1, 1});
   for (const CoordinateGrid& grid : {CoordinateGrid(), floats(), steps(1), steps(Rational(1, 1000)), steps(0.125)}) {
