@@ -49,9 +49,9 @@ struct PlaneAxes {
 /// one thread at a time, also where the section is empty. Planes are cut in parallel, in batches, so that what is
 /// waiting is bounded whatever their number. Uses threads, progress, cancel. O(n + k log k) for n faces and k crossings
 /// of faces and planes. Requires that the boundary meets itself in common vertices and edges only, as in results of
-/// operations, and as `check` finds: of a mesh that was taken at its word (InputClass::solid) and crosses itself, loops
-/// cross where its faces do. Throws std::invalid_argument for coordinates that decrease or are not finite, and for
-/// another axis; Cancelled; what `visit` throws.
+/// operations, and as `check` finds. A mesh that was taken at its word (InputClass::solid) may cross itself, or touch
+/// itself elsewhere: then loops do, too. Throws std::invalid_argument for coordinates that decrease or are not finite,
+/// and for another axis; Cancelled; what `visit` throws.
 void slice(const Solid& solid, std::size_t axis, std::span<const double> coordinates,
            FunctionRef<void(std::size_t plane, planar::Region region)> visit, const Options& options = {});
 
