@@ -168,3 +168,17 @@ TEST_CASE("a large mesh in any order is inspected as it is", "[csg]") {
   mesh.triangles[9][0] = 0xffff'fff0;
   CHECK_FALSE(check(mesh).empty());
 }
+
+// Around the line in which three faces cross, all six sheets are in the boundary, and none of them ends there.
+TEST_CASE("faces that cross in one line, and are kept on both sides, have it as an edge", "[csg]") {
+  const std::vector<Vertex> at = {{0, 2, 2}, {0, 3, 1}, {1, 2, 2}, {3, 0, 0}, {1, 2, 1}, {2, 0, 1},
+                                  {2, 0, 2}, {2, 2, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 2}, {2, 2, 1}};
+  const std::vector<Triangle> first_two = {{0, 1, 3}, {0, 2, 1}, {0, 3, 2}, {1, 2, 3},
+                                           {4, 5, 6}, {4, 6, 7}, {4, 7, 5}, {5, 7, 6}};
+  Mesh mesh{at, first_two};
+  for (const Triangle& t : {Triangle{10, 9, 8}, {11, 10, 8}, {8, 9, 11}, {11, 9, 10}}) mesh.triangles.push_back(t);
+  for (const Inside inside : {Inside::winding, Inside::even_odd, Inside::outer}) {
+    const Solid solid = resolved(mesh, inside);
+    CHECK(check(solid.exact_mesh()).empty());
+  }
+}

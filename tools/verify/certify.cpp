@@ -90,7 +90,7 @@ Verdict recertify_case(const Case& c, const fs::path& oracle, const RunOptions& 
   if (c.input != strata::InputClass::solid) return {Outcome::not_applicable, "operands that cross themselves"};
   const Scratch scratch;
   const fs::path out = scratch.path() / "oracle.json";
-  std::vector<std::string> command = {oracle.string(), c.expression, out.string()};
+  std::vector<std::string> command = {fs::absolute(oracle).string(), c.expression, out.string()};
   for (std::string& binding : bindings_of(c, scratch.path())) command.push_back(std::move(binding));
   const ChildEnd end = run_child(command, options.limits, scratch.path());
   finding.seconds = end.seconds;

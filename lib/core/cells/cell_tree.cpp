@@ -34,8 +34,9 @@ BrickGrid bricks_for(const InputComplex& input, const Space& space) {
   return {space, std::min(most, std::size_t{2} * input.face_count()), 2 * typical_extent(input, space.grid)};
 }
 
-/// The space of interest as one cell. One pass over all faces lists those that reach into it and walks to its origin.
-Branch undivided(const InputComplex& input, const Space& space) {
+/// The space of interest as one cell. One pass over all faces lists those that reach into it, with their corners, and
+/// walks to its origin.
+Branch undivided(const InputComplex& input, const Space& space, VertexSet& near_corners) {
   const BrickGrid one(space, 1, Grid::extent);
   const BrickCode only = 1 | 1 << 8 | 1 << 16;
   Branch root;
@@ -48,9 +49,13 @@ Branch undivided(const InputComplex& input, const Space& space) {
   for (std::uint32_t o = 0; o < input.operand_count(); ++o) {
     const auto points = input.points(o);
     std::uint32_t f = input.first_face(o);
-    for (const auto& [a, b, c] : input.faces(o)) {
+    for (const auto& corners : input.faces(o)) {
+      const auto& [a, b, c] = corners;
       const CellFace face{space.grid.box(points[a], points[b], points[c]), f++, false};
-      if (face.box.reaches_into(root.box)) root.faces.push_back(face);
+      if (face.box.reaches_into(root.box)) {
+        root.faces.push_back(face);
+        near_corners.add(input.first_vertex(o), corners);
+      }
       if (face.box.lower[1] <= line[1] && line[1] <= face.box.upper[1] && face.box.lower[2] <= line[2] &&
           line[2] <= face.box.upper[2])
         windings.add(o, crossing_along_axis(input, face.face, outside, root.origin, 0));
@@ -79,7 +84,8 @@ void CellTree::make_cells_without_bricks(const InputComplex& input, const CellOp
   options.monitor.check();
   tbb::concurrent_vector<Cell> cells;
   cells.push_back(std::move(cells_.front()));
-  Branch root = undivided(input, space_);
+  near_corners_ = VertexSet(input.vertex_count());
+  Branch root = undivided(input, space_, near_corners_);
   Refinement(input, options, space_.grid, cells).refine(root);
   cells_.assign(std::make_move_iterator(cells.begin()), std::make_move_iterator(cells.end()));
   roots_.push_back(collect(root));
@@ -96,8 +102,8 @@ void CellTree::make_cells(const InputComplex& input, const CellOptions& options)
   std::vector<Target> targets;
   for (const auto* places : {&regions_->regions(), &regions_->mixed()})
     for (const std::uint32_t brick : *places) targets.push_back({lines.add(bricks_.code_of(brick)), brick});
-  const NearFaces near =
-      find_near_faces(input, space_.grid, bricks_, raster, *codes_, occupancy, *regions_, lines, monitor);
+  NearFaces near = find_near_faces(input, space_.grid, bricks_, raster, *codes_, occupancy, *regions_, lines, monitor);
+  near_corners_ = std::move(near.corners);
   const std::vector<Windings> windings = walk_to_origins(input, space_, bricks_, near.line_faces, targets, monitor);
 
   tbb::concurrent_vector<Cell> cells;
@@ -191,7 +197,8 @@ std::uint32_t CellTree::descend(std::uint32_t node, const std::array<std::int32_
 
 std::size_t CellTree::bytes() const {
   if (space_.empty) return 0;
-  std::size_t sum = cells_.size() * sizeof(Cell) + roots_.size() * sizeof(std::uint32_t) + nodes_.size() * sizeof(Node);
+  std::size_t sum = near_corners_.bytes() + cells_.size() * sizeof(Cell) + roots_.size() * sizeof(std::uint32_t) +
+                    nodes_.size() * sizeof(Node);
   if (regions_ != nullptr)
     sum += input_.vertex_count() * sizeof(BrickCode) + bricks_.brick_count() * sizeof(std::uint32_t);
   for (const Cell& c : cells_) sum += c.faces.size() * sizeof(CellFace);

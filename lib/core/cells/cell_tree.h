@@ -10,6 +10,7 @@
 #include "core/cells/refinement.h"
 #include "core/cells/regions.h"
 #include "core/cells/space.h"
+#include "core/cells/vertex_set.h"
 
 namespace strata {
 
@@ -36,11 +37,9 @@ class CellTree {
     for (std::size_t i = 0; i < 3; ++i) corner[i] = std::max(a.box.lower[i], b.box.lower[i]);
     return a.is_thinned || b.is_thinned ? owns_thinned(cell, a, b, corner) : cell.box.holds(corner);
   }
-  /// True when a vertex of a face is in a brick with faces that may meet; without bricks, in the space of interest.
-  [[nodiscard]] bool is_near_others(std::uint32_t vertex) const {
-    if (regions_ == nullptr) return !space_.empty && space_.interest.holds(space_.grid.at(input_.vertex(vertex)));
-    return (regions_->place(bricks_.index(codes_->of(vertex))) & Regions::mixed_flag) != 0;
-  }
+  /// True when a vertex is a corner of a face that may meet faces of other operands: of one in a brick with several
+  /// operands; without bricks, in the space of interest.
+  [[nodiscard]] bool is_near_others(std::uint32_t vertex) const { return !space_.empty && near_corners_.has(vertex); }
   /// Memory used, in bytes.
   [[nodiscard]] std::size_t bytes() const;
   /// The cell that contains a vertex of a face.
@@ -74,6 +73,7 @@ class CellTree {
   std::unique_ptr<const Raster> raster_;  ///< without bricks there is none, nor codes and regions
   std::unique_ptr<const BrickCodes> codes_;
   std::unique_ptr<const Regions> regions_;
+  VertexSet near_corners_;
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> roots_;  ///< nodes, per mixed brick; without bricks, of the space of interest
   std::vector<Node> nodes_;

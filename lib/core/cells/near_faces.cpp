@@ -33,6 +33,7 @@ NearFaces find_near_faces(const InputComplex& input, const Grid& grid, const Bri
   const std::vector<FaceBlock> blocks = face_blocks(input);
   std::vector<std::vector<CellFace>> faces(blocks.size());
   std::vector<std::vector<LineFace>> line_faces(blocks.size());
+  VertexSet corners(input.vertex_count());
   const auto may_matter = [&](const BrickBox& box) {
     constexpr std::uint32_t many = 64;
     if (box.size() > many) return true;
@@ -58,7 +59,10 @@ NearFaces find_near_faces(const InputComplex& input, const Grid& grid, const Bri
       lines.for_each(box, [&](std::uint32_t, std::uint32_t, std::uint32_t) { lined = true; });
       if (!near && !lined) continue;
       const CellFace face{grid.box(points[a], points[b], points[c]), block.first_face + i, raster.thins(box)};
-      if (near) faces[block.number].push_back(face);
+      if (near) {
+        faces[block.number].push_back(face);
+        corners.add(block.first_vertex, block.faces[i]);
+      }
       lines.for_each(box, [&](std::uint32_t line, std::uint32_t y, std::uint32_t z) {
         const auto& [gy, gz] = line_at[y + bricks.size(1) * z];
         if (face.box.lower[1] <= gy && gy <= face.box.upper[1] && face.box.lower[2] <= gz && gz <= face.box.upper[2])
@@ -66,7 +70,8 @@ NearFaces find_near_faces(const InputComplex& input, const Grid& grid, const Bri
       });
     }
   });
-  NearFaces all{concatenated(std::move(faces), monitor), concatenated(std::move(line_faces), monitor)};
+  NearFaces all{concatenated(std::move(faces), monitor), concatenated(std::move(line_faces), monitor),
+                std::move(corners)};
   tbb::parallel_sort(all.line_faces.begin(), all.line_faces.end());
   return all;
 }

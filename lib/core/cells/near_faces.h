@@ -5,6 +5,7 @@
 
 #include "core/cells/cell.h"
 #include "core/cells/regions.h"
+#include "core/cells/vertex_set.h"
 #include "core/containers/fresh_array.h"
 
 namespace strata {
@@ -43,6 +44,7 @@ struct LineFace {
 struct NearFaces {
   FreshArray<CellFace> faces;       ///< those in mixed bricks, by increasing face
   FreshArray<LineFace> line_faces;  ///< sorted
+  VertexSet corners;                ///< of `faces`
 };
 
 /// One streaming pass over all faces.

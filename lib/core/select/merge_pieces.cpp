@@ -20,20 +20,30 @@ constexpr Id none = 0xffffffffu;
 
 Edge undirected(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// The boundary edges of all pieces, and their number at each vertex.
-class BoundaryEdges {
+bool bounds(const PieceTriangle& t, std::size_t side) { return (t.boundary >> side & 1) != 0; }
+bool is_carried(const PieceTriangle& t, std::size_t side) { return (t.carried >> side & 1) != 0; }
+
+/// The edges of the result that lie on constraints, and their number at each vertex: the boundary edges of all pieces,
+/// and those in which faces cross that are kept on both sides.
+class ResultEdges {
  public:
-  BoundaryEdges(const InputComplex& input, const PointTable& table, const std::vector<SubdividedFace>& faces) {
+  ResultEdges(const InputComplex& input, const PointTable& table, const std::vector<SubdividedFace>& faces) {
     concerned_.assign(table.end(), 0);
     for (const SubdividedFace& face : faces)
       for (const Id v : face.points) concerned_[v] |= static_cast<std::uint8_t>(face.may_merge);
+    std::vector<Edge> inner;
     for (const SubdividedFace& face : faces)
       for (const PieceTriangle& t : face.triangles)
         for (std::size_t i = 0; i < 3; ++i) {
           const Id a = face.points[t.v[i]], b = face.points[t.v[(i + 1) % 3]];
-          if ((t.boundary >> i & 1) != 0 && (concerned_[a] != 0 || concerned_[b] != 0))
+          if (concerned_[a] == 0 && concerned_[b] == 0) continue;
+          if (bounds(t, i)) {
             edges_.push_back(undirected(a, b));
+          } else if (is_carried(t, i)) {
+            inner.push_back(undirected(a, b));
+          }
         }
+    add_crossings(std::move(inner));
     tbb::parallel_sort(edges_.begin(), edges_.end());
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
     degree_.assign(table.end(), 0);
@@ -48,10 +58,16 @@ class BoundaryEdges {
   [[nodiscard]] bool has(Id a, Id b) const {
     return std::binary_search(edges_.begin(), edges_.end(), undirected(a, b));
   }
-  /// True when the vertex is not needed: no boundary edge ends there, or two that form a straight line.
+  /// True when the vertex is not needed: no edge ends there, or two that form a straight line.
   [[nodiscard]] bool is_redundant(Id v) const { return concerned_[v] != 0 && (degree_[v] == 0 || straight_[v] != 0); }
 
  private:
+  /// Adds the sides inside two or more faces. Each face lists its own twice, from both triangles.
+  void add_crossings(std::vector<Edge> inner) {
+    tbb::parallel_sort(inner.begin(), inner.end());
+    for (std::size_t i = 3; i < inner.size(); ++i)
+      if (inner[i] == inner[i - 3]) edges_.push_back(inner[i]);
+  }
   void meet(Id a, Id b) {
     if (degree_[a] < 2) neighbours_[a][degree_[a]] = b;
     ++degree_[a];
@@ -89,7 +105,7 @@ struct Run {
 /// Triangulates one face again.
 class FaceMerger {
  public:
-  FaceMerger(const InputComplex& input, const PointTable& table, const BoundaryEdges& edges)
+  FaceMerger(const InputComplex& input, const PointTable& table, const ResultEdges& edges)
       : edges_(edges), triangulation_(input, table) {}
 
   void merge(SubdividedFace& face, Pool& pool) {
@@ -107,12 +123,10 @@ class FaceMerger {
       if (edges_.is_redundant(v)) return true;
     for (const PieceTriangle& t : face.triangles)
       for (std::size_t i = 0; i < 3; ++i)
-        if (is_bare(t, i) && (t.carried >> i & 1) != 0 &&
-            !edges_.has(face.points[t.v[i]], face.points[t.v[(i + 1) % 3]]))
+        if (!bounds(t, i) && is_carried(t, i) && !edges_.has(face.points[t.v[i]], face.points[t.v[(i + 1) % 3]]))
           return true;
     return false;
   }
-  [[nodiscard]] static bool is_bare(const PieceTriangle& t, std::size_t side) { return (t.boundary >> side & 1) == 0; }
 
   /// The kept sides, in the face's own orientation, joined across redundant vertices.
   void gather_runs(const SubdividedFace& face) {
@@ -121,9 +135,9 @@ class FaceMerger {
       for (std::size_t i = 0; i < 3; ++i) {
         Id a = face.points[t.v[i]], b = face.points[t.v[(i + 1) % 3]];
         if (t.reversed) std::swap(a, b);
-        if (!is_bare(t, i)) {
+        if (bounds(t, i)) {
           sides.push_back({a, b, t.reversed ? Verdict::keep_reversed : Verdict::keep});
-        } else if ((t.carried >> i & 1) != 0 && edges_.has(a, b)) {
+        } else if (is_carried(t, i) && edges_.has(a, b)) {
           sides.push_back({a, b, Verdict::drop});
         }
       }
@@ -220,7 +234,7 @@ class FaceMerger {
     return true;
   }
 
-  const BoundaryEdges& edges_;
+  const ResultEdges& edges_;
   Triangulation triangulation_;
   std::vector<Run> runs_;
   std::vector<Id> ids_;  ///< per vertex of the triangulation
@@ -233,7 +247,7 @@ class FaceMerger {
 void merge_pieces(const InputComplex& input, Subdivision& subdivision, const Monitor& monitor) {
   std::vector<SubdividedFace>& faces = subdivision.faces;
   if (std::none_of(faces.begin(), faces.end(), [](const SubdividedFace& f) { return f.may_merge; })) return;
-  const BoundaryEdges edges(input, subdivision.points, faces);
+  const ResultEdges edges(input, subdivision.points, faces);
   tbb::enumerable_thread_specific<FaceMerger> mergers([&] { return FaceMerger(input, subdivision.points, edges); });
   tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t i) {
     monitor.check();

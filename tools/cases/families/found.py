@@ -1,4 +1,6 @@
 """The minimal cases of what was wrong once, here or in other engines."""
+from fractions import Fraction
+
 from solids import Solid, box, generated, octahedron, tetrahedron, together
 from writer import OPERATIONS
 
@@ -19,6 +21,8 @@ def add_to(cases):
     hourglass(cases)
     needles(cases)
     prisms(cases)
+    listed_twice(cases)
+    planes_through_a_line(cases)
 
 
 def shared_corner(cases):
@@ -78,3 +82,24 @@ def prisms(cases):
     cases.add("found-drilled-plate", {"plate": plate, **drills}, "plate - d0 - d1 - d2 - d3", ["found", "prism"],
               "drills through a plate: from over both faces, and flush with one or both of them",
               {"components": 1, "euler": 2 - 2 * 4})
+
+
+def listed_twice(cases):
+    parts = [box((2, 0, -1), (5, 3, 2)), box((5, 3, -1), (8, 6, 2))]
+    cases.operations("found-edge-listed-twice", box((3, 0, 0), (6, 3, 3)), together(parts),
+                     ["found", "self-touching", "coplanar"],
+                     "two boxes list the edge in which they touch each for itself; it ends away from the other operand, "
+                     "whose corner it meets: the boundary was open once")
+    cubes = [box(p, tuple(x + 1 for x in p)).moved(0, 0, Fraction(-1, 3)) for p in ((1, 2, 1), (1, 3, 0), (2, 2, 0))]
+    cases.operations("found-thirds-listed-twice", together(cubes), box((1.5, 2, 0), (2, 3, 1)),
+                     ["found", "self-touching", "rational"],
+                     "three cubes that list the edges in which they touch each for itself, at thirds: the boundary was "
+                     "open once")
+
+
+def planes_through_a_line(cases):
+    corners = [((0, 2, 2), (0, 3, 1), (1, 2, 2), (3, 0, 0)), ((1, 2, 1), (2, 0, 1), (2, 0, 2), (2, 2, 0)),
+               ((1, 0, 0), (2, 0, 0), (2, 1, 2), (2, 2, 1))]
+    solids = {f"t{k}": tetrahedron(*c) for k, c in enumerate(corners)}
+    cases.add("found-three-planes-one-line", solids, "t0 ^ t1 ^ t2", ["found", "n-ary", "xor"],
+              "three faces cross in one line and are kept on both sides of it: the line must be an edge of all three")

@@ -232,6 +232,35 @@ Operands touching_operands(std::uint64_t seed) {
   return operands;
 }
 
+// Two corners lie on one side of the line in the plane of the face, the third on the other, or on the line.
+Operands about_a_line(Random& random) {
+  Operands operands{"about a line", {}};
+  const auto vector = [&] {
+    return Vertex{static_cast<double>(random.between(-2, 2)), static_cast<double>(random.between(-2, 2)),
+                  static_cast<double>(random.between(-2, 2))};
+  };
+  const auto at = [](const Vertex& along, double s, const Vertex& aside, double t) {
+    return Vertex{s * along[0] + t * aside[0], s * along[1] + t * aside[1], s * along[2] + t * aside[2]};
+  };
+  const Vertex line = [&] {
+    for (;;)
+      if (const Vertex v = vector(); v != Vertex{}) return v;
+  }();
+  const std::size_t count = 3 + random.below(4);
+  while (operands.meshes.size() < count) {
+    const Vertex aside = vector();
+    const double beyond = random.once_in(4) ? 0 : -random.between(1, 2);
+    const std::array<Vertex, 4> corners = {
+        at(line, random.between(-2, 2), aside, random.between(1, 2)),
+        at(line, random.between(-2, 2), aside, beyond == 0 ? 0 : random.between(1, 2)),
+        at(line, random.between(-2, 2), aside, beyond), vector()};
+    Mesh tetrahedron = convex_hull(corners);
+    if (!tetrahedron.triangles.empty()) operands.meshes.push_back(std::move(tetrahedron));
+  }
+  stretch(random, operands);
+  return operands;
+}
+
 void stretch(Random& random, Operands& operands) {
   if (!random.once_in(4)) return;
   std::array<int, 3> exponents{};

@@ -25,6 +25,10 @@ struct Operands {
 /// The same for 3 to 5 solids; in half of the cases all of them pass through one point.
 [[nodiscard]] Operands touching_operands(std::uint64_t seed);
 
+/// 3 to 6 tetrahedra of integers, each with a face that a common line crosses from one edge to another: there the faces
+/// cross. Some have the line as an edge.
+[[nodiscard]] Operands about_a_line(Random& random);
+
 /// One time in four, slivers or another scale: one axis of all solids stretched or shrunk, or all made huge or tiny, by
 /// powers of two. The pairs and operands above have been through it.
 void stretch(Random& random, Operands& operands);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/write_case.h"
+#include "strata/solid.h"
 #include "support/random_recipe.h"
 #include "support/shapes.h"
 #include "support/touching.h"
@@ -82,6 +83,13 @@ void disturb(Random& random, Question& q) {
   q.kind += ", neighbours";
 }
 
+/// Some solids list the edges and vertices in which they touch themselves for each part.
+void list_apart(Random& random, Question& q) {
+  for (ExactMesh& solid : q.recipe.solids)
+    if (random.once_in(2)) solid = strata::Solid::trusted(std::move(solid)).separated().exact_mesh();
+  q.kind += ", listed apart";
+}
+
 /// Solids of unit cells: many parts, holes, and edges and vertices where they only touch; whole or half cells apart.
 strata::test::Operands blocks(Random& random) {
   strata::test::Operands operands{"blocks", {}};
@@ -99,7 +107,7 @@ strata::test::Operands blocks(Random& random) {
 
 std::pair<std::vector<ExactMesh>, std::string> solids_of(Random& random) {
   const std::uint64_t seed = random.next();
-  switch (random.below(5)) {
+  switch (random.below(6)) {
     case 0:
     case 1:
       return exact(strata::test::touching_pair(seed));
@@ -107,6 +115,8 @@ std::pair<std::vector<ExactMesh>, std::string> solids_of(Random& random) {
       return exact(strata::test::touching_operands(seed));
     case 3:
       return exact(blocks(random));
+    case 4:
+      return exact(strata::test::about_a_line(random));
     default:
       return {strata::test::touching_family(random, 2 + random.below(5)), "family"};
   }
@@ -136,6 +146,7 @@ Question question_of(const Round& round) {
     q.recipe =
         strata::test::random_recipe(random, std::move(solids), {.solids = 6, .leaves = 8, .depth = 5, .maps = false});
   }
+  if (random.once_in(4)) list_apart(random, q);
   const bool is_doubles =
       std::all_of(q.recipe.solids.begin(), q.recipe.solids.end(), [](const ExactMesh& s) { return s.exact.empty(); });
   if (is_doubles && random.once_in(4)) turn_roughly(random, q);

@@ -20,9 +20,9 @@ struct Question {
   std::string kind;  ///< how its solids were made: "feature on feature, neighbours"
 };
 
-/// A random expression of depth up to 5 about solids that love to touch: on one lattice, through one point, copies, one
-/// ulp apart, tiny, huge, slivers. The same round gives the same question on every machine. Nearly always its operands
-/// are solids; whoever asks it must check.
+/// A random expression of depth up to 5 about solids that love to touch: on one lattice, through one point or line,
+/// copies, one ulp apart, tiny, huge, slivers, with parts listed apart. The same round gives the same question on every
+/// machine. Nearly always its operands are solids; whoever asks it must check.
 [[nodiscard]] Question question_of(const Round& round);
 
 /// Triangles of all solids that occur.

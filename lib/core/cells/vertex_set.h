@@ -1,0 +1,31 @@
+#pragma once
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "core/kernel/input_complex.h"
+
+namespace strata {
+
+/// Some vertices of an input. Threads may add at the same time.
+class VertexSet {
+ public:
+  VertexSet() = default;
+  explicit VertexSet(std::uint32_t vertices) : has_(vertices, 0) {}
+
+  /// Adds the corners of a face of an operand whose vertices start at `first`.
+  void add(std::uint32_t first, const InputComplex::Indices& face) {
+    for (const std::uint32_t v : face) {
+      const std::atomic_ref<std::uint8_t> has(has_[first + v]);
+      if (has.load(std::memory_order_relaxed) == 0) has.store(1, std::memory_order_relaxed);
+    }
+  }
+  [[nodiscard]] bool has(std::uint32_t vertex) const { return has_[vertex] != 0; }
+  [[nodiscard]] std::size_t bytes() const { return has_.size(); }
+
+ private:
+  std::vector<std::uint8_t> has_;
+};
+
+}  // namespace strata
