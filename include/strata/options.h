@@ -54,11 +54,12 @@ enum class InputClass {
   /// solid is taken as `solid`, and else all operands as `overlapping`, with a note that says where. No result is other
   /// than the resolved one. The search takes some streaming passes over the faces, in parallel.
   automatic,
-  /// Closed, with winding numbers 0 and 1 only: the caller's promise. Checked: every edge is used as often in one
-  /// direction as in the other, the volume is not negative. Not searched: self-intersection. Where two operands cross
-  /// in a place in which one of them crosses itself, it is found and refused; elsewhere faces of an operand that
-  /// crosses
-  /// itself stay as they are, so the result crosses itself, too, and its volume counts some points twice.
+  /// Closed, with winding numbers 0 and 1 only, and faces that meet in common vertices and edges only: the caller's
+  /// promise. Checked: every edge is used as often in one direction as in the other, the volume is not negative. Not
+  /// searched: self-intersection. Where two operands cross in a place in which one of them crosses itself, it is found
+  /// and refused; elsewhere faces of an operand that crosses itself stay as they are, so the result crosses itself,
+  /// too,
+  /// and its volume counts some points twice. Slices of what crosses or touches itself have loops that do.
   solid,
   /// Closed, may cross and overlap itself: resolved completely; inside is where the winding number is positive.
   overlapping,
@@ -66,12 +67,11 @@ enum class InputClass {
   /// outwards; what is then closed is taken as overlapping. No vertex moves, no hole is filled.
   repair,
   /// Any triangles, made a solid: as `repair`, and loops of open edges are filled with triangles between their
-  /// vertices,
-  /// of least area. The surface is then closed, so that winding numbers say what is inside, exactly. No vertex moves. A
-  /// shell whose faces are oriented alike stays if it faces outwards, also inside another one, which then covers it.
-  /// The
-  /// notes list the loops. Refused: faces that enclose nothing even so. Triangles of results that are parts of fillings
-  /// have as their source a face beside the loop.
+  /// vertices, of least area. The surface is then closed, so that winding numbers say what is inside, exactly. No
+  /// vertex
+  /// moves. A shell whose faces are oriented alike stays if it faces outwards, also inside another one, which then
+  /// covers it. The notes list the loops. Refused: faces that enclose nothing even so. Triangles of results that are
+  /// parts of fillings have as their source a face beside the loop.
   soup,
 };
 

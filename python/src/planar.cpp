@@ -350,7 +350,8 @@ Fraction(2, 1)
   m.def("slice", sliced, "solid"_a, "axis"_a, "at"_a, nb::kw_only(), STRATA_WATCH_ARGUMENTS,
         R"(The sections by planes perpendicular to an axis (0, 1, 2), at doubles that do not decrease. Exact.
 
-Coordinates of the polygons are y, z for axis 0; z, x for axis 1; x, y for axis 2. See `section`.
+Coordinates of the polygons are y, z for axis 0; z, x for axis 1; x, y for axis 2. See `section`. A solid that was taken
+at its word (``input='solid'``) and crosses or touches itself has loops that do.
 
 Examples
 --------

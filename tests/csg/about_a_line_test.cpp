@@ -34,8 +34,8 @@ TEST_CASE("tetrahedra whose faces cross in one line have solids as results", "[c
     test::Random random(seed);
     const std::vector<Mesh> solids = test::about_a_line(random).meshes;
     const std::vector<MeshView> views(solids.begin(), solids.end());
-    for (const Operation operation : {Operation::union_, Operation::intersection, Operation::difference,
-                                      Operation::symmetric_difference}) {
+    for (const Operation operation :
+         {Operation::union_, Operation::intersection, Operation::difference, Operation::symmetric_difference}) {
       const BooleanResult result = combine(operation, views, {.exact_vertices = true});
       if (!result.mesh.triangles.empty()) CHECK(check(ExactMesh{result.mesh, result.exact}).empty());
     }

@@ -4,6 +4,7 @@
 #include "strata/check.h"
 #include "strata/measure.h"
 #include "strata/solid.h"
+#include "strata/transform.h"
 #include "support/shapes.h"
 
 using namespace strata;
@@ -82,5 +83,18 @@ TEST_CASE("sets of cubes in a grid become manifolds", "[csg]") {
     REQUIRE(check(separated.exact_mesh()).empty());
     REQUIRE((separated | unit(0, 0, 0)) == (solid | unit(0, 0, 0)));
     REQUIRE((unit(0, 0, 0) - separated) == (unit(0, 0, 0) - solid));
+  }
+}
+
+TEST_CASE("parts of what is listed apart are closed by their numbers", "[csg]") {
+  const Mesh wedge = test::convex_hull(std::vector<Vertex>{{1, 1, 3}, {1, 2, 3}, {1, 1, 1}, {2, 1, 1}});
+  const Solid touched = (box({0, 0, 0}, {3, 3, 3}) - Solid(wedge)).separated();  // a cavity touches the top from inside
+  const Solid far = box({9, 9, 9}, {10, 10, 10});
+  for (const Solid& solid :
+       {touched, touched.transformed(Transform::scaling({Rational(1, 3), Rational(1, 3), Rational(1, 3)}))}) {
+    const Solid filled = solid.without_cavities();
+    CHECK(topology(filled.exact_mesh()).open_edges == 0);
+    CHECK(is_manifold(filled.mesh()));
+    CHECK((filled | far).volume() == filled.volume() + 1);
   }
 }

@@ -204,3 +204,25 @@ TEST_CASE("rational corners on edges of doubles, in common planes", "[workpiece]
       CHECK(IncrementalSolid(a).with(operation, b).solid() == combined(operation, a, b));
   }
 }
+
+TEST_CASE("chains of solids that list edges and vertices for each part that touches there", "[workpiece][property]") {
+  const Solid edge_twice(
+      Mesh{{{0, 1, 3}, {1, 1, 3}, {1, 1, 1}, {0, 2, 3}, {1, 2, 3}, {1, 2, 1}, {1, 1, 1}, {0, 2, 3}},
+           {{0, 2, 1}, {3, 1, 2}, {3, 2, 0}, {3, 0, 1}, {4, 6, 5}, {7, 5, 6}, {7, 6, 4}, {7, 4, 5}}});
+  const Solid tetrahedron(test::tetrahedron({1, 1, 2}, {1, 0, 0}, {1, 1, 0}, {0, 1, 2}));
+  const Solid far(test::box({8, 8, 8}, {9, 9, 9})), block(test::box({-1, 1.5, 2}, {3, 4, 4}));
+  for (const Operation operation : operations) {
+    check_chain({{Operation::union_, edge_twice}, {operation, tetrahedron}});
+    check_chain({{Operation::union_, far}, {Operation::union_, edge_twice}, {operation, block}});
+  }
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<std::pair<Operation, Solid>> steps;
+    for (int i = 0; i < 8; ++i) {
+      const Solid two = Solid(test::lattice_solid(random)) ^ Solid(test::lattice_solid(random));
+      steps.emplace_back(i == 0 ? Operation::union_ : pick_operation(random), two.separated());
+    }
+    check_chain(steps);
+  }
+}

@@ -49,7 +49,8 @@ void add_input_class(CLI::App& verb, Settings& settings) {
   verb.add_option_function<std::string>(
           "--input", [&settings, classes](const std::string& word) { settings.input = classes.at(word); },
           "What the operands are: automatic (closed; what crosses itself is found and resolved), solid (closed, and a "
-          "promise that it does not cross itself), overlapping (closed, may cross itself), "
+          "promise that it does not cross itself, nor touch itself but in common vertices and edges), overlapping "
+          "(closed, may cross itself), "
           "repair (a soup that is closed once equal vertices are one) or soup (any triangles: holes are filled)")
       ->type_name("CLASS")
       ->check(CLI::IsMember(classes))

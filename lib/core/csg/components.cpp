@@ -8,6 +8,7 @@
 #include "core/kernel/disjoint_sets.h"
 #include "core/kernel/predicates.h"
 #include "core/kernel/ray_crossing.h"
+#include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
 #include "strata/carry_attributes.h"
 
@@ -147,12 +148,25 @@ ExactMesh reversed(ExactMesh mesh) {
   return mesh;
 }
 
+/// Some triangles of a mesh, which bound a solid. Where sheets touch and are listed apart, each with a sheet that is
+/// not among them, equal vertices become one.
+std::vector<Triangle> closed_part_of(const ExactMesh& whole, const std::vector<std::uint32_t>& faces) {
+  std::vector<Triangle> part;
+  part.reserve(faces.size());
+  for (const std::uint32_t f : faces) part.push_back(whole.mesh.triangles[f]);
+  if (chain_is_closed({whole.mesh.vertices, part})) return part;
+  const std::vector<std::uint32_t> first = equal_vertices(whole);
+  for (Triangle& t : part)
+    for (std::uint32_t& v : t) v = first[v];
+  return part;
+}
+
 /// Some triangles of a solid, rising, with the vertices that they use, in their order.
 Solid::Data part_of(const Solid& solid, const std::vector<std::uint32_t>& faces, std::vector<std::uint32_t>& number) {
   const ExactMesh& whole = solid.exact_mesh();
+  const std::vector<Triangle> triangles = closed_part_of(whole, faces);
   std::vector<std::uint32_t> used;
-  for (const std::uint32_t f : faces)
-    used.insert(used.end(), whole.mesh.triangles[f].begin(), whole.mesh.triangles[f].end());
+  for (const Triangle& t : triangles) used.insert(used.end(), t.begin(), t.end());
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   Solid::Data part;
@@ -163,11 +177,8 @@ Solid::Data part_of(const Solid& solid, const std::vector<std::uint32_t>& faces,
                                         [](const ExactVertex& e, std::uint32_t w) { return e.vertex < w; });
     if (exact != whole.exact.end() && exact->vertex == v) part.boundary.exact.push_back({number[v], exact->position});
   }
-  for (const std::uint32_t f : faces) {
-    const auto [a, b, c] = whole.mesh.triangles[f];
-    part.boundary.mesh.triangles.push_back({number[a], number[b], number[c]});
-    part.sources.push_back(solid.sources()[f]);
-  }
+  for (const auto& [a, b, c] : triangles) part.boundary.mesh.triangles.push_back({number[a], number[b], number[c]});
+  for (const std::uint32_t f : faces) part.sources.push_back(solid.sources()[f]);
   if (!solid.attributes().empty()) part.attributes = Shared<Attributes>::make(part_of(solid.attributes(), faces, used));
   return part;
 }

@@ -13,11 +13,9 @@ struct Box {
 
   [[nodiscard]] bool empty() const { return lower[0] > upper[0]; }
   /// Requires coordinates that are numbers.
-  void include(const std::array<double, 3>& p) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      lower[i] = std::min(lower[i], p[i]);
-      upper[i] = std::max(upper[i], p[i]);
-    }
+  void include(const std::array<double, 3>& p) {  // without a loop, boxes stay in registers
+    lower = {std::min(lower[0], p[0]), std::min(lower[1], p[1]), std::min(lower[2], p[2])};
+    upper = {std::max(upper[0], p[0]), std::max(upper[1], p[1]), std::max(upper[2], p[2])};
   }
   void include(const Box& b) {
     for (std::size_t i = 0; i < 3; ++i) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/exact/big_integer.h"
 
@@ -105,10 +106,13 @@ double largest_coordinate(std::span<const Vertex> vertices) {
   return tbb::parallel_reduce(
       Range(0, vertices.size(), 4096), 0.0,
       [&](const Range& range, double largest) {
+        Vertex of_axis{};  // the three do not wait for each other
         for (std::size_t v = range.begin(); v != range.end(); ++v)
-          for (const double x : vertices[v])
-            if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
-        return largest;
+          for (std::size_t i = 0; i < 3; ++i) {
+            const double x = std::abs(vertices[v][i]);
+            of_axis[i] = x > of_axis[i] && x <= std::numeric_limits<double>::max() ? x : of_axis[i];
+          }
+        return std::max({largest, of_axis[0], of_axis[1], of_axis[2]});
       },
       [](double a, double b) { return std::max(a, b); });
 }

@@ -23,8 +23,7 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 /// meets no other box.
 Box box_around(MeshView mesh, std::uint32_t face) {
   constexpr double largest = std::numeric_limits<double>::max();
-  Box box;
-  for (const std::uint32_t v : mesh.triangles[face]) box.include(mesh.vertices[v]);
+  Box box = box_of(mesh, face);
   for (std::size_t i = 0; i < 3; ++i) {
     box.lower[i] = std::nextafter(box.lower[i], -largest);
     box.upper[i] = std::nextafter(box.upper[i], largest);
@@ -76,12 +75,6 @@ void MovingMesh::copy_given() {
                        });
 }
 
-Box MovingMesh::box(std::uint32_t face) const {
-  Box box;
-  for (const std::uint32_t v : mesh().triangles[face]) box.include(mesh().vertices[v]);
-  return box;
-}
-
 void MovingMesh::move(std::span<const VertexMove> moves) {
   if (moves.empty()) return;
   const bool stays = changed_.empty() && std::all_of(moves.begin(), moves.end(), [&](const VertexMove& m) {
@@ -91,8 +84,10 @@ void MovingMesh::move(std::span<const VertexMove> moves) {
   const MeshView mesh = this->mesh();
   std::vector<bool> moves_away(mesh.vertices.size(), false);
   for (const VertexMove& m : moves) moves_away[m.vertex] = true;
+  const std::uint32_t first_to_move = moves.front().vertex;  // constructed vertices are the last ones of a result
   std::vector<std::uint32_t> touched = collect(mesh.triangles.size(), [&](std::uint32_t f) {
     const auto [a, b, c] = mesh.triangles[f];
+    if (a < first_to_move && b < first_to_move && c < first_to_move) return false;
     return (moves_away[a] || moves_away[b] || moves_away[c]) && !repeats_vertex(mesh.triangles[f]);
   });
   const auto move_of = [&](std::uint32_t v) -> const VertexMove& {

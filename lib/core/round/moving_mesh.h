@@ -27,6 +27,13 @@ struct FlatFlip {
   double way = 0;                   ///< at least the distance from c to the segment a b
 };
 
+/// The box of a triangle.
+[[nodiscard]] inline Box box_of(MeshView mesh, std::uint32_t triangle) {
+  Box box;
+  for (const std::uint32_t v : mesh.triangles[triangle]) box.include(mesh.vertices[v]);
+  return box;
+}
+
 /// A closed chain of triangles on its way to a grid. Triangles are changed in place; those that repeat a vertex are no
 /// longer there. It remembers which were changed, and where the surface passed on its way: elsewhere, winding numbers
 /// are those of the start.
@@ -42,7 +49,7 @@ class MovingMesh {
   /// Nothing has changed yet but how far vertices are from the exact ones.
   [[nodiscard]] bool is_as_given() const { return boundary_.has_value(); }
   [[nodiscard]] bool is_left(std::uint32_t face) const { return !repeats_vertex(mesh().triangles[face]); }
-  [[nodiscard]] Box box(std::uint32_t face) const;
+  [[nodiscard]] Box box(std::uint32_t face) const { return box_of(mesh(), face); }
 
   /// At most one move per vertex, by increasing vertex; what a vertex becomes does not move. O(n), in parallel.
   void move(std::span<const VertexMove> moves);

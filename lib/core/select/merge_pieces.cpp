@@ -55,8 +55,10 @@ class ResultEdges {
     find_straight(input, table);
   }
 
-  [[nodiscard]] bool has(Id a, Id b) const {
-    return std::binary_search(edges_.begin(), edges_.end(), undirected(a, b));
+  /// True for an edge of the result, and for sides of which nothing is known: no face at their ends may merge.
+  [[nodiscard]] bool may_have(Id a, Id b) const {
+    return (concerned_[a] == 0 && concerned_[b] == 0) ||
+           std::binary_search(edges_.begin(), edges_.end(), undirected(a, b));
   }
   /// True when the vertex is not needed: no edge ends there, or two that form a straight line.
   [[nodiscard]] bool is_redundant(Id v) const { return concerned_[v] != 0 && (degree_[v] == 0 || straight_[v] != 0); }
@@ -123,7 +125,7 @@ class FaceMerger {
       if (edges_.is_redundant(v)) return true;
     for (const PieceTriangle& t : face.triangles)
       for (std::size_t i = 0; i < 3; ++i)
-        if (!bounds(t, i) && is_carried(t, i) && !edges_.has(face.points[t.v[i]], face.points[t.v[(i + 1) % 3]]))
+        if (!bounds(t, i) && is_carried(t, i) && !edges_.may_have(face.points[t.v[i]], face.points[t.v[(i + 1) % 3]]))
           return true;
     return false;
   }
@@ -137,7 +139,7 @@ class FaceMerger {
         if (t.reversed) std::swap(a, b);
         if (bounds(t, i)) {
           sides.push_back({a, b, t.reversed ? Verdict::keep_reversed : Verdict::keep});
-        } else if (is_carried(t, i) && edges_.has(a, b)) {
+        } else if (is_carried(t, i) && edges_.may_have(a, b)) {
           sides.push_back({a, b, Verdict::drop});
         }
       }

@@ -6,6 +6,7 @@
 
 #include "core/exact/failure.h"
 #include "core/kernel/nearest.h"
+#include "core/mesh/equal_vertices.h"
 #include "core/overlap/candidates.h"
 #include "core/overlap/intersect.h"
 #include "core/select/label.h"
@@ -75,11 +76,19 @@ class Step {
  private:
   [[nodiscard]] const PointTable& points() const { return subdivision_.points; }
 
+  /// Equal vertices of a tool are one, also those away from the patch: a position has one corner.
   static InputComplex complex_of(const Patch& patch, const ToolGroup& group) {
     InputComplex complex;
     patch.add_to(complex);
-    for (const auto& [tool, painted] : group.tools)
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> equal;
+    for (const auto& [tool, painted] : group.tools) {
+      const std::uint32_t first = complex.vertex_count();
       complex.add(tool.mesh().vertices, tool.mesh().triangles, tool.exact_mesh().exact);
+      const std::vector<std::uint32_t> same = equal_vertices(tool.exact_mesh());
+      for (std::uint32_t v = 0; v < same.size(); ++v)
+        if (same[v] != v) equal.emplace_back(first + same[v], first + v);
+    }
+    complex.identify(equal);
     return complex;
   }
 
@@ -267,6 +276,8 @@ std::vector<WorkFace> faces_of(const Tool& tool) {
   corners.reserve(mesh.mesh.vertices.size());
   for (const Vertex& v : mesh.mesh.vertices) corners.push_back(given_corner(v, nullptr));
   for (const ExactVertex& e : mesh.exact) corners[e.vertex] = given_corner(mesh.mesh.vertices[e.vertex], &e.position);
+  const std::vector<std::uint32_t> same = equal_vertices(mesh);
+  for (std::uint32_t v = 0; v < same.size(); ++v) corners[v] = corners[same[v]];
   InputComplex input;
   input.add(mesh.mesh.vertices, mesh.mesh.triangles, mesh.exact);
   FacePlanes planes(input);

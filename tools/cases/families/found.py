@@ -23,6 +23,7 @@ def add_to(cases):
     prisms(cases)
     listed_twice(cases)
     planes_through_a_line(cases)
+    edge_on_a_face(cases)
 
 
 def shared_corner(cases):
@@ -103,3 +104,13 @@ def planes_through_a_line(cases):
     solids = {f"t{k}": tetrahedron(*c) for k, c in enumerate(corners)}
     cases.add("found-three-planes-one-line", solids, "t0 ^ t1 ^ t2", ["found", "n-ary", "xor"],
               "three faces cross in one line and are kept on both sides of it: the line must be an edge of all three")
+
+
+def edge_on_a_face(cases):
+    points = [(0, 2, 1), (1, 0, 0), (1, 0, 2), (1, 2, 0), (2, 0, 2), (2, 1, 1), (1, 1.5, 1), (1.5, 1.25, 1)]
+    faces = [(0, 1, 2), (0, 2, 4), (0, 3, 1), (1, 3, 5), (1, 4, 2), (1, 5, 4), (5, 7, 4), (6, 0, 4), (0, 6, 3), (7, 5, 3),
+             (6, 4, 3), (7, 3, 4)]
+    hull = Solid([(0, 1, 1), (1, 2, 0), (2, 0, 1), (2, 0, 2), (2, 1, 1)],
+                 [(0, 1, 2), (0, 2, 3), (0, 3, 4), (0, 4, 1), (1, 4, 2), (2, 4, 3)])
+    cases.operations("found-edge-on-face", Solid(points, faces), hull, ["found", "self-touching", "non-manifold"],
+                     "an edge of four faces lies on a face of the other operand, which was not divided there")

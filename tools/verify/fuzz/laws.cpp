@@ -129,8 +129,11 @@ class Laws {
     if (!engine_.is_exact()) return;
     std::vector<ExactMesh> values;
     for (const std::string& name : case_.steps.names) values.push_back(operand(name));
-    for (const verify::Step& step : case_.steps.steps)
+    for (const verify::Step& step : case_.steps.steps) {
       values.push_back(combined(step.operation, values[step.first], values[step.second]));
+      if (const std::string why = verify::first_error(values.back()); !why.empty())
+        throw Broken("steps", fmt::format("step {}: {}", values.size() - case_.steps.names.size(), why));
+    }
     ensure_same("steps", "step by step", values[case_.steps.result], "at once", value(whole_), case_.operands);
   }
 
