@@ -208,10 +208,11 @@ struct BoundaryMesh {
   std::vector<std::uint32_t> plane_of;  ///< per triangle
 };
 
-/// The boundary as a closed triangle mesh with outward normals: facets in one plane are merged and triangulated anew,
-/// and every vertex on an edge is a corner of all triangles there. Vertices in lexicographic order, coordinates rounded
-/// to nearest doubles, exact positions beside them. Law: depends on the point set alone, not on the tree. O(n log n)
-/// for n facets, after finding them. Throws std::domain_error when the boundary is not bounded.
+/// The boundary as a closed triangle mesh with outward normals: facets in one plane are merged and triangulated anew.
+/// Where two facets meet in a part of an edge, its ends are corners of both. Sheets that only touch, in an edge of four
+/// facets or a vertex on a facet, need not have it in common: `resolve` divides them there. Vertices in lexicographic
+/// order, coordinates rounded to nearest doubles, exact positions beside them. Law: depends on the point set alone, not
+/// on the tree. O(n log n) for n facets, after finding them. Throws std::domain_error when the boundary is not bounded.
 [[nodiscard]] BoundaryMesh boundary_mesh(const Partition<3>& region);
 [[nodiscard]] ExactMesh exact_mesh_of(const Partition<3>& region);  ///< the mesh alone
 
