@@ -1594,7 +1594,8 @@ def slice(solid: Solid, axis: int, at: numpy.typing.ArrayLike, *, threads: int =
     """
     The sections by planes perpendicular to an axis (0, 1, 2), at doubles that do not decrease. Exact.
 
-    Coordinates of the polygons are y, z for axis 0; z, x for axis 1; x, y for axis 2. See `section`.
+    Coordinates of the polygons are y, z for axis 0; z, x for axis 1; x, y for axis 2. See `section`. A solid that was taken
+    at its word (``input='solid'``) and crosses or touches itself has loops that do.
 
     Examples
     --------
