@@ -57,9 +57,8 @@ enum class InputClass {
   /// Closed, with winding numbers 0 and 1 only, and faces that meet in common vertices and edges only: the caller's
   /// promise. Checked: every edge is used as often in one direction as in the other, the volume is not negative. Not
   /// searched: self-intersection. Where two operands cross in a place in which one of them crosses itself, it is found
-  /// and refused; elsewhere faces of an operand that crosses itself stay as they are, so the result crosses itself,
-  /// too,
-  /// and its volume counts some points twice. Slices of what crosses or touches itself have loops that do.
+  /// and refused. Elsewhere faces of an operand that crosses itself stay as they are, so the result crosses itself as
+  /// well, and its volume counts some points twice. Slices of what crosses or touches itself have loops that do.
   solid,
   /// Closed, may cross and overlap itself: resolved completely; inside is where the winding number is positive.
   overlapping,
@@ -68,10 +67,9 @@ enum class InputClass {
   repair,
   /// Any triangles, made a solid: as `repair`, and loops of open edges are filled with triangles between their
   /// vertices, of least area. The surface is then closed, so that winding numbers say what is inside, exactly. No
-  /// vertex
-  /// moves. A shell whose faces are oriented alike stays if it faces outwards, also inside another one, which then
-  /// covers it. The notes list the loops. Refused: faces that enclose nothing even so. Triangles of results that are
-  /// parts of fillings have as their source a face beside the loop.
+  /// vertex moves. A shell whose faces are oriented alike stays if it faces outwards, also inside another one, which
+  /// then covers it. The notes list the loops. Refused: faces that enclose nothing even so. Triangles of results that
+  /// are parts of fillings have as their source a face beside the loop.
   soup,
 };
 
