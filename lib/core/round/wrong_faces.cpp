@@ -1,6 +1,5 @@
 #include "core/round/wrong_faces.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -30,30 +29,12 @@ std::vector<Box> boxes_to_search(const MovingMesh& mesh) {
   return boxes;
 }
 
-/// Faces that follow one another are near each other in most meshes: they are asked about together first.
-std::vector<std::uint32_t> faces_near(const BoxCover& cover, MeshView mesh) {
-  constexpr std::uint32_t together = 32;
-  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
-  std::vector<char> is_near((count + together - 1) / together);
-  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, count / together + 1, 256), [&](const auto& range) {
-    for (std::uint32_t run = range.begin(); run != range.end() && run < is_near.size(); ++run) {
-      Box box;
-      const std::uint32_t end = run + 1 < is_near.size() ? (run + 1) * together : count;
-      for (std::uint32_t f = run * together; f < end; ++f)
-        for (const std::uint32_t v : mesh.triangles[f]) box.include(mesh.vertices[v]);
-      is_near[run] = static_cast<char>(cover.meets(box));
-    }
-  });
-  return collect(count, [&](std::uint32_t f) {
-    return is_near[f / together] != 0 && !repeats_vertex(mesh.triangles[f]) && cover.meets(box_of(mesh, f));
-  });
-}
-
 std::vector<std::uint32_t> faces_to_search(const MovingMesh& mesh) {
   const std::size_t count = mesh.mesh().triangles.size();
   if (mesh.changed().empty()) return {};
   if (2 * mesh.changed().size() > count) return collect(count, [&](std::uint32_t f) { return mesh.is_left(f); });
-  return faces_near(BoxCover(boxes_to_search(mesh)), mesh.mesh());
+  const BoxCover cover(boxes_to_search(mesh));
+  return collect(count, [&](std::uint32_t f) { return mesh.is_left(f) && cover.meets(mesh.box(f)); });
 }
 
 /// Some triangles of a mesh, as a mesh; `numbers` becomes the vertices' numbers in the whole.
