@@ -74,12 +74,13 @@ void check_place(const Rational& x) {
   const VertexPosition place = place_of(input, points, exact, x);
   REQUIRE_FALSE(place.has_doubles());
   REQUIRE((place.remainder != nullptr) == is_sum);
-  REQUIRE((place.homogeneous != nullptr) == !is_sum);
   if (is_sum) {
     for (const double r : *place.remainder) REQUIRE(to_rational(r) == rest);
   } else {
-    REQUIRE(Rational(place.homogeneous->x, place.homogeneous->w) == x);
-    REQUIRE(place.homogeneous->w == denominator(x));
+    const HPoint<Integer>& p = input.homogeneous(0);
+    REQUIRE(Rational(p.x, p.w) == x);
+    REQUIRE(p.w == denominator(x));
+    REQUIRE(&input.homogeneous(0) == &p);
   }
 }
 

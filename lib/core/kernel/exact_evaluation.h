@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "core/exact/lattice.h"
@@ -60,7 +61,7 @@ class ExactEvaluation {
     if (place.remainder != nullptr) return on_lattice(*place.nearest, *place.remainder);
     if constexpr (any_size) {
       if (place.meet != nullptr) return meet_of_planes(*place.meet);
-      if (place.homogeneous != nullptr) return on_lattice(of_this_type(*place.homogeneous));
+      if (place.rational != nullptr) return on_lattice(of_this_type(input_.homogeneous(v)));
     }
     return on_lattice(*place.nearest);
   }
@@ -163,5 +164,15 @@ class ExactEvaluation {
   const InputComplex& input_;
   const Lattice& lattice_;
 };
+
+/// The values in integers of any size; none if one is lost.
+[[nodiscard]] inline std::optional<HPoint<Integer>> in_integers(const HPoint<LongInt>& p) {
+  if (p.x.is_lost() || p.y.is_lost() || p.z.is_lost() || p.w.is_lost()) return std::nullopt;
+  return HPoint<Integer>{Integer(p.x), Integer(p.y), Integer(p.z), Integer(p.w), p.unit};
+}
+[[nodiscard]] inline std::optional<HPlane<Integer>> in_integers(const HPlane<LongInt>& p) {
+  if (p.a.is_lost() || p.b.is_lost() || p.c.is_lost() || p.d.is_lost()) return std::nullopt;
+  return HPlane<Integer>{Integer(p.a), Integer(p.b), Integer(p.c), Integer(p.d)};
+}
 
 }  // namespace strata

@@ -1,5 +1,8 @@
 #include "core/kernel/input_complex.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -28,9 +31,7 @@ std::optional<double> long_remainder_of(const Rational& x, double nearest) {
 /// x - nearest, if that is a double.
 std::optional<double> remainder_of(const Rational& x, double nearest) {
   const std::span<const std::uint64_t> n = numerator_limbs(x), d = denominator_limbs(x);
-  const bool is_dyadic = std::has_single_bit(d.back()) &&
-                         std::all_of(d.begin(), d.end() - 1, [](std::uint64_t limb) { return limb == 0; });
-  if (!is_dyadic || !std::isfinite(nearest)) return std::nullopt;
+  if (!is_dyadic(x) || !std::isfinite(nearest)) return std::nullopt;
   const auto shift = static_cast<int>(64 * (d.size() - 1)) + std::countr_zero(d.back());
   using Wide = unsigned __int128;
   const DoubleParts parts(nearest);
@@ -63,19 +64,16 @@ template <class Listed>
 std::shared_ptr<const InputComplex::Listing> InputComplex::listing_of(std::span<const Coordinates> points,
                                                                       std::span<const Listed> listed) {
   if (listed.empty()) return nullptr;
-  const auto listing = std::make_shared<Listing>();
-  listing->place.assign(points.size(), not_listed);
-  listing->form.resize(listed.size());
-  for (std::uint32_t i = 0; i < listed.size(); ++i) {
-    const std::uint32_t vertex = listed[i].vertex;
-    listing->place[vertex] = i;
-    const RationalPoint* exact = rational_of(listed[i]);
-    if (exact == nullptr) continue;
-    if (const auto remainder = remainder_of(*exact, points[vertex]))
-      listing->form[i] = *remainder;
-    else
-      listing->form[i] = homogeneous(*exact);
-  }
+  auto listing = std::make_shared<Listing>(points.size(), listed.size());
+  constexpr std::size_t at_once = 1024;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, listed.size(), at_once), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      const std::uint32_t vertex = listed[i].vertex;
+      listing->place[vertex] = static_cast<std::uint32_t>(i);
+      if (const RationalPoint* exact = rational_of(listed[i]))
+        listing->remainder[i] = remainder_of(*exact, points[vertex]);
+    }
+  });
   return listing;
 }
 
@@ -137,9 +135,15 @@ VertexPosition InputComplex::listed_place(std::uint32_t vertex) const {
   const std::uint32_t at = b.listing->place[i];
   place.rational = b.exact.empty() ? b.placed[at].rational : &b.exact[at].position;
   if (b.exact.empty()) place.meet = b.placed[at].meet;
-  place.remainder = std::get_if<Coordinates>(&b.listing->form[at]);
-  place.homogeneous = std::get_if<HPoint<Integer>>(&b.listing->form[at]);
+  if (const auto& remainder = b.listing->remainder[at]) place.remainder = &*remainder;
   return place;
+}
+
+const HPoint<Integer>& InputComplex::homogeneous(std::uint32_t vertex) const {
+  const Block& b = blocks_[find<true>(vertex)];
+  const std::uint32_t at = b.listing->place[vertex - b.first_vertex];
+  return b.listing->homogeneous.get(
+      at, [&] { return strata::homogeneous(b.exact.empty() ? *b.placed[at].rational : b.exact[at].position); });
 }
 
 }  // namespace strata

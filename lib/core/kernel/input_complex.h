@@ -5,10 +5,10 @@
 #include <optional>
 #include <span>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "core/kernel/box.h"
+#include "core/kernel/made_once.h"
 #include "core/kernel/source_plane.h"
 #include "strata/mesh.h"
 
@@ -29,8 +29,6 @@ struct VertexPosition {
   /// The rounding error of a rational vertex, where it consists of three doubles: the vertex is the sum of `nearest`
   /// and this. Sums and halves of doubles are such vertices. Otherwise null.
   const std::array<double, 3>* remainder = nullptr;
-  /// The rational over the least common denominator, if there is no remainder.
-  const HPoint<Integer>* homogeneous = nullptr;
 
   [[nodiscard]] bool has_doubles() const { return rational == nullptr && meet == nullptr; }
 };
@@ -121,6 +119,8 @@ class InputComplex {
   [[nodiscard]] const RationalPoint* exact(std::uint32_t vertex) const {
     return has_rationals_ ? place(vertex).rational : nullptr;
   }
+  /// A rational vertex over the least common denominator of its coordinates. O(1) from the second time on.
+  [[nodiscard]] const HPoint<Integer>& homogeneous(std::uint32_t vertex) const;
   /// The planes that meet in a vertex, or null when it is given by doubles or rationals.
   [[nodiscard]] const MeetOfPlanes* meet(std::uint32_t vertex) const {
     return has_rationals_ ? place(vertex).meet : nullptr;
@@ -140,8 +140,12 @@ class InputComplex {
   static constexpr std::uint32_t not_listed = 0xffffffffu;
   /// Vertices that are not doubles.
   struct Listing {
-    std::vector<std::uint32_t> place;  ///< in `exact` or `placed`, or none, per vertex
-    std::vector<std::variant<std::monostate, Coordinates, HPoint<Integer>>> form;  ///< per entry: see VertexPosition
+    Listing(std::size_t vertices, std::size_t listed)
+        : place(vertices, not_listed), remainder(listed), homogeneous(listed) {}
+
+    std::vector<std::uint32_t> place;                   ///< in `exact` or `placed`, or none, per vertex
+    std::vector<std::optional<Coordinates>> remainder;  ///< per entry: see VertexPosition
+    MadeOnce<HPoint<Integer>> homogeneous;              ///< per entry that is rational
   };
   template <class Listed>
   static std::shared_ptr<const Listing> listing_of(std::span<const Coordinates> points, std::span<const Listed> listed);

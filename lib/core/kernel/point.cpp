@@ -87,10 +87,8 @@ class CommonCoordinates {
 
 /// A point in units of a lattice: in long integers if they can represent it.
 HPoint<Integer> exact_in_units(const InputComplex& input, const Lattice& lattice, const Point& point) {
-  const HPoint<LongInt> p = ExactEvaluation<LongInt>(input, lattice).point(point);
-  if (p.x.is_lost() || p.y.is_lost() || p.z.is_lost() || p.w.is_lost())
-    return ExactEvaluation<Integer>(input, lattice).point(point);
-  return {Integer(p.x), Integer(p.y), Integer(p.z), Integer(p.w), p.unit};
+  auto p = in_integers(ExactEvaluation<LongInt>(input, lattice).point(point));
+  return p ? *std::move(p) : ExactEvaluation<Integer>(input, lattice).point(point);
 }
 
 }  // namespace
@@ -176,6 +174,8 @@ Point make_point(const InputComplex& input, const SymbolicPoint& name) {
 }
 
 RationalPoint exact_position(const InputComplex& input, const Point& point) {
+  if (point.name.kind == SymbolicPoint::Kind::input)
+    if (const RationalPoint* given = input.exact(point.name.id[0])) return *given;
   const Point* const one[] = {&point};
   const Ground ground(input, one);
   const HPoint<Integer> h = exact_in_units(input, ground.lattice(), point);

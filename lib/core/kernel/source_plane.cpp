@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/exact/big_integer.h"
+#include "core/kernel/exact_evaluation.h"
 #include "core/kernel/nearest.h"
 
 namespace strata {
@@ -106,7 +107,14 @@ bool are_independent(const SourcePlane& p, const SourcePlane& q, const SourcePla
   return f.a * minor(g.b, g.c, h.b, h.c) + f.b * minor(g.c, g.a, h.c, h.a) + f.c * minor(g.a, g.b, h.a, h.b) != 0;
 }
 
-HPoint<Integer> MeetOfPlanes::exact() const { return meet(planes[0]->exact(), planes[1]->exact(), planes[2]->exact()); }
+HPoint<Integer> MeetOfPlanes::exact() const {
+  const auto long_plane = [&](std::size_t i) {
+    const HPlane<Integer>& p = planes[i]->exact();
+    return HPlane<LongInt>{LongInt(p.a), LongInt(p.b), LongInt(p.c), LongInt(p.d)};
+  };
+  auto p = in_integers(meet(long_plane(0), long_plane(1), long_plane(2)));
+  return p ? *std::move(p) : meet(planes[0]->exact(), planes[1]->exact(), planes[2]->exact());
+}
 
 MeetOfPlanes meet_of(const SourcePlane& p, const SourcePlane& q, const SourcePlane& r) {
   MeetOfPlanes meet{{&p, &q, &r}, approximate_meet(p, q, r)};

@@ -8,6 +8,7 @@
 
 #include "core/containers/collect.h"
 #include "core/containers/huge_pages.h"
+#include "core/exact/big_integer.h"
 
 namespace strata {
 namespace {
@@ -29,7 +30,7 @@ std::vector<std::uint32_t> candidates_for_rounding(const InputComplex& input, co
 
 bool is_other_than(const Vertex& rounded, const RationalPoint& exact) {
   for (std::size_t k = 0; k < 3; ++k)
-    if (exact[k] != to_rational(rounded[k])) return true;
+    if (!is_dyadic(exact[k]) || exact[k] != to_rational(rounded[k])) return true;
   return false;
 }
 
@@ -57,6 +58,8 @@ std::vector<Vertex> round_to_doubles(const InputComplex& input, const Boundary& 
 }
 
 RationalPoint exact_position(const InputComplex& input, const Boundary& boundary, std::uint32_t vertex) {
+  if (vertex < boundary.inputs.size())
+    if (const RationalPoint* given = input.exact(boundary.inputs[vertex])) return *given;
   return exact_position(input, boundary.points.point(boundary.point(vertex)));
 }
 
@@ -86,6 +89,7 @@ std::vector<ExactVertex> exact_positions(const InputComplex& input, const Bounda
     if (is_other_than(rounded[candidates[n]], exact)) positions[n] = std::move(exact);
   });
   std::vector<ExactVertex> result;
+  result.reserve(positions.size());
   for (std::size_t n = 0; n < positions.size(); ++n)
     if (positions[n]) result.push_back({candidates[n], std::move(*positions[n])});
   return result;
