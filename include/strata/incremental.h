@@ -13,7 +13,8 @@ namespace strata {
 /// before it whatever it does not touch, so it costs about what the surfaces cost where tool and solid meet, and all
 /// versions may be kept. Coordinates do not grow with the number of steps: every vertex is given, or the meet of three
 /// planes of given faces (but where solids touch themselves within faces or edges, which results do not), or where a
-/// tool crosses an edge within a facet of a solid with attributes.
+/// tool crosses an edge within a facet of a solid with attributes. For some tens of steps, or tools about as large as
+/// the solid, the operators of Solid are faster: a step takes its planes and a tree as well here.
 ///
 /// An immutable value: copying is O(1), reading is thread-safe. Law: the same point set as that of the same operations
 /// on Solid; its triangles may be others. Source: own; lib/extensions/incremental/theory.md.

@@ -1,5 +1,7 @@
 #include "extensions/incremental/face_tree.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -10,6 +12,9 @@ namespace strata {
 namespace {
 
 constexpr std::size_t most_in_leaf = 16;
+
+/// Halves of fewer faces are not worth a second thread.
+constexpr std::size_t worth_a_thread = 2048;
 
 /// A tree is not rebuilt while neither half has more than this part of its faces.
 constexpr double balance = 0.75;
@@ -34,6 +39,17 @@ std::size_t longest_axis(const Box& b) {
   for (std::size_t i = 1; i < 3; ++i)
     if (b.upper[i] - b.lower[i] > b.upper[axis] - b.lower[axis]) axis = i;
   return axis;
+}
+
+/// Both, at the same time if they have many faces.
+template <class First, class Second>
+void do_both(std::size_t faces, const First& first, const Second& second) {
+  if (faces < 2 * worth_a_thread) {
+    first();
+    second();
+  } else {
+    tbb::parallel_invoke(first, second);
+  }
 }
 
 /// The growth of a box that takes in another one, in half perimeters.
@@ -118,8 +134,11 @@ FaceTree::NodePointer FaceTree::build(std::span<WorkFace> faces, std::span<std::
                    [&](std::uint32_t i, std::uint32_t k) {
                      return std::pair(middle(faces[i], axis), i) < std::pair(middle(faces[k], axis), k);
                    });
-  NodePointer lower = build(faces, order.first(half));
-  return inner(std::move(lower), build(faces, order.subspan(half)));
+  NodePointer lower, upper;
+  do_both(
+      order.size(), [&] { lower = build(faces, order.first(half)); },
+      [&] { upper = build(faces, order.subspan(half)); });
+  return inner(std::move(lower), std::move(upper));
 }
 
 FaceTree::NodePointer FaceTree::without(const NodePointer& node, std::span<const Box> regions,
@@ -135,7 +154,10 @@ FaceTree::NodePointer FaceTree::without(const NodePointer& node, std::span<const
     if (left.size() == node->faces.size()) return node;
     return left.empty() ? nullptr : leaf(std::move(left));
   }
-  NodePointer a = without(node->children[0], regions, removed), b = without(node->children[1], regions, removed);
+  NodePointer a, b;
+  do_both(
+      node->count, [&] { a = without(node->children[0], regions, removed); },
+      [&] { b = without(node->children[1], regions, removed); });
   if (a == node->children[0] && b == node->children[1]) return node;
   if (a == nullptr || b == nullptr) return a == nullptr ? b : a;
   return inner(std::move(a), std::move(b));
@@ -161,7 +183,11 @@ FaceTree::NodePointer FaceTree::with_faces(const NodePointer& node, std::span<Wo
   const auto to_a = static_cast<std::size_t>(first_of_b - added.begin());
   const std::size_t of_a = a->count + to_a, all = node->count + added.size();
   if (static_cast<double>(std::max(of_a, all - of_a)) > balance * static_cast<double>(all)) return rebuilt();
-  return inner(with_faces(a, added.first(to_a)), with_faces(b, added.subspan(to_a)));
+  NodePointer lower, upper;
+  do_both(
+      added.size(), [&] { lower = with_faces(a, added.first(to_a)); },
+      [&] { upper = with_faces(b, added.subspan(to_a)); });
+  return inner(std::move(lower), std::move(upper));
 }
 
 }  // namespace strata

@@ -44,6 +44,7 @@ class WorkFace {
   /// Corners counter-clockwise from outside; the source plane of the face, or null for the one through its corners,
   /// which are doubles then.
   WorkFace(std::array<IncrementalVertexPointer, 3> corners, PlanePointer plane, FaceOrigin origin);
+  WorkFace() = default;  ///< no face: to be assigned
 
   [[nodiscard]] const std::array<IncrementalVertexPointer, 3>& corners() const { return corners_; }
   [[nodiscard]] const PlanePointer& plane() const { return plane_; }

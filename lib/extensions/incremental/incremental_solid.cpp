@@ -1,9 +1,14 @@
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <map>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "core/csg/arena.h"
+#include "core/kernel/rational_point.h"
 #include "extensions/incremental/face_tree.h"
 #include "extensions/incremental/rounds.h"
 #include "extensions/incremental/step.h"
@@ -20,10 +25,9 @@ struct IncrementalSolid::Data {
 
 namespace {
 
+/// Of a vertex that is not three doubles.
 RationalPoint position(const IncrementalVertex& corner) {
-  if (corner.rational) return *corner.rational;
-  const HPoint<Integer> p = corner.meet.exact();
-  return {Rational(p.x, p.w), Rational(p.y, p.w), Rational(p.z, p.w)};
+  return corner.rational ? *corner.rational : rational(corner.meet.exact());
 }
 
 /// The faces that the triangles of a solid are parts of.
@@ -98,6 +102,9 @@ Solid IncrementalSolid::solid(const Options& options) const {
   ExactMesh mesh;
   Origins origins;
   std::unordered_map<const IncrementalVertex*, std::uint32_t> numbers;
+  std::vector<const IncrementalVertex*> rational;  ///< vertices that are not three doubles
+  mesh.mesh.triangles.reserve(triangle_count());
+  numbers.reserve(triangle_count() / 2 + 2);
   data_->faces.for_each([&](const WorkFace& face) {
     Triangle t{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -106,10 +113,17 @@ Solid IncrementalSolid::solid(const Options& options) const {
       t[i] = at->second;
       if (!is_new) continue;
       mesh.mesh.vertices.push_back(corner.at);
-      if (!corner.has_doubles()) mesh.exact.push_back({at->second, position(corner)});
+      if (corner.has_doubles()) continue;
+      mesh.exact.push_back({at->second, {}});
+      rational.push_back(&corner);
     }
     mesh.mesh.triangles.push_back(t);
     origins.add(face.origin());
+  });
+  arena_for(options, rational.size()).execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rational.size(), 64), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i) mesh.exact[i].position = position(*rational[i]);
+    });
   });
   const Solid solid = Solid::trusted(std::move(mesh));
   Attributes attributes = origins.carried_to(solid, options);

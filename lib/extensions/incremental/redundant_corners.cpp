@@ -42,7 +42,10 @@ class CornerRemover {
     place_.assign(points.end(), none);
     for (Index i = 0; i < candidates.size(); ++i) place_[candidates[i]] = i;
     around_.resize(candidates.size());
-    for (Index t = 0; t < triangles.size(); ++t) list(t);
+    std::vector<OrientedFace> faces;
+    for (Index t = 0; t < triangles.size(); ++t)
+      if (list(t)) faces.push_back({triangles[t].face, triangles[t].reversed});
+    planes_.compute(faces);
   }
 
   std::vector<MeetingPlanes> remove_all() {
@@ -56,9 +59,15 @@ class CornerRemover {
   }
 
  private:
-  void list(Index t) {
-    for (const PointId v : triangles_[t].v)
-      if (place_[v] != none) around_[place_[v]].push_back(t);
+  /// Adds a triangle to those around its corners; false if none of these is a candidate.
+  bool list(Index t) {
+    bool is_listed = false;
+    for (const PointId v : triangles_[t].v) {
+      if (place_[v] == none) continue;
+      around_[place_[v]].push_back(t);
+      is_listed = true;
+    }
+    return is_listed;
   }
 
   void find_sheets(Index corner) {
@@ -66,7 +75,7 @@ class CornerRemover {
     for (const Index t : around_[corner]) {
       const ResultTriangle& triangle = triangles_[t];
       if (triangle.face == none) continue;
-      const PlanePointer& plane = planes_.of(triangle.face, triangle.reversed);
+      const PlanePointer& plane = planes_.of({triangle.face, triangle.reversed});
       auto at = std::find_if(sheets_.begin(), sheets_.end(), [&](const Sheet& s) { return s.plane == plane; });
       if (at == sheets_.end())
         at = std::find_if(sheets_.begin(), sheets_.end(), [&](const Sheet& s) {

@@ -54,13 +54,13 @@ class Rounds {
     std::size_t faces = 0;
     for (const ToolGroup& group : round)
       for (const Tool& tool : group.tools) faces += tool.solid.mesh().triangles.size();
-    std::vector<FaceChange> changes(round.size());
     arena_for(options_, faces).execute([&] {
+      std::vector<FaceChange> changes(round.size());
       tbb::parallel_for(std::size_t{0}, round.size(), [&](std::size_t i) {
         changes[i] = change_by(tree_, operation_, round[i], Monitor(options_.cancel));
       });
+      apply(std::move(changes), std::move(round));
     });
-    apply(std::move(changes), std::move(round));
   }
 
   /// Applies the changes that remove no face which an earlier one removes; the other groups wait for the next round.
@@ -68,12 +68,13 @@ class Rounds {
     std::vector<FaceChange> independent;
     std::vector<ToolGroup> again;
     std::unordered_set<const WorkFace*> removed;
+    const bool is_alone = round.size() == 1;
     for (std::size_t i = 0; i < round.size(); ++i) {
       const auto is_gone = [&](const WorkFace* f) { return removed.contains(f); };
       if (std::any_of(changes[i].removed.begin(), changes[i].removed.end(), is_gone)) {
         again.push_back(std::move(round[i]));
       } else {
-        removed.insert(changes[i].removed.begin(), changes[i].removed.end());
+        if (!is_alone) removed.insert(changes[i].removed.begin(), changes[i].removed.end());
         independent.push_back(std::move(changes[i]));
       }
     }

@@ -1,5 +1,9 @@
 #include "extensions/incremental/step.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <functional>
 #include <utility>
@@ -21,6 +25,14 @@ namespace strata {
 namespace {
 
 constexpr std::uint32_t incremental_operand = 0;
+
+/// Calls `body(i)` for all numbers below `count`, so many at a time, by all threads.
+template <class Body>
+void for_each_index(std::size_t count, std::size_t at_once, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, at_once), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+  });
+}
 
 IncrementalVertexPointer given_corner(const Vertex& at, const RationalPoint* rational) {
   auto corner = std::make_shared<IncrementalVertex>();
@@ -67,9 +79,10 @@ class Step {
     const std::vector<MeetingPlanes> intersections =
         remove_redundant_corners(input_, points(), planes, candidates, triangles_, origins_);
     corners_.resize(points().end());
-    for (std::size_t i = 0; i < candidates.size(); ++i)
+    for_each_index(candidates.size(), 16, [&](std::size_t i) {
       if (intersections[i][0] != nullptr && !points().is_input(candidates[i]))
         corners_[candidates[i]] = constructed_corner(intersections[i]);
+    });
     return assembled(planes);
   }
 
@@ -171,23 +184,39 @@ class Step {
     return corner;
   }
 
-  const IncrementalVertexPointer& corner(PointId v) {
-    IncrementalVertexPointer& known = corners_[v];
-    if (known != nullptr) return known;
-    if (v < patch_.vertex_count()) return known = patch_.corner(v);
-    return known = points().is_input(v) ? given_corner(input_.vertex(v), input_.exact(v)) : corner_by_name(v);
+  [[nodiscard]] IncrementalVertexPointer made_corner(PointId v) const {
+    if (v < patch_.vertex_count()) return patch_.corner(v);
+    return points().is_input(v) ? given_corner(input_.vertex(v), input_.exact(v)) : corner_by_name(v);
+  }
+
+  /// Makes the corners of some triangles that are not known yet.
+  void make_corners(const std::vector<std::uint32_t>& triangles) {
+    std::vector<char> is_wanted(points().end());
+    for (const std::uint32_t t : triangles)
+      for (const PointId v : triangles_[t].v) is_wanted[v] = 1;
+    for_each_index(is_wanted.size(), 64, [&](std::size_t v) {
+      if (is_wanted[v] != 0 && corners_[v] == nullptr) corners_[v] = made_corner(static_cast<PointId>(v));
+    });
   }
 
   FaceChange assembled(FacePlanes& planes) {
     FaceChange change;
     std::vector<bool> stays(patch_.face_count());
-    for (const ResultTriangle& t : triangles_) {
-      if (t.untouched) {
-        stays[t.face] = true;
+    std::vector<std::uint32_t> added;  ///< in triangles_
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+      if (triangles_[i].untouched) {
+        stays[triangles_[i].face] = true;
       } else {
-        change.added.push_back(new_face(t, planes));
+        added.push_back(i);
       }
     }
+    make_corners(added);
+    std::vector<OrientedFace> faces;
+    for (const std::uint32_t i : added)
+      if (keeps_plane(triangles_[i])) faces.push_back({triangles_[i].face, triangles_[i].reversed});
+    planes.compute(faces);
+    change.added.resize(added.size());
+    for_each_index(added.size(), 128, [&](std::size_t i) { change.added[i] = new_face(triangles_[added[i]], planes); });
     for (std::uint32_t f = 0; f < patch_.face_count(); ++f)
       if (!stays[f]) change.removed.push_back(&patch_.face(f));
     if (keeps_rest(rule_)) {
@@ -218,13 +247,18 @@ class Step {
     return origin;
   }
 
-  WorkFace new_face(const ResultTriangle& t, FacePlanes& planes) {
-    const std::array<IncrementalVertexPointer, 3> corners{corner(t.v[0]), corner(t.v[1]), corner(t.v[2])};
-    const bool are_given = std::all_of(corners.begin(), corners.end(), [](const IncrementalVertexPointer& c) {
-      return c->is_given && c->has_doubles();
-    });
-    const bool has_plane = t.face < patch_.face_count() && patch_.face(t.face).plane() != nullptr;
-    return {corners, are_given && !has_plane ? nullptr : planes.of(t.face, t.reversed), origin_of(t)};
+  /// False if the plane of a triangle is the one through its corners, which are given doubles.
+  [[nodiscard]] bool keeps_plane(const ResultTriangle& t) const {
+    if (t.face < patch_.face_count() && patch_.face(t.face).plane() != nullptr) return true;
+    return !std::all_of(t.v.begin(), t.v.end(),
+                        [&](PointId v) { return corners_[v]->is_given && corners_[v]->has_doubles(); });
+  }
+
+  /// Requires that its corners are made.
+  [[nodiscard]] WorkFace new_face(const ResultTriangle& t, FacePlanes& planes) const {
+    return {{corners_[t.v[0]], corners_[t.v[1]], corners_[t.v[2]]},
+            keeps_plane(t) ? planes.of({t.face, t.reversed}) : nullptr,
+            origin_of(t)};
   }
 
   /// Checks that each side of the removed faces occurs in the new ones, equally often, or cancels with its opposite.
@@ -240,7 +274,7 @@ class Step {
     };
     for (const WorkFace* f : change.removed) add(*f, -1);
     for (const WorkFace& f : change.added) add(f, 1);
-    std::sort(sides.begin(), sides.end());
+    tbb::parallel_sort(sides.begin(), sides.end());
     int sum = 0;
     for (std::size_t i = 0; i < sides.size(); ++i) {
       sum += sides[i].second;
@@ -286,7 +320,7 @@ std::vector<WorkFace> faces_of(const Tool& tool) {
   for (std::uint32_t f = 0; f < input.face_count(); ++f) {
     const Triangle& t = mesh.mesh.triangles[f];
     faces.emplace_back(std::array{corners[t[0]], corners[t[1]], corners[t[2]]},
-                       input.has_doubles(t) ? nullptr : planes.of(f, false),
+                       input.has_doubles(t) ? nullptr : planes.of({f, false}),
                        tool.painted == nullptr ? FaceOrigin() : FaceOrigin{tool.painted, f, false});
   }
   return faces;
