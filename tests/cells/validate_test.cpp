@@ -39,6 +39,12 @@ TEST_CASE("what a cell's list says of itself is checked", "[cells]") {
     cell.faces.push_back({near, 7, false});
     CHECK(reports(violations(), "cell 0 lists faces out of order"));
   }
+  SECTION("numbers without boxes") {
+    const std::vector<std::uint32_t> numbers{7, 2};
+    cell.numbers = numbers;
+    CHECK(reports(violations(), "cell 0 is not apart and lists faces by number alone"));
+    CHECK(reports(violations(), "cell 0 lists faces by number out of order"));
+  }
   SECTION("a face elsewhere: cells are half-open") {
     cell.faces.push_back({{{8, 0, 0}, {9, 4, 4}}, 7, false});
     CHECK(reports(violations(), "cell 0 lists face 7, which is not near"));

@@ -54,6 +54,8 @@ TEST_CASE("two faces that meet are the business of one cell", "[cells][property]
   };
   const Mesh ball = test::icosphere({0, 0, 0}, 1, 3);
   check(ball, test::icosphere({.3, .1, .05}, 1, 3), 4);
+  check(ball, test::icosphere({.02, .01, .03}, 1, 3), 4);
+  check(ball, test::icosphere({.02, .01, .03}, 1, 3), 64);
   // Large tilted faces are in the bricks near their planes only.
   Mesh wedge{{{-2, -1.5, -1.1}, {2.2, -1.4, -.9}, {.1, 2.1, -.2}, {.3, .2, 2.3}},
              {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "core/cells/grid.h"
 #include "core/cells/windings.h"
@@ -40,13 +41,16 @@ class FaceList {
 /// lower <= grid coordinates < upper. In a mixed cell faces may meet, and all faces whose boxes meet the cell are
 /// listed. So every walk inside the cell meets listed faces only: the grid is monotone, hence a cell is convex. The
 /// faces in any other cell belong to one operand; the winding numbers about all other operands are the origin's
-/// throughout. The bricks of a region count as one cell; `box` is one of them.
+/// throughout. Of a mixed cell that is apart, no two faces meet: a plane separates the two operands' faces. The bricks
+/// of a region count as one cell; `box` is one of them.
 struct Cell {
   GridBox box{};
   InputComplex::Coordinates origin{};
   std::shared_ptr<const Windings> windings;  ///< at the origin (in the sense of walk.h)
-  FaceList faces;                            ///< of a mixed cell, by increasing face number
+  FaceList faces{};                          ///< of a mixed cell, by increasing face number
+  std::span<const std::uint32_t> numbers{};  ///< instead of `faces` where a whole brick is apart: numbers alone
   bool mixed = false;
+  bool apart = false;
 };
 
 }  // namespace strata

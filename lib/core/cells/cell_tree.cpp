@@ -34,9 +34,8 @@ BrickGrid bricks_for(const InputComplex& input, const Space& space) {
   return {space, std::min(most, std::size_t{2} * input.face_count()), 2 * typical_extent(input, space.grid)};
 }
 
-/// The space of interest as one cell. One pass over all faces lists those that reach into it, with their corners, and
-/// walks to its origin.
-Branch undivided(const InputComplex& input, const Space& space, VertexSet& near_corners) {
+/// The space of interest as one cell. One pass over all faces lists those that reach into it, and walks to its origin.
+Branch undivided(const InputComplex& input, const Space& space) {
   const BrickGrid one(space, 1, Grid::extent);
   const BrickCode only = 1 | 1 << 8 | 1 << 16;
   Branch root;
@@ -52,10 +51,7 @@ Branch undivided(const InputComplex& input, const Space& space, VertexSet& near_
     for (const auto& corners : input.faces(o)) {
       const auto& [a, b, c] = corners;
       const CellFace face{space.grid.box(points[a], points[b], points[c]), f++, false};
-      if (face.box.reaches_into(root.box)) {
-        root.faces.push_back(face);
-        near_corners.add(input.first_vertex(o), corners);
-      }
+      if (face.box.reaches_into(root.box)) root.faces.push_back(face);
       if (face.box.lower[1] <= line[1] && line[1] <= face.box.upper[1] && face.box.lower[2] <= line[2] &&
           line[2] <= face.box.upper[2])
         windings.add(o, crossing_along_axis(input, face.face, outside, root.origin, 0));
@@ -69,7 +65,7 @@ Branch undivided(const InputComplex& input, const Space& space, VertexSet& near_
 
 CellTree::CellTree(const InputComplex& input, const CellOptions& options)
     : input_(input), space_(find_space(input, options.self)) {
-  cells_.push_back({{}, {}, std::make_shared<const Windings>(), {}, false});
+  cells_.push_back({.windings = std::make_shared<const Windings>()});
   if (space_.empty) return;
   constexpr std::uint32_t few = 512;
   if (input.face_count() < few) {
@@ -85,8 +81,8 @@ void CellTree::make_cells_without_bricks(const InputComplex& input, const CellOp
   tbb::concurrent_vector<Cell> cells;
   cells.push_back(std::move(cells_.front()));
   near_corners_ = VertexSet(input.vertex_count());
-  Branch root = undivided(input, space_, near_corners_);
-  Refinement(input, options, space_.grid, cells).refine(root);
+  Branch root = undivided(input, space_);
+  Refinement(input, options, space_.grid, cells, near_corners_).refine(root);
   cells_.assign(std::make_move_iterator(cells.begin()), std::make_move_iterator(cells.end()));
   roots_.push_back(collect(root));
 }
@@ -102,20 +98,23 @@ void CellTree::make_cells(const InputComplex& input, const CellOptions& options)
   std::vector<Target> targets;
   for (const auto* places : {&regions_->regions(), &regions_->mixed()})
     for (const std::uint32_t brick : *places) targets.push_back({lines.add(bricks_.code_of(brick)), brick});
-  NearFaces near = find_near_faces(input, space_.grid, bricks_, raster, *codes_, occupancy, *regions_, lines, monitor);
-  near_corners_ = std::move(near.corners);
+  const NearFaces near =
+      find_near_faces(input, space_.grid, bricks_, raster, *codes_, occupancy, *regions_, lines, monitor);
+  near_corners_ = VertexSet(input.vertex_count());
   const std::vector<Windings> windings = walk_to_origins(input, space_, bricks_, near.line_faces, targets, monitor);
 
   tbb::concurrent_vector<Cell> cells;
   cells.push_back(std::move(cells_.front()));
   const auto cell_of_target = [&](std::size_t n) {
     const BrickCode code = bricks_.code_of(targets[n].brick);
-    return Cell{bricks_.box(code), bricks_.centre(code), std::make_shared<const Windings>(windings[n]), {}, false};
+    return Cell{.box = bricks_.box(code),
+                .origin = bricks_.centre(code),
+                .windings = std::make_shared<const Windings>(windings[n])};
   };
   const std::size_t regions = regions_->regions().size(), mixed = regions_->mixed().size();
   for (std::size_t n = 0; n < regions; ++n) cells.push_back(cell_of_target(n));
-  BrickFaces brick_faces(input, raster, *codes_, *regions_, near.faces, monitor);
-  const Refinement refinement(input, options, space_.grid, cells);
+  BrickFaces brick_faces(input, space_.grid, bricks_, raster, *codes_, *regions_, near, monitor);
+  const Refinement refinement(input, options, space_.grid, cells, near_corners_);
   std::vector<Branch> branches(mixed);
   tbb::parallel_for(std::size_t{0}, mixed, [&](std::size_t n) {
     monitor.check();
@@ -124,9 +123,12 @@ void CellTree::make_cells(const InputComplex& input, const CellOptions& options)
     root.box = cell.box;
     root.origin = cell.origin;
     root.windings = std::move(cell.windings);
-    root.faces = brick_faces.take(static_cast<std::uint32_t>(n));
+    const std::span<const std::uint32_t> faces = brick_faces.sorted(static_cast<std::uint32_t>(n));
+    if (refinement.is_apart(root, faces)) return;
+    root.faces = brick_faces.with_boxes(faces);
     refinement.refine(root);
   });
+  numbers_ = brick_faces.take();
   cells_.assign(std::make_move_iterator(cells.begin()), std::make_move_iterator(cells.end()));
   roots_.reserve(mixed);
   for (Branch& root : branches) roots_.push_back(collect(root));
@@ -201,6 +203,7 @@ std::size_t CellTree::bytes() const {
                     nodes_.size() * sizeof(Node);
   if (regions_ != nullptr)
     sum += input_.vertex_count() * sizeof(BrickCode) + bricks_.brick_count() * sizeof(std::uint32_t);
+  sum += numbers_.size() * sizeof(std::uint32_t);
   for (const Cell& c : cells_) sum += c.faces.size() * sizeof(CellFace);
   return sum;
 }

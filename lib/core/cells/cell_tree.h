@@ -11,6 +11,7 @@
 #include "core/cells/regions.h"
 #include "core/cells/space.h"
 #include "core/cells/vertex_set.h"
+#include "core/containers/fresh_array.h"
 
 namespace strata {
 
@@ -37,8 +38,8 @@ class CellTree {
     for (std::size_t i = 0; i < 3; ++i) corner[i] = std::max(a.box.lower[i], b.box.lower[i]);
     return a.is_thinned || b.is_thinned ? owns_thinned(cell, a, b, corner) : cell.box.holds(corner);
   }
-  /// True when a vertex is a corner of a face that may meet faces of other operands: of one in a brick with several
-  /// operands; without bricks, in the space of interest.
+  /// True when a vertex is a corner of a face that may meet faces of other operands: of one in a mixed cell that is not
+  /// apart.
   [[nodiscard]] bool is_near_others(std::uint32_t vertex) const { return !space_.empty && near_corners_.has(vertex); }
   /// Memory used, in bytes.
   [[nodiscard]] std::size_t bytes() const;
@@ -74,6 +75,7 @@ class CellTree {
   std::unique_ptr<const BrickCodes> codes_;
   std::unique_ptr<const Regions> regions_;
   VertexSet near_corners_;
+  FreshArray<std::uint32_t> numbers_;  ///< what cells that are apart show
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> roots_;  ///< nodes, per mixed brick; without bricks, of the space of interest
   std::vector<Node> nodes_;

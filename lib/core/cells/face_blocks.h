@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/containers/scattered.h"
 #include "core/kernel/input_complex.h"
 #include "strata/options.h"
 
@@ -36,12 +37,14 @@ struct FaceBlockView {
   std::span<const InputComplex::Indices> faces;  ///< by local vertices
 };
 
-/// Visits the blocks in parallel, each as a FaceBlockView.
+/// Visits the blocks in parallel, each as a FaceBlockView, in an order in which threads are in different places.
 template <class Visit>
 void for_each_face_block(const InputComplex& input, const std::vector<FaceBlock>& blocks, const Monitor& monitor,
                          const Visit& visit) {
-  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t n) {
+  const Scattered order(blocks.size());
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
     monitor.check();
+    const std::size_t n = order[i];
     const auto& [operand, first, last] = blocks[n];
     visit(FaceBlockView{n, operand, input.first_face(operand) + first, input.first_vertex(operand),
                         input.points(operand), input.faces(operand).subspan(first, last - first)});

@@ -1,11 +1,12 @@
 #pragma once
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/cells/cell.h"
 #include "core/cells/regions.h"
-#include "core/cells/vertex_set.h"
 #include "core/containers/fresh_array.h"
 
 namespace strata {
@@ -42,9 +43,9 @@ struct LineFace {
 
 /// The faces that the cells need. All others are skipped.
 struct NearFaces {
-  FreshArray<CellFace> faces;       ///< those in mixed bricks, by increasing face
-  FreshArray<LineFace> line_faces;  ///< sorted
-  VertexSet corners;                ///< of `faces`
+  FreshArray<std::uint32_t> faces;      ///< those in mixed bricks, in order
+  std::vector<std::uint32_t> in_brick;  ///< how many of them, per mixed brick
+  FreshArray<LineFace> line_faces;      ///< sorted
 };
 
 /// One streaming pass over all faces.
@@ -55,16 +56,23 @@ struct NearFaces {
 /// The near faces of each mixed brick.
 class BrickFaces {
  public:
-  BrickFaces(const InputComplex& input, const Raster& raster, const BrickCodes& codes, const Regions& regions,
-             std::span<const CellFace> near, const Monitor& monitor);
+  BrickFaces(const InputComplex& input, const Grid& grid, const BrickGrid& bricks, const Raster& raster,
+             const BrickCodes& codes, const Regions& regions, const NearFaces& near, const Monitor& monitor);
 
-  /// Of mixed brick number n: by increasing face.
-  [[nodiscard]] FaceList take(std::uint32_t n);
+  /// Of mixed brick number n, in order. Sorts them: for one thread for each n.
+  [[nodiscard]] std::span<const std::uint32_t> sorted(std::uint32_t n);
+  /// These faces with their boxes.
+  [[nodiscard]] FaceList with_boxes(std::span<const std::uint32_t> faces) const;
+  /// Gives up the numbers that `sorted` shows; they stay where they are.
+  [[nodiscard]] FreshArray<std::uint32_t> take() { return std::move(faces_); }
 
  private:
-  std::span<const CellFace> near_;
+  const InputComplex& input_;
+  const Grid& grid_;
+  const BrickGrid& bricks_;
+  const Raster& raster_;
   std::vector<std::uint32_t> first_;
-  std::unique_ptr<std::uint32_t[]> faces_;  ///< indices into near_
+  FreshArray<std::uint32_t> faces_;
 };
 
 }  // namespace strata

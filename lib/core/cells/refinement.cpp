@@ -3,9 +3,11 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <boost/container/static_vector.hpp>
 #include <limits>
 
+#include "core/cells/apart.h"
 #include "core/cells/walk.h"
 
 namespace strata {
@@ -13,6 +15,9 @@ namespace {
 
 constexpr std::size_t parallel_threshold = 4096;
 constexpr int deepest = 64;
+/// A cell with so many times the faces of a leaf need not be divided if its faces are apart. Walks in larger cells
+/// would take long.
+constexpr std::size_t few_leaves = 4;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -58,8 +63,27 @@ void Refinement::refine(Branch& root) const {
   grow(root, 0);
 }
 
+bool Refinement::is_apart(Branch& root, std::span<const std::uint32_t> faces) const {
+  if (!are_few_and_apart(faces)) return false;
+  finish(root, Kind::apart, faces);
+  return true;
+}
+
+bool Refinement::are_few_and_apart(std::span<const std::uint32_t> faces) const {
+  return !options_.self && faces.size() <= few_leaves * options_.leaf_faces && are_apart(input_, faces);
+}
+
+bool Refinement::are_few_and_apart(const FaceList& faces) const {
+  if (faces.size() > few_leaves * options_.leaf_faces) return false;
+  boost::container::small_vector<std::uint32_t, 256> numbers;
+  for (const CellFace& f : faces) numbers.push_back(f.face);
+  return are_few_and_apart(std::span<const std::uint32_t>(numbers.data(), numbers.size()));
+}
+
 void Refinement::grow(Branch& branch, int depth) const {
-  if (is_mixed(branch.faces) && branch.faces.size() > options_.leaf_faces && depth < deepest) {
+  if (!is_mixed(branch.faces)) return finish(branch, Kind::of_one_operand);
+  if (depth > 0 && are_few_and_apart(branch.faces)) return finish(branch, Kind::apart);
+  if (branch.faces.size() > options_.leaf_faces && depth < deepest) {
     for (const Cut& cut : cuts(branch)) {
       if (!divide(branch, cut)) continue;
       const auto below = [&] { grow(*branch.below, depth + 1); };
@@ -73,14 +97,15 @@ void Refinement::grow(Branch& branch, int depth) const {
       return;
     }
   }
-  finish(branch);
+  finish(branch, Kind::mixed);
 }
 
-void Refinement::finish(Branch& branch) const {
-  const bool mixed = is_mixed(branch.faces);
-  if (!mixed) branch.faces.clear();
-  const auto cell =
-      cells_.push_back({branch.box, branch.origin, std::move(branch.windings), std::move(branch.faces), mixed});
+void Refinement::finish(Branch& branch, Kind kind, std::span<const std::uint32_t> numbers) const {
+  if (kind == Kind::of_one_operand) branch.faces.clear();
+  if (kind == Kind::mixed)
+    for (const CellFace& f : branch.faces) corners_.add(input_, f.face);
+  const auto cell = cells_.push_back({branch.box, branch.origin, std::move(branch.windings), std::move(branch.faces),
+                                      numbers, kind != Kind::of_one_operand, kind == Kind::apart});
   branch.cell = static_cast<std::uint32_t>(cell - cells_.begin());
 }
 

@@ -4,9 +4,11 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "core/cells/cell.h"
 #include "core/cells/grid.h"
+#include "core/cells/vertex_set.h"
 #include "core/kernel/input_complex.h"
 #include "strata/options.h"
 
@@ -41,14 +43,16 @@ struct Branch {
 /// Divides cells where faces that may meet are near each other.
 class Refinement {
  public:
-  /// Leaves are appended to `cells`.
+  /// Leaves are appended to `cells`, corners of faces that may meet others are added to `corners`.
   Refinement(const InputComplex& input, const CellOptions& options, const Grid& grid,
-             tbb::concurrent_vector<Cell>& cells)
-      : input_(input), options_(options), grid_(grid), cells_(cells) {}
+             tbb::concurrent_vector<Cell>& cells, VertexSet& corners)
+      : input_(input), options_(options), grid_(grid), cells_(cells), corners_(corners) {}
 
   /// Refines a cell of which everything but `content` is set. Thread-safe; runs tasks in parallel where cells are
   /// large.
   void refine(Branch& root) const;
+  /// Makes a cell of a branch whose faces have these numbers, but no list yet, if they are few and apart.
+  [[nodiscard]] bool is_apart(Branch& root, std::span<const std::uint32_t> faces) const;
 
  private:
   struct Cut {
@@ -58,8 +62,13 @@ class Refinement {
   /// Candidates, best first.
   struct Cuts;
 
+  /// What is known of the faces of a leaf.
+  enum class Kind { of_one_operand, apart, mixed };
+
   void grow(Branch& branch, int depth) const;
-  void finish(Branch& branch) const;
+  void finish(Branch& branch, Kind kind, std::span<const std::uint32_t> numbers = {}) const;
+  [[nodiscard]] bool are_few_and_apart(std::span<const std::uint32_t> faces) const;
+  [[nodiscard]] bool are_few_and_apart(const FaceList& faces) const;
   void measure(Branch& branch) const;
   [[nodiscard]] std::uint32_t end_of_operand(std::uint32_t face) const;
   [[nodiscard]] bool is_mixed(const FaceList& faces) const;
@@ -75,6 +84,7 @@ class Refinement {
   const CellOptions& options_;
   const Grid& grid_;
   tbb::concurrent_vector<Cell>& cells_;
+  VertexSet& corners_;
 };
 
 }  // namespace strata

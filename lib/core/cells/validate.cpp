@@ -10,7 +10,11 @@ namespace {
 constexpr std::size_t face_sample = 64, cell_sample = 32, pair_sample = 8;
 
 void check_list(const InputComplex& input, std::size_t c, const Cell& cell, Violations& violations) {
-  if (!cell.mixed && !cell.faces.empty()) violations.add("cell ", c, " is not mixed and lists faces");
+  if (!cell.mixed && (!cell.faces.empty() || !cell.numbers.empty()))
+    violations.add("cell ", c, " is not mixed and lists faces");
+  if (!cell.apart && !cell.numbers.empty()) violations.add("cell ", c, " is not apart and lists faces by number alone");
+  if (!std::is_sorted(cell.numbers.begin(), cell.numbers.end()))
+    violations.add("cell ", c, " lists faces by number out of order");
   for (std::size_t i = 0; i < cell.faces.size(); ++i) {
     const CellFace& f = cell.faces[i];
     if (f.face >= input.face_count()) {
@@ -52,6 +56,10 @@ class CellCheck {
     return f != cell.faces.end() && f->face == face ? f : nullptr;
   }
 
+  [[nodiscard]] static bool lists(const Cell& cell, std::uint32_t face) {
+    return listed(cell, face) != nullptr || std::binary_search(cell.numbers.begin(), cell.numbers.end(), face);
+  }
+
   void check_face(std::uint32_t face) {
     const GridBox box = box_of(face);
     bool is_thinned = false, is_listed = false;
@@ -65,12 +73,12 @@ class CellCheck {
       }
     for (const std::uint32_t v : input_.face(face)) {
       const Cell& cell = tree_.cells()[tree_.cell_at(tree_.grid().at(input_.vertex(v)))];
-      if (cell.mixed && listed(cell, face) == nullptr)
+      if (cell.mixed && !lists(cell, face))
         violations_.add("face ", face, " is not listed in the cell in which its corner ", v, " is");
     }
     if (!is_listed || is_thinned) return;
     for (const Cell& cell : tree_.cells())
-      if (cell.mixed && box.reaches_into(cell.box) && listed(cell, face) == nullptr)
+      if (cell.mixed && box.reaches_into(cell.box) && !lists(cell, face))
         violations_.add("face ", face, " is not listed in a cell into which its box reaches");
   }
 
@@ -90,6 +98,7 @@ class CellCheck {
     std::array<std::int32_t, 3> corner{};
     for (std::size_t i = 0; i < 3; ++i) corner[i] = std::max(a.lower[i], b.lower[i]);
     const Cell& owner = tree_.cells()[tree_.cell_at(corner)];
+    if (owner.apart && lists(owner, f) && lists(owner, g)) return;
     const CellFace *in_f = listed(owner, f), *in_g = listed(owner, g);
     if (in_f == nullptr || in_g == nullptr || !tree_.owns(owner, *in_f, *in_g))
       violations_.add("no cell owns the faces ", f, " and ", g, ", whose boxes overlap");

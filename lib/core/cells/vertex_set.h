@@ -14,9 +14,10 @@ class VertexSet {
   VertexSet() = default;
   explicit VertexSet(std::uint32_t vertices) : has_(vertices, 0) {}
 
-  /// Adds the corners of a face of an operand whose vertices start at `first`.
-  void add(std::uint32_t first, const InputComplex::Indices& face) {
-    for (const std::uint32_t v : face) {
+  /// Adds the corners of a face, by their own numbers: not by those that they are identified with.
+  void add(const InputComplex& input, std::uint32_t face) {
+    const std::uint32_t operand = input.operand_of_face(face), first = input.first_vertex(operand);
+    for (const std::uint32_t v : input.faces(operand)[face - input.first_face(operand)]) {
       const std::atomic_ref<std::uint8_t> has(has_[first + v]);
       if (has.load(std::memory_order_relaxed) == 0) has.store(1, std::memory_order_relaxed);
     }

@@ -109,17 +109,21 @@ int crossing(const InputComplex& input, std::uint32_t face, const InputComplex::
   return target == Sign::zero || start == target ? 0 : to_int(start);
 }
 
+bool is_crossed_along_axis(const InputComplex& input, std::uint32_t face, const InputComplex::Coordinates& origin,
+                           int axis) {
+  const auto f = input.face(face);
+  const std::array<Sign, 3> turns = filtered_turns(input, axis, origin, f);
+  const auto has = [&](Sign s) { return std::find(turns.begin(), turns.end(), s) != turns.end(); };
+  if (has(Sign::positive) && has(Sign::negative)) return false;
+  if (!has(Sign::zero)) return true;
+  const Point o = Point::free(origin), a = vertex(input, f[0]), b = vertex(input, f[1]), c = vertex(input, f[2]);
+  const Sign ab = turn_about_axis(input, axis, o, a, b);
+  return ab == turn_about_axis(input, axis, o, b, c) && ab == turn_about_axis(input, axis, o, c, a);
+}
+
 int crossing_along_axis(const InputComplex& input, std::uint32_t face, const InputComplex::Coordinates& from,
                         const InputComplex::Coordinates& to, int axis) {
-  const auto f = input.face(face);
-  const std::array<Sign, 3> turns = filtered_turns(input, axis, from, f);
-  const auto has = [&](Sign s) { return std::find(turns.begin(), turns.end(), s) != turns.end(); };
-  if (has(Sign::positive) && has(Sign::negative)) return 0;
-  if (has(Sign::zero)) {
-    const Point o = Point::free(from), a = vertex(input, f[0]), b = vertex(input, f[1]), c = vertex(input, f[2]);
-    const Sign ab = turn_about_axis(input, axis, o, a, b);
-    if (ab != turn_about_axis(input, axis, o, b, c) || ab != turn_about_axis(input, axis, o, c, a)) return 0;
-  }
+  if (!is_crossed_along_axis(input, face, from, axis)) return 0;
   const Sign start = side_of_origin(input, face, from);
   return start == side_of_origin(input, face, to) ? 0 : to_int(start);
 }

@@ -23,7 +23,12 @@ namespace strata {
 [[nodiscard]] int crossing(const InputComplex& input, std::uint32_t face, const InputComplex::Coordinates& origin,
                            const Point& q);
 
-/// The same along the walk from one origin to another that differs from it in one coordinate only.
+/// True when the line through an origin along an axis crosses the face. On it, the walk from one origin to another
+/// crosses the face if they are on different sides of it.
+[[nodiscard]] bool is_crossed_along_axis(const InputComplex& input, std::uint32_t face,
+                                         const InputComplex::Coordinates& origin, int axis);
+
+/// `crossing` along the walk from one origin to another that differs from it in one coordinate only.
 [[nodiscard]] int crossing_along_axis(const InputComplex& input, std::uint32_t face,
                                       const InputComplex::Coordinates& from, const InputComplex::Coordinates& to,
                                       int axis);

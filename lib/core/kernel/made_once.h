@@ -5,8 +5,8 @@
 
 namespace strata {
 
-/// Values that are made when they are first asked for. Threads that ask at the same time may make one twice; all get the
-/// same one.
+/// Values that are made when they are first asked for. Threads that ask at the same time may make one twice; all get
+/// the same one.
 template <class T>
 class MadeOnce {
  public:

@@ -141,7 +141,7 @@ class CellPairs {
 std::vector<const Cell*> mixed_cells(const CellTree& cells) {
   std::vector<const Cell*> mixed;
   for (const Cell& cell : cells.cells())
-    if (cell.mixed) mixed.push_back(&cell);
+    if (cell.mixed && !cell.apart) mixed.push_back(&cell);
   std::sort(mixed.begin(), mixed.end(), [](const Cell* a, const Cell* b) { return a->box.lower < b->box.lower; });
   return mixed;
 }

@@ -26,6 +26,12 @@ std::array<std::int32_t, 3> LocalWindings::grid_of(const Point& q) const {
   return low == high ? low : cells_.grid().at(nearest_doubles(input_, q));
 }
 
+GridBox LocalWindings::box_of(std::uint32_t operand, std::uint32_t face) const {
+  const auto points = input_.points(operand);
+  const auto& [a, b, c] = input_.faces(operand)[face - input_.first_face(operand)];
+  return cells_.grid().box(points[a], points[b], points[c]);
+}
+
 Windings LocalWindings::walk(const Point& q, std::uint32_t own, std::span<const std::uint32_t> through_q) const {
   const auto target = grid_of(q);
   const Cell& cell = cells_.cells()[cells_.cell_at(target)];
@@ -33,15 +39,17 @@ Windings LocalWindings::walk(const Point& q, std::uint32_t own, std::span<const 
   if (own != nobody) w.set(own, 0);
   const GridBox way = GridBox::between(cells_.grid().at(cell.origin), target);
   std::uint32_t operand = nobody, end = 0;
-  for (const CellFace& f : cell.faces) {
-    if (f.face >= end) {
-      operand = input_.operand_of_face(f.face);
+  const auto is_counted = [&](std::uint32_t face) {
+    if (face >= end) {
+      operand = input_.operand_of_face(face);
       end = input_.first_face(operand) + input_.face_count(operand);
     }
-    if (operand == own || !f.box.overlaps(way)) continue;
-    if (std::find(through_q.begin(), through_q.end(), f.face) != through_q.end()) continue;  // not crossed
-    w.add(operand, crossing(input_, f.face, cell.origin, q));
-  }
+    return operand != own && std::find(through_q.begin(), through_q.end(), face) == through_q.end();
+  };
+  for (const CellFace& f : cell.faces)
+    if (is_counted(f.face) && f.box.overlaps(way)) w.add(operand, crossing(input_, f.face, cell.origin, q));
+  for (const std::uint32_t f : cell.numbers)
+    if (is_counted(f) && box_of(operand, f).overlaps(way)) w.add(operand, crossing(input_, f, cell.origin, q));
   return w;
 }
 

@@ -28,6 +28,7 @@ class LocalWindings final : public WindingOracle {
 
  private:
   static constexpr std::uint32_t nobody = 0xffffffffu;
+  [[nodiscard]] GridBox box_of(std::uint32_t operand, std::uint32_t face) const;
   [[nodiscard]] Windings walk(const Point& q, std::uint32_t own, std::span<const std::uint32_t> through_q) const;
 
   const InputComplex& input_;
