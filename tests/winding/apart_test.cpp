@@ -52,20 +52,20 @@ TEST_CASE("sheets of two operands are apart where a plane along them is between"
   CHECK(apart({above(0x1p-40), flat}));
   CHECK(apart({flat, triangle({0, 0, 1}, {0, 1, 3}, {1, 0, 2})}));
   CHECK_FALSE(apart({flat, flat}));
-  CHECK_FALSE(apart({flat, above(0x1p-60)}));                                      // less than errors may be
-  CHECK_FALSE(apart({flat, triangle({0, 0, 0}, {0, 1, 3}, {1, 0, 2})}));           // a common corner
-  CHECK_FALSE(apart({flat, triangle({.2, .2, -1}, {.2, .2, 1}, {.3, .2, 0})}));    // crossing
-  CHECK_FALSE(apart({flat, triangle({2, 0, -1}, {2, 0, 1}, {3, 0, 0})}));          // beside, across
+  CHECK_FALSE(apart({flat, above(0x1p-60)}));                                    // less than errors may be
+  CHECK_FALSE(apart({flat, triangle({0, 0, 0}, {0, 1, 3}, {1, 0, 2})}));         // a common corner
+  CHECK_FALSE(apart({flat, triangle({.2, .2, -1}, {.2, .2, 1}, {.3, .2, 0})}));  // crossing
+  CHECK_FALSE(apart({flat, triangle({2, 0, -1}, {2, 0, 1}, {3, 0, 0})}));        // beside, across
   CHECK_FALSE(apart({flat}));
-  CHECK_FALSE(apart({flat, above(1), above(2)}));                                  // three operands
-  CHECK_FALSE(apart({triangle({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), above(1)}));       // no direction
+  CHECK_FALSE(apart({flat, above(1), above(2)}));                             // three operands
+  CHECK_FALSE(apart({triangle({0, 0, 0}, {1, 1, 1}, {2, 2, 2}), above(1)}));  // no direction
   CHECK_FALSE(are_apart(Lists({flat, flat}).input, {}));
 }
 
 TEST_CASE("a gap that rationals could close is none", "[cells]") {
   const double z = 0x1p40;
-  const Mesh flat = triangle({0, 0, z}, {1, 0, z}, {0, 1, z}), next = triangle({0, 0, z + 0x1p-12}, {1, 0, z + 0x1p-12},
-                                                                             {0, 1, z + 0x1p-12});
+  const Mesh flat = triangle({0, 0, z}, {1, 0, z}, {0, 1, z}),
+             next = triangle({0, 0, z + 0x1p-12}, {1, 0, z + 0x1p-12}, {0, 1, z + 0x1p-12});
   CHECK_FALSE(apart({flat, next}));
 }
 
@@ -105,7 +105,8 @@ TEST_CASE("faces that are apart do not meet", "[cells][property]") {
   std::mt19937 random(seed);
   const auto number = [&] { return std::uniform_real_distribution<double>(-1, 1)(random); };
   constexpr std::uint32_t side = 4;
-  const double bend = std::ldexp(1, -static_cast<int>(random() % 50)), gap = std::ldexp(1, -static_cast<int>(random() % 56));
+  const double bend = std::ldexp(1, -static_cast<int>(random() % 50)),
+               gap = std::ldexp(1, -static_cast<int>(random() % 56));
   const Vertex x{number(), number(), number()}, y{number(), number(), number()}, z{number(), number(), number()},
       corner{8 * number(), 8 * number(), 8 * number()};
   const auto sheet = [&](double height) {
@@ -130,7 +131,8 @@ TEST_CASE("faces that are apart do not meet", "[cells][property]") {
   if (gap > 8 * bend && gap > 0x1p-30) CHECK(lists.apart());
 }
 
-TEST_CASE("cells of surfaces near each other list their faces by number, and know what is inside", "[cells][property]") {
+TEST_CASE("cells of surfaces near each other list their faces by number, and know what is inside",
+          "[cells][property]") {
   const double gap = GENERATE(0.02, 0.1, -0.3);
   const Mesh ball = test::icosphere({0, 0, 0}, 1, 4);
   const Mesh other = gap > 0 ? test::icosphere({gap, 0.3 * gap, 0.7 * gap}, 1, 4) : test::icosphere({0, 0, 0}, 1.03, 4);

@@ -315,14 +315,18 @@ std::vector<WorkFace> faces_of(const Tool& tool) {
   InputComplex input;
   input.add(mesh.mesh.vertices, mesh.mesh.triangles, mesh.exact);
   FacePlanes planes(input);
-  std::vector<WorkFace> faces;
-  faces.reserve(mesh.mesh.triangles.size());
-  for (std::uint32_t f = 0; f < input.face_count(); ++f) {
+  std::vector<OrientedFace> with_plane;
+  for (std::uint32_t f = 0; f < input.face_count(); ++f)
+    if (!input.has_doubles(mesh.mesh.triangles[f])) with_plane.push_back({f, false});
+  planes.compute(with_plane);
+  std::vector<WorkFace> faces(input.face_count());
+  for_each_index(faces.size(), 256, [&](std::size_t i) {
+    const auto f = static_cast<std::uint32_t>(i);
     const Triangle& t = mesh.mesh.triangles[f];
-    faces.emplace_back(std::array{corners[t[0]], corners[t[1]], corners[t[2]]},
-                       input.has_doubles(t) ? nullptr : planes.of({f, false}),
-                       tool.painted == nullptr ? FaceOrigin() : FaceOrigin{tool.painted, f, false});
-  }
+    faces[i] =
+        WorkFace({corners[t[0]], corners[t[1]], corners[t[2]]}, input.has_doubles(t) ? nullptr : planes.of({f, false}),
+                 tool.painted == nullptr ? FaceOrigin() : FaceOrigin{tool.painted, f, false});
+  });
   return faces;
 }
 
