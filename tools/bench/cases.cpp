@@ -280,6 +280,8 @@ void add_smoke(std::vector<Case>& cases) {
   add("smoke_boxes", "a face shared by boxes split differently", [] {
     return Meshes{fine_box({0, 0, 0}, {1, 1, 1}, 8), fine_box({1, 0, 0}, {2, 1, 1}, 7)};
   });
+  add("smoke_near", "two spheres of 20,480 triangles that nearly coincide",
+      [] { return pair_of_spheres(5, near_offset()); });
   add("smoke_large", "two spheres of 20,480 triangles", [] { return pair_of_spheres(5, far_offset); });
 }
 
