@@ -1,6 +1,5 @@
 #include "core/overlap/point_table.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
@@ -8,6 +7,7 @@
 #include <limits>
 
 #include "core/containers/collect.h"
+#include "core/containers/for_each_index.h"
 #include "core/containers/hash_index.h"
 #include "core/exact/failure.h"
 #include "core/kernel/disjoint_sets.h"
@@ -19,12 +19,7 @@ namespace {
 using Index = std::uint32_t;
 constexpr Index none = std::numeric_limits<Index>::max();
 
-template <class Body>
-void for_each_index(std::size_t count, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1 << 12), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-  });
-}
+constexpr std::size_t names_at_once = 1 << 12;
 
 std::uint64_t hash_of(const SymbolicPoint& name) {
   std::uint64_t h = static_cast<std::uint64_t>(name.kind) * 0x9e3779b97f4a7c15u;
@@ -38,7 +33,7 @@ class FirstOccurrences {
  public:
   /// `name_of(i)` for i < count.
   FirstOccurrences(std::size_t count, const NameOf& name_of) : name_of_(name_of), table_(count) {
-    for_each_index(count, [&](std::size_t i) {
+    for_each_index(count, names_at_once, [&](std::size_t i) {
       const SymbolicPoint& name = name_of_(i);
       table_.add_lowest(hash_of(name), static_cast<Index>(i), [&](Index k) { return name_of_(k) == name; });
     });
@@ -65,7 +60,7 @@ std::vector<PointId> PointTable::add(std::span<const SymbolicPoint> names, const
   std::vector<PointId> numbers(names.size());
   const auto is_input = [&](std::size_t i) { return names[i].kind == SymbolicPoint::Kind::input; };
   const FirstOccurrences firsts(known + names.size(), name_of);
-  for_each_index(names.size(), [&](std::size_t i) { numbers[i] = firsts.of(known + i); });
+  for_each_index(names.size(), names_at_once, [&](std::size_t i) { numbers[i] = firsts.of(known + i); });
   std::vector<Index> fresh;  // indices of names that occur here first
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (is_input(i)) {
@@ -78,11 +73,8 @@ std::vector<PointId> PointTable::add(std::span<const SymbolicPoint> names, const
     }
   }
   constructed_.resize(known + fresh.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fresh.size(), 256), [&](const auto& range) {
-    monitor.check();
-    for (std::size_t i = range.begin(); i != range.end(); ++i)
-      constructed_[known + i] = make_point(*input_, names[fresh[i]]);
-  });
+  for_each_index(fresh.size(), 256, monitor,
+                 [&](std::size_t i) { constructed_[known + i] = make_point(*input_, names[fresh[i]]); });
   return numbers;
 }
 
@@ -97,10 +89,8 @@ std::vector<std::pair<PointId, PointId>> PointTable::equal_positions(std::vector
     bool operator<(const Place& p) const { return nearest < p.nearest || (nearest == p.nearest && id < p.id); }
   };
   std::vector<Place> places(ids.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ids.size(), 256), [&](const auto& range) {
-    monitor.check();
-    for (std::size_t i = range.begin(); i != range.end(); ++i)
-      places[i] = {nearest_doubles(*input_, point(ids[i])), ids[i]};
+  for_each_index(ids.size(), 256, monitor, [&](std::size_t i) {
+    places[i] = {nearest_doubles(*input_, point(ids[i])), ids[i]};
   });
   tbb::parallel_sort(places.begin(), places.end());
   std::vector<std::size_t> starts;  // of places with equal doubles

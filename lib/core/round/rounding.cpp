@@ -1,25 +1,15 @@
 #include "core/round/rounding.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 #include <optional>
 
 #include "core/containers/collect.h"
+#include "core/containers/for_each_index.h"
 #include "core/containers/huge_pages.h"
 #include "core/exact/big_integer.h"
 
 namespace strata {
 namespace {
-
-template <class Body>
-void for_each_index(std::size_t count, std::size_t at_once, const Monitor& monitor, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, at_once), [&](const auto& range) {
-    monitor.check();
-    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-  });
-}
 
 /// The vertices that may not be three doubles.
 std::vector<std::uint32_t> candidates_for_rounding(const InputComplex& input, const Boundary& boundary) {

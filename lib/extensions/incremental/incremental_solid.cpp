@@ -1,12 +1,10 @@
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <map>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "core/containers/for_each_index.h"
 #include "core/csg/arena.h"
 #include "core/kernel/rational_point.h"
 #include "extensions/incremental/face_tree.h"
@@ -121,9 +119,7 @@ Solid IncrementalSolid::solid(const Options& options) const {
     origins.add(face.origin());
   });
   arena_for(options, rational.size()).execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rational.size(), 64), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i != range.end(); ++i) mesh.exact[i].position = position(*rational[i]);
-    });
+    for_each_index(rational.size(), 64, [&](std::size_t i) { mesh.exact[i].position = position(*rational[i]); });
   });
   const Solid solid = Solid::trusted(std::move(mesh));
   Attributes attributes = origins.carried_to(solid, options);

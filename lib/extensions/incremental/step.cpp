@@ -1,13 +1,12 @@
 #include "extensions/incremental/step.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <functional>
 #include <utility>
 
+#include "core/containers/for_each_index.h"
 #include "core/exact/failure.h"
 #include "core/kernel/nearest.h"
 #include "core/mesh/equal_vertices.h"
@@ -25,14 +24,6 @@ namespace strata {
 namespace {
 
 constexpr std::uint32_t incremental_operand = 0;
-
-/// Calls `body(i)` for all numbers below `count`, so many at a time, by all threads.
-template <class Body>
-void for_each_index(std::size_t count, std::size_t at_once, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, at_once), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-  });
-}
 
 IncrementalVertexPointer given_corner(const Vertex& at, const RationalPoint* rational) {
   auto corner = std::make_shared<IncrementalVertex>();
