@@ -77,10 +77,10 @@ bool are_apart(const InputComplex& input, std::span<const std::uint32_t> faces) 
     size += std::abs(direction[i]);
     largest = std::max({largest, a.largest[i], b.largest[i]});
   }
-  // A product of sums has an error of 3 * 2^-53 of its terms' sizes; there are two, and coordinates have errors. Where
-  // the bound is finite, so are the products; nothing exceeds one that is infinite.
+  // A product of sums has an error of 3 * 2^-53 of its terms' sizes; there are two, and coordinates have errors. No sum
+  // overflows below the limit; what is not a number is not below it.
   const double bound = size * largest;
-  return std::max(b.lower - a.upper, a.lower - b.upper) > 0x1p-48 * bound + 0x1p-1000;
+  return bound < 0x1p1000 && std::max(b.lower - a.upper, a.lower - b.upper) > 0x1p-48 * bound + 0x1p-1000;
 }
 
 }  // namespace strata
