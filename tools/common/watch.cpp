@@ -13,7 +13,7 @@
 namespace {
 
 using strata::system::StopBell;
-constexpr auto patience = std::chrono::seconds(2);  // with an engine that was asked to stop
+constexpr auto patience_with_engines = std::chrono::seconds(2);  // with an engine that was asked to stop
 
 [[noreturn]] void leave(const std::string& reason) {
   fmt::print(stderr, "strata: {}; no result was written\n", reason);
@@ -65,7 +65,7 @@ void Watch::run() {
       continue;  // woken early
     }
     timed = stopped_.is_cancelled();
-    end = Clock::now() + patience;
+    end = Clock::now() + patience_with_engines;
   }
 }
 

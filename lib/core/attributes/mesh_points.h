@@ -7,6 +7,7 @@
 
 #include "core/exact/double_double.h"
 #include "core/kernel/nearest.h"
+#include "core/kernel/rational_point.h"
 #include "strata/mesh.h"
 
 namespace strata {
@@ -35,7 +36,7 @@ class MeshPoints {
   [[nodiscard]] RationalPoint exact(std::uint32_t v) const {
     if (const RationalPoint* p = rational(v)) return *p;
     const Vertex& p = nearest(v);
-    return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
+    return to_rational(p);
   }
   [[nodiscard]] std::array<DoubleDouble, 3> fine(std::uint32_t v) const {
     if (const RationalPoint* p = rational(v))

@@ -18,7 +18,7 @@ namespace strata {
 namespace {
 
 /// More operands than this in one arrangement cost more than a second round.
-constexpr std::size_t most_in_group = 32;
+constexpr std::size_t most_facets_together = 32;
 
 /// The operands whose box meets that of another one.
 std::vector<std::uint32_t> with_neighbours(std::span<const OperandBox> united) {
@@ -164,7 +164,7 @@ std::vector<std::vector<std::uint32_t>> groups_with_coincident_facets(std::span<
   std::vector<std::vector<std::uint32_t>> groups;
   for (const std::uint32_t o : near) {
     const auto [at, is_new] = last_group.try_emplace(walls.set_of(o), groups.size());
-    if (is_new || groups[at->second].size() == most_in_group) {
+    if (is_new || groups[at->second].size() == most_facets_together) {
       at->second = groups.size();
       groups.emplace_back();
     }

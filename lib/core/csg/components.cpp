@@ -24,9 +24,9 @@ struct Shell {
 };
 
 /// The boundary of a solid as shells.
-class Boundary {
+class ShelledBoundary {
  public:
-  explicit Boundary(const ExactMesh& mesh) : boundary_(mesh), mesh_(mesh) {}
+  explicit ShelledBoundary(const ExactMesh& mesh) : boundary_(mesh), mesh_(mesh) {}
 
   [[nodiscard]] const InputComplex& input() const { return boundary_.input(); }
   [[nodiscard]] const Triangle& triangle(std::uint32_t face) const { return boundary_.triangles()[face]; }
@@ -84,7 +84,8 @@ struct Query {
 
 /// The queries that the ray of may meet a face, by doubles, which are sorted by z.
 template <class Visit>
-void for_each_near(const Boundary& boundary, const Triangle& t, std::vector<Query>& queries, const Visit& visit) {
+void for_each_near(const ShelledBoundary& boundary, const Triangle& t, std::vector<Query>& queries,
+                   const Visit& visit) {
   Vertex lower = boundary.vertex(t[0]), upper = lower;
   for (const std::uint32_t v : t)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -97,7 +98,7 @@ void for_each_near(const Boundary& boundary, const Triangle& t, std::vector<Quer
     if (lower[1] <= q->nearest[1] && q->nearest[1] <= upper[1] && q->nearest[0] <= upper[0]) visit(*q);
 }
 
-void count_crossings(const Boundary& boundary, const std::vector<Shell>& shells, std::vector<Query>& queries) {
+void count_crossings(const ShelledBoundary& boundary, const std::vector<Shell>& shells, std::vector<Query>& queries) {
   const InputComplex& input = boundary.input();
   for (std::size_t s = 0; s < shells.size(); ++s) {
     if (!shells[s].is_outer) continue;
@@ -118,7 +119,7 @@ void count_crossings(const Boundary& boundary, const std::vector<Shell>& shells,
 
 /// Per shell the outer shell of its component. Shells around a point of a cavity's boundary lie within one another, and
 /// the innermost is that of the cavity's component: it has the least volume.
-std::vector<std::size_t> outer_shells(const Boundary& boundary, const std::vector<Shell>& shells) {
+std::vector<std::size_t> outer_shells(const ShelledBoundary& boundary, const std::vector<Shell>& shells) {
   std::vector<std::size_t> outer(shells.size());
   std::vector<Query> queries;
   for (std::size_t s = 0; s < shells.size(); ++s) {
@@ -187,7 +188,7 @@ Solid::Data part_of(const Solid& solid, const std::vector<std::uint32_t>& faces,
 
 std::vector<Solid> Solid::components() const {
   if (is_empty()) return {};
-  const Boundary boundary(exact_mesh());
+  const ShelledBoundary boundary(exact_mesh());
   const std::vector<Shell> shells = boundary.shells();
   const std::vector<std::size_t> outer = outer_shells(boundary, shells);
   std::map<std::size_t, std::vector<std::uint32_t>> faces;  // by outer shell
@@ -212,7 +213,7 @@ Solid Solid::without_cavities(const Options& options) const {
   if (is_empty()) return *this;
   // What is closed off is a component of the exterior, which may touch others, and infinity, in edges and vertices.
   const ExactMesh exterior = reversed(exact_mesh());
-  std::vector<Shell> shells = Boundary(exterior).shells();
+  std::vector<Shell> shells = ShelledBoundary(exterior).shells();
   for (Shell& s : shells) s.is_outer = !s.is_outer;
   if (std::all_of(shells.begin(), shells.end(), [](const Shell& s) { return s.is_outer; })) return *this;
   std::vector<Solid> parts;

@@ -24,8 +24,6 @@ std::vector<Pointer> nodes_of(std::span<const Expression> terms, const auto& nod
   return nodes;
 }
 
-Pointer complement_of(Pointer node) { return Expression::Node::join(Kind::complement, {std::move(node)}); }
-
 }  // namespace
 
 Expression::Expression(Solid solid, std::string name) : node_(Pointer::make(std::move(solid), std::move(name))) {}
@@ -50,12 +48,12 @@ Expression operator&(const Expression& a, const Expression& b) {
   return Expression(Expression::Node::join(Kind::all, {a.node_, b.node_}));
 }
 Expression operator-(const Expression& a, const Expression& b) {
-  return Expression(Expression::Node::join(Kind::all, {a.node_, complement_of(b.node_)}));
+  return Expression(Expression::Node::join(Kind::all, {a.node_, Expression::Node::complement_of(b.node_)}));
 }
 Expression operator^(const Expression& a, const Expression& b) {
   return Expression(Expression::Node::join(Kind::odd, {a.node_, b.node_}));
 }
-Expression operator~(const Expression& a) { return Expression(complement_of(a.node_)); }
+Expression operator~(const Expression& a) { return Expression(Expression::Node::complement_of(a.node_)); }
 
 Expression Expression::transformed(const Transform& map, Placement placement) const {
   return Expression(Pointer::make(node_, map, placement));

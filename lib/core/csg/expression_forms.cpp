@@ -29,8 +29,6 @@ Pointer placed(const Occurrence& o) {
   return Pointer::make(std::move(solid), o.map, o.placement);
 }
 
-Pointer complement_of(Pointer node) { return Node::join(Kind::complement, {std::move(node)}); }
-
 Both both_of(Kind kind, const std::vector<Both>& terms) {
   std::vector<Pointer> parts, complements;
   for (const Both& t : terms) {
@@ -95,7 +93,7 @@ Expression Expression::positive_form(std::size_t most) const {
       *node_,
       [](const Occurrence& o) {
         const Pointer solid = placed(o);
-        return Both{solid, complement_of(solid)};
+        return Both{solid, Node::complement_of(solid)};
       },
       [](Both b) {
         return Both{std::move(b.complement), std::move(b.part)};
@@ -156,7 +154,8 @@ Expression Expression::disjunctive_form(std::size_t most) const {
   std::vector<Pointer> terms;
   for (const Clause& c : clauses_of(*positive.node_, numbered, most)) {
     std::vector<Pointer> factors;
-    for (const std::int64_t x : c) factors.push_back(x > 0 ? solids[solid_of(x)] : complement_of(solids[solid_of(x)]));
+    for (const std::int64_t x : c)
+      factors.push_back(x > 0 ? solids[solid_of(x)] : Node::complement_of(solids[solid_of(x)]));
     terms.push_back(Node::join(Kind::all, std::move(factors)));
   }
   return Expression(Node::join(Kind::any, std::move(terms)));

@@ -51,6 +51,7 @@ struct Expression::Node {
   }
 
   static Pointer join(Kind kind, std::vector<Pointer> terms) { return Pointer::make(kind, std::move(terms)); }
+  static Pointer complement_of(Pointer term) { return join(Kind::complement, {std::move(term)}); }
 };
 
 /// An occurrence of a solid.

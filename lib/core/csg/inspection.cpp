@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/csg/shell_windings.h"
+#include "core/exact/finite.h"
 #include "core/mesh/defect_list.h"
 #include "core/mesh/gathered_mesh.h"
 #include "core/mesh/prepare.h"
@@ -81,9 +82,6 @@ bool bounds_plainly(MeshView mesh, const Monitor& monitor) {
 }
 
 bool are_usable(MeshView mesh) {
-  const auto is_finite = [](const Vertex& v) {
-    return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
-  };
   const auto is_valid = [&](const Triangle& t) { return std::max({t[0], t[1], t[2]}) < mesh.vertices.size(); };
   return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), is_valid) &&
          std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_finite);

@@ -17,6 +17,7 @@
 #include "core/csg/arena.h"
 #include "core/csg/boolean.h"
 #include "core/csg/inspection.h"
+#include "core/exact/finite.h"
 #include "core/kernel/grid_rounding.h"
 #include "core/mesh/connections.h"
 #include "core/mesh/equal_vertices.h"
@@ -92,10 +93,6 @@ double half_unit(const Vertex& v) {
   const double next = std::nextafter(largest, std::numeric_limits<double>::infinity());
   const double unit = std::isfinite(next) ? next - largest : largest - std::nextafter(largest, 0.0);
   return std::max(unit / 2, std::numeric_limits<double>::denorm_min());
-}
-
-bool is_finite(const Vertex& v) {
-  return std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); });
 }
 
 /// Without triangles that repeat a vertex, and with faces of positive area only.

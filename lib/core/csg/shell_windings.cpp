@@ -12,7 +12,7 @@
 namespace strata {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t unset = 0xffffffffu;
 
 /// A shell as a mesh of its own, oriented outwards.
 struct Part {
@@ -27,11 +27,11 @@ bool is_reversed(ExactMeshView mesh) {
 /// Divides a mesh into its shells. Requires that none share an edge.
 std::vector<Part> parts_of(ExactMeshView mesh, const Shells& shells) {
   std::vector<Part> parts(shells.count);
-  std::vector<std::uint32_t> exact_at(mesh.exact.empty() ? 0 : mesh.mesh.vertices.size(), none);
+  std::vector<std::uint32_t> exact_at(mesh.exact.empty() ? 0 : mesh.mesh.vertices.size(), unset);
   for (std::uint32_t i = 0; i < mesh.exact.size(); ++i) exact_at[mesh.exact[i].vertex] = i;
   std::vector<std::vector<std::uint32_t>> faces(shells.count);
   for (std::uint32_t f = 0; f < shells.of_face.size(); ++f) faces[shells.of_face[f]].push_back(f);
-  std::vector<std::uint32_t> number(mesh.mesh.vertices.size()), last_shell(mesh.mesh.vertices.size(), none);
+  std::vector<std::uint32_t> number(mesh.mesh.vertices.size()), last_shell(mesh.mesh.vertices.size(), unset);
   for (std::uint32_t s = 0; s < shells.count; ++s) {
     ExactMesh& part = parts[s].mesh;
     for (const std::uint32_t f : faces[s]) {
@@ -40,7 +40,7 @@ std::vector<Part> parts_of(ExactMeshView mesh, const Shells& shells) {
         if (last_shell[v] != s) {
           last_shell[v] = s;
           number[v] = static_cast<std::uint32_t>(part.mesh.vertices.size());
-          if (!exact_at.empty() && exact_at[v] != none)
+          if (!exact_at.empty() && exact_at[v] != unset)
             part.exact.push_back({number[v], mesh.exact[exact_at[v]].position});
           part.mesh.vertices.push_back(mesh.mesh.vertices[v]);
         }
@@ -99,9 +99,9 @@ std::vector<std::int32_t> above_joined(ExactMeshView mesh, const Shells& shells,
   const Candidates candidates = find_candidates(std::move(complex), monitor);
   const InputComplex& input = candidates.input();
   const LocalWindings windings(input, candidates.cells());
-  std::vector<std::uint32_t> first(shells.count, none);
+  std::vector<std::uint32_t> first(shells.count, unset);
   for (std::uint32_t f = 0; f < shells.of_face.size(); ++f)
-    if (first[shells.of_face[f]] == none) first[shells.of_face[f]] = f;
+    if (first[shells.of_face[f]] == unset) first[shells.of_face[f]] = f;
   std::vector<std::int32_t> above(shells.count);
   tbb::parallel_for(std::uint32_t{0}, shells.count, [&](std::uint32_t s) {
     monitor.check();

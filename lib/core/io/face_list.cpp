@@ -29,15 +29,9 @@ struct Findings {
   }
 };
 
-/// Numbers of a list's first face and first triangle in the file.
-struct Start {
-  std::uint64_t face = 0;
-  std::uint64_t triangle = 0;
-};
-
 /// One start per list, and the totals at the end.
-std::vector<Start> starts_of(std::span<const FaceList> lists) {
-  std::vector<Start> starts{{}};
+std::vector<ListStart> starts_of(std::span<const FaceList> lists) {
+  std::vector<ListStart> starts{{}};
   for (const FaceList& list : lists)
     starts.push_back({starts.back().face + list.count(), starts.back().triangle + list.triangle_count()});
   return starts;
@@ -51,7 +45,7 @@ bool has_three_different(std::span<const std::uint32_t> c) {
 /// Writes the triangles of one list to their position in the file.
 class ListWriter {
  public:
-  ListWriter(MeshFile& file, Start start) : file_(file), face_(start.face), triangle_(start.triangle) {}
+  ListWriter(MeshFile& file, ListStart start) : file_(file), face_(start.face), triangle_(start.triangle) {}
 
   Findings write(const FaceList& list) {
     write_triangles(list.triangles());

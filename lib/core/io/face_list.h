@@ -11,6 +11,12 @@ namespace strata::io {
 /// The largest number of vertices, faces or triangles: indices have 32 bits and the largest value is not used.
 inline constexpr std::uint64_t most_items = 0xffff'fffe;
 
+/// Numbers of a list's first face and first triangle in the file.
+struct ListStart {
+  std::uint64_t face = 0;
+  std::uint64_t triangle = 0;
+};
+
 /// The faces of a file, or of a piece of it, in order. Consecutive repetitions of a vertex are dropped. So are faces
 /// with fewer than three different vertices, whose sides cancel each other.
 class FaceList {

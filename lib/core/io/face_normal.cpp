@@ -4,16 +4,12 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/exact/vector.h"
+
 namespace strata::io {
 namespace {
 
 double squared_length(const Vertex& n) { return n[0] * n[0] + n[1] * n[1] + n[2] * n[2]; }
-
-Vertex cross(const Vertex& u, const Vertex& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
-Vertex difference(const Vertex& a, const Vertex& b) { return {b[0] - a[0], b[1] - a[1], b[2] - a[2]}; }
 
 /// Half of b - a, which never overflows.
 Vertex half_difference(const Vertex& a, const Vertex& b) {
@@ -31,7 +27,7 @@ Vertex scaled(const Vertex& v) {
 
 std::array<float, 3> face_normal(MeshView mesh, const Triangle& triangle) {
   const auto [a, b, c] = std::tie(mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]);
-  Vertex n = cross(difference(a, b), difference(a, c));
+  Vertex n = cross(minus(b, a), minus(c, a));
   double square = squared_length(n);
   // If the square is a normal number, no step before it overflowed or lost significant digits.
   if (!std::isnormal(square)) {

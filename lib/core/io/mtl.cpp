@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "core/io/folder_of_model.h"
 #include "core/io/images.h"
 #include "core/io/line_end.h"
+#include "core/io/text_lines.h"
 #include "core/system/decimal.h"
 
 namespace strata::io {
@@ -100,11 +100,6 @@ class MtlReader {
   std::vector<std::filesystem::path> paths_;
   bool is_open_ = false;
 };
-
-std::string number_text(double x) {
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
 
 }  // namespace
 

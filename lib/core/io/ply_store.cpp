@@ -19,12 +19,6 @@ namespace {
 template <class T>
 using Values = std::vector<T>;
 
-/// Numbers of a piece's first face and first triangle in the file.
-struct Start {
-  std::uint64_t face = 0;
-  std::uint64_t triangle = 0;
-};
-
 /// Integers of 32 bits where these hold all values.
 void narrow(Channel& c) {
   const auto& doubles = std::get<Values<double>>(c.values);
@@ -39,8 +33,8 @@ void narrow(Channel& c) {
 /// Gives the triangles of a file what its records have.
 class ChannelJoiner {
  public:
-  ChannelJoiner(const PlyPlan& plan, PlyStore& store, const std::vector<PlyPiece>& pieces, std::vector<Start> starts,
-                MeshFile& file)
+  ChannelJoiner(const PlyPlan& plan, PlyStore& store, const std::vector<PlyPiece>& pieces,
+                std::vector<ListStart> starts, MeshFile& file)
       : plan_(plan), store_(store), pieces_(pieces), starts_(std::move(starts)), file_(file) {}
 
   void add(std::uint64_t bytes) {
@@ -116,7 +110,7 @@ class ChannelJoiner {
   const PlyPlan& plan_;
   PlyStore& store_;
   const std::vector<PlyPiece>& pieces_;
-  std::vector<Start> starts_;  ///< per piece, and the end
+  std::vector<ListStart> starts_;  ///< per piece, and the end
   MeshFile& file_;
 };
 
@@ -145,7 +139,7 @@ MeshFile join_ply(const PlyPlan& plan, PlyStore& store, std::vector<PlyPiece>& p
   file.notes = std::move(notes);
   file.mesh.vertices = std::move(store.vertices);
   std::vector<FaceList> faces;
-  std::vector<Start> starts{{}};
+  std::vector<ListStart> starts{{}};
   std::uint64_t no_numbers = 0;
   for (PlyPiece& piece : pieces) {
     starts.push_back({starts.back().face + piece.faces.count(), starts.back().triangle + piece.faces.triangle_count()});

@@ -21,7 +21,7 @@
 namespace strata::io {
 namespace {
 
-constexpr TextCursor::Syntax syntax{.hash_comments = true, .continuation = false};
+constexpr TextCursor::Syntax xoff_syntax{.hash_comments = true, .continuation = false};
 
 /// Advances to the next line. Only a comment may follow on this one.
 void end_line(TextCursor& text) {
@@ -29,13 +29,13 @@ void end_line(TextCursor& text) {
   text.skip_line();
 }
 
-struct Header {
+struct XoffHeader {
   std::uint64_t vertices = 0, faces = 0;
   std::size_t end = 0;  ///< offset of the first line after it
 };
 
-Header read_header(const Input& input) {
-  TextCursor text(input.data, syntax);
+XoffHeader read_xoff_header(const Input& input) {
+  TextCursor text(input.data, xoff_syntax);
   if (!text.next_word_anywhere() || !text.accept("XOFF")) text.fail_expected("'XOFF'");
   const auto next_count = [&](const char* what, std::uint64_t bytes) {
     if (!text.next_word_anywhere()) text.fail_expected(std::string("the ") + what);
@@ -45,7 +45,7 @@ Header read_header(const Input& input) {
     return count;
   };
   // The shortest vertex is "0 0 0", the shortest face "3 0 1 2".
-  Header header;
+  XoffHeader header;
   header.vertices = next_count("number of vertices", 6);
   header.faces = next_count("number of faces", 8);
   if (!text.next_word_anywhere()) text.fail_expected("the number of edges");
@@ -136,10 +136,10 @@ class FaceReader {
 /// Reads in two rounds, vertices first, so that every face finds its vertices.
 class XoffReader {
  public:
-  XoffReader(const Input& input, const Header& header, std::size_t size)
+  XoffReader(const Input& input, const XoffHeader& header, std::size_t size)
       : input_(input),
         vertex_count_(header.vertices),
-        pieces_(divide_records(input, header.end, header.vertices + header.faces, syntax, size)) {}
+        pieces_(divide_records(input, header.end, header.vertices + header.faces, xoff_syntax, size)) {}
 
   MeshFile read() {
     read_vertices();
@@ -154,7 +154,7 @@ class XoffReader {
     std::vector<std::vector<ExactVertex>> exact(pieces_.size());
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
       RecordPiece& records = pieces_[i];
-      TextCursor text(input_.data, syntax, records.piece);
+      TextCursor text(input_.data, xoff_syntax, records.piece);
       for (; records.first < std::min(records.last, vertex_count_); ++records.first)
         file_.mesh.vertices[records.first] = read_vertex(text, records.first, exact[i]);
       records.piece.first = text.offset();
@@ -168,7 +168,7 @@ class XoffReader {
     const ExactVertices vertices{file_.mesh.vertices, file_.exact};
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
       const RecordPiece& records = pieces_[i];
-      TextCursor text(input_.data, syntax, records.piece);
+      TextCursor text(input_.data, xoff_syntax, records.piece);
       FaceReader reader(text, vertices);
       for (std::uint64_t r = records.first; r < records.last; ++r) reader.read(r - vertex_count_, faces_[i]);
       if (i + 1 == pieces_.size() && text.next_word_anywhere()) text.fail_expected("the end of the file");
@@ -202,7 +202,7 @@ class XoffReader {
 }  // namespace
 
 MeshFile read_xoff(const Input& input) {
-  const Header header = read_header(input);
+  const XoffHeader header = read_xoff_header(input);
   return read_in_pieces(input, [&](std::size_t size) { return XoffReader(input, header, size).read(); });
 }
 

@@ -14,7 +14,7 @@ namespace strata::io {
 namespace {
 
 /// True where two corners have the same values; NaN is none, but a corner equals itself.
-bool are_equal(const std::vector<const Channel*>& channels, std::size_t a, std::size_t b) {
+bool have_equal_values(const std::vector<const Channel*>& channels, std::size_t a, std::size_t b) {
   return a == b || std::all_of(channels.begin(), channels.end(), [&](const Channel* c) {
            const std::size_t n = c->components;
            return std::visit([&](const auto& v) { return std::equal(&v[a * n], &v[a * n] + n, &v[b * n]); }, c->values);
@@ -47,7 +47,7 @@ std::vector<std::uint8_t> vertices_at_seams(const ObjectFaces& object, const std
     for (std::size_t f = range.begin(); f < range.end(); ++f)
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t v = object.triangles[f][k];
-        if (!are_equal(channels, first[v], corner_of(object, f, k)))
+        if (!have_equal_values(channels, first[v], corner_of(object, f, k)))
           std::atomic_ref<std::uint8_t>(is_at_seam[v]).store(1, std::memory_order_relaxed);
       }
   });
@@ -73,7 +73,7 @@ SeamVertices divide_at_seams(ObjectFaces& object, const std::vector<const Channe
       std::uint32_t at = result.triangles[f][k];
       if (is_at_seam[at] == 0) continue;
       const std::uint32_t own = corner_of(object, f, k);
-      while (!are_equal(channels, corner[at], own)) {
+      while (!have_equal_values(channels, corner[at], own)) {
         if (next[at] == none) {
           next[at] = static_cast<std::uint32_t>(corner.size());
           corner.push_back(own);

@@ -26,11 +26,6 @@ char* append_attribute(char* at, std::string_view name, Number x) {
   return at;
 }
 
-std::string number_text(double x) {
-  std::array<char, longest_number + 8> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
-
 std::string color_text(const std::array<std::uint8_t, 4>& color) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string text = "#";

@@ -31,9 +31,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::uint32_t unsigned_byte = 5121, unsigned_int = 5125, float_ = 5126;
+constexpr std::uint32_t type_of_bytes = 5121, type_of_indices = 5125, type_of_floats = 5126;
 constexpr std::uint32_t vertex_buffer = 34962, index_buffer = 34963;
-constexpr std::endian order = std::endian::little;
+constexpr std::endian byte_order = std::endian::little;
 
 std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
 
@@ -252,10 +252,11 @@ class DocumentWriter {
   Json write_vertices(const SeamVertices& vertices) {
     const std::size_t count = vertices.vertices.size();
     const std::size_t view = buffer_.add(count, 12, vertex_buffer, [this, &vertices](std::size_t i, char* at) {
-      for (const double x : target_.mesh.vertices[vertices.vertices[i]]) at = store(at, static_cast<float>(x), order);
+      for (const double x : target_.mesh.vertices[vertices.vertices[i]])
+        at = store(at, static_cast<float>(x), byte_order);
     });
     const Bounds bounds = bounds_of(target_.mesh.vertices, vertices.vertices);
-    Json attributes = {{"POSITION", add_accessor(view, float_, count, 3)}};
+    Json attributes = {{"POSITION", add_accessor(view, type_of_floats, count, 3)}};
     json_["accessors"].back()["min"] = bounds.low;
     json_["accessors"].back()["max"] = bounds.high;
     for (const auto& [c, attribute] : kept_) attributes[attribute] = write_channel(*c, attribute, vertices);
@@ -273,7 +274,7 @@ class DocumentWriter {
         if (element(i) == SeamVertices::none) return;
         for (std::size_t k = 0; k < n; ++k) at[k] = static_cast<char>((*bytes)[element(i) * n + k]);
       });
-      const std::size_t accessor = add_accessor(view, unsigned_byte, count, n);
+      const std::size_t accessor = add_accessor(view, type_of_bytes, count, n);
       json_["accessors"].back()["normalized"] = true;
       return accessor;
     }
@@ -281,19 +282,19 @@ class DocumentWriter {
     const std::size_t view = buffer_.add(count, 4 * n, vertex_buffer, [element, &c, flips, n](std::size_t i, char* at) {
       for (std::size_t k = 0; k < n; ++k) {
         const double x = element(i) == SeamVertices::none ? 0 : value_of(c, element(i), k);
-        at = store(at, static_cast<float>(flips && k == 1 ? 1 - x : x), order);
+        at = store(at, static_cast<float>(flips && k == 1 ? 1 - x : x), byte_order);
       }
     });
-    return add_accessor(view, float_, count, n);
+    return add_accessor(view, type_of_floats, count, n);
   }
 
   /// The triangles `number(i)` for each i below n.
   template <class Number>
   std::size_t write_indices(const SeamVertices& vertices, std::size_t n, const Number& number) {
     const std::size_t view = buffer_.add(n, 12, index_buffer, [&vertices, number](std::size_t i, char* at) {
-      for (const std::uint32_t v : vertices.triangles[number(i)]) at = store(at, v, order);
+      for (const std::uint32_t v : vertices.triangles[number(i)]) at = store(at, v, byte_order);
     });
-    return add_accessor(view, unsigned_int, 3 * n, 1);
+    return add_accessor(view, type_of_indices, 3 * n, 1);
   }
 
   std::size_t add_accessor(std::size_t view, std::uint32_t type, std::size_t count, std::size_t components) {
@@ -341,7 +342,7 @@ Notes write_glb(const Target& target) {
   const auto write_words = [&](std::initializer_list<std::size_t> words) {
     std::string bytes(4 * words.size(), '\0');
     char* at = bytes.data();
-    for (const std::size_t w : words) at = store(at, static_cast<std::uint32_t>(w), order);
+    for (const std::size_t w : words) at = store(at, static_cast<std::uint32_t>(w), byte_order);
     target.sink.write(bytes);
   };
   write_words({mark, 2, size, json.size(), json_mark});

@@ -69,7 +69,7 @@ std::string announcement(const Channel& c) {
 }
 
 /// A channel, and its name in its element.
-struct Column {
+struct NamedChannel {
   const Channel* channel;
   std::string_view name;  ///< without what tells it from a channel of the other element
 
@@ -88,14 +88,14 @@ class Columns {
         columns_.push_back({&written, written.name});
     }
     const std::string_view prefix = ply_prefix(are_of_vertices ? Element::vertex : Element::face);
-    for (Column& column : columns_)
+    for (NamedChannel& column : columns_)
       if (column.name.starts_with(prefix) && column.name.size() > prefix.size())
         if (const std::string_view name = column.name.substr(prefix.size()); !has(name)) column.name = name;
   }
 
   /// The lines of the header. `used` are names of properties before.
   [[nodiscard]] std::string header(std::set<std::string> used) const {
-    for (const Column& c : columns_) {
+    for (const NamedChannel& c : columns_) {
       if (c.is_texcoords()) used.emplace(ply_texcoord_list);
       const PlyKnownNames* const known = c.known();
       if (known == nullptr) continue;
@@ -103,7 +103,7 @@ class Columns {
     }
     PropertyNames names(std::move(used));
     std::string text;
-    for (const Column& c : columns_) text += properties(c, names);
+    for (const NamedChannel& c : columns_) text += properties(c, names);
     return text;
   }
 
@@ -154,10 +154,10 @@ class Columns {
 
   /// True where a channel of the element has a name.
   [[nodiscard]] bool has(std::string_view name) const {
-    return std::any_of(columns_.begin(), columns_.end(), [&](const Column& c) { return c.name == name; });
+    return std::any_of(columns_.begin(), columns_.end(), [&](const NamedChannel& c) { return c.name == name; });
   }
 
-  static std::string properties(const Column& column, PropertyNames& names) {
+  static std::string properties(const NamedChannel& column, PropertyNames& names) {
     const Channel& c = *column.channel;
     const std::string type = type_name(c.values), name(column.name);
     const PlyKnownNames* const known = column.known();
@@ -174,7 +174,7 @@ class Columns {
     return text;
   }
 
-  std::vector<Column> columns_;
+  std::vector<NamedChannel> columns_;
 };
 
 class PlyWriter {

@@ -46,7 +46,7 @@ std::size_t next_end_tag(std::string_view text, std::size_t at) {
   return std::min(text.find("</", at), text.size());
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;
@@ -230,7 +230,7 @@ std::string_view XmlScanner::content() {
   }
   const std::size_t first = at_;
   skip();
-  return trimmed(text_.substr(first, tag_ - first));
+  return without_blanks(text_.substr(first, tag_ - first));
 }
 
 const std::string_view* XmlScanner::find(std::string_view attribute) const {
@@ -249,7 +249,7 @@ double XmlScanner::number(std::string_view value, const char* what) const {
   const auto [end, error] = system::from_chars(value.data(), value.data() + value.size(), x);
   if (error == std::errc{} && end == value.data() + value.size() && std::isfinite(x)) return x;
   try {
-    const std::string_view inner = trimmed(value);
+    const std::string_view inner = without_blanks(value);
     TextCursor cursor(inner, {});
     x = cursor.number(what);
     if (cursor.at_end()) return x;
@@ -263,7 +263,7 @@ std::uint32_t XmlScanner::index(std::string_view value, const char* what) const 
   std::uint32_t x = 0;
   auto [end, error] = system::from_chars(value.data(), value.data() + value.size(), x);
   if (error == std::errc{} && end == value.data() + value.size()) return x;
-  const std::string_view inner = trimmed(value);
+  const std::string_view inner = without_blanks(value);
   const auto again = system::from_chars(inner.data(), inner.data() + inner.size(), x);
   if (again.ec != std::errc{} || again.ptr != inner.data() + inner.size())
     fail_here(std::string("expected ") + what + ", found " + quoted(value));

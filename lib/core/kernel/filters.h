@@ -2,6 +2,7 @@
 #include <array>
 
 #include "core/exact/bounded.h"
+#include "core/exact/vector.h"
 
 namespace strata {
 
@@ -15,16 +16,6 @@ using BoundedPoint = RealPoint<Bounded>;
 template <class Real>
 [[nodiscard]] RealPoint<Real> operator-(const RealPoint<Real>& p, const RealPoint<Real>& q) {
   return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-}
-
-template <class Real>
-[[nodiscard]] RealPoint<Real> cross(const RealPoint<Real>& u, const RealPoint<Real>& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
-template <class Real>
-[[nodiscard]] Real dot(const RealPoint<Real>& u, const RealPoint<Real>& v) {
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
 /// ((q - p) x (r - p)) . (s - p)

@@ -49,7 +49,7 @@ Number linear(const Number* form, const Number* x) {
 }
 
 template <class Number>
-constexpr bool is_exact = std::is_same_v<Number, Integer> || std::is_same_v<Number, LongInt>;
+constexpr bool is_integer = std::is_same_v<Number, Integer> || std::is_same_v<Number, LongInt>;
 
 /// Nullopt where the integer did not fit.
 template <class Int>
@@ -230,7 +230,7 @@ std::array<Number, D + 1> HyperplaneTable<D>::row(std::uint32_t h, bool is_far) 
   }
   const Hyperplane<D>& plane = *hyperplanes_[h];
   for (std::size_t i = 0; i <= D; ++i) {
-    if constexpr (is_exact<Number>) {
+    if constexpr (is_integer<Number>) {
       r[i] = Number(plane.exact()[i]);
     } else if constexpr (std::is_same_v<Number, DoubleDouble>) {
       r[i] = plane.fine()[i];

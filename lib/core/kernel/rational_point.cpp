@@ -32,6 +32,8 @@ std::vector<HPoint<Integer>> homogeneous(std::span<const Vertex> points) {
   return result;
 }
 
+RationalPoint to_rational(const Vertex& p) { return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])}; }
+
 RationalPoint rational(const HPoint<Integer>& p) {
   return {Rational(p.x, p.w), Rational(p.y, p.w), Rational(p.z, p.w)};
 }

@@ -16,6 +16,9 @@ namespace strata {
 /// Points of doubles over one power of two.
 [[nodiscard]] std::vector<HPoint<Integer>> homogeneous(std::span<const Vertex> points);
 
+/// The point of three doubles, exactly.
+[[nodiscard]] RationalPoint to_rational(const Vertex& p);
+
 /// The coordinates of a homogeneous point, w != 0.
 [[nodiscard]] RationalPoint rational(const HPoint<Integer>& p);
 

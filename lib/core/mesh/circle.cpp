@@ -1,11 +1,11 @@
 #include "core/mesh/circle.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace strata {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double root_of_half = 0.70710678118654752440;            // sqrt(1/2)
 constexpr double root_of_three_quarters = 0.86602540378443864676;  // sqrt(3/4)
 
@@ -15,10 +15,10 @@ CosineSine in_first_quadrant(double degrees) {
   if (degrees == 45) return {root_of_half, root_of_half};
   if (degrees == 60) return {0.5, root_of_three_quarters};
   if (degrees > 45) {
-    const double rest = (90 - degrees) * (pi / 180);
+    const double rest = (90 - degrees) * (std::numbers::pi / 180);
     return {std::sin(rest), std::cos(rest)};
   }
-  const double angle = degrees * (pi / 180);
+  const double angle = degrees * (std::numbers::pi / 180);
   return {std::cos(angle), std::sin(angle)};
 }
 

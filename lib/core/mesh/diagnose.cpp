@@ -12,8 +12,6 @@
 namespace strata {
 namespace {
 
-std::string number(std::uint64_t n) { return std::to_string(n); }
-
 /// A point in the interior of a triangle.
 Vertex centre(MeshView mesh, const Triangle& t) {
   Vertex p;
@@ -45,7 +43,7 @@ void find_zero_areas(const SoundMesh& mesh, std::vector<Defect>& defects, std::s
     if (!is_zero(i)) continue;
     const std::uint32_t face = mesh.faces.sources[i];
     list.add(centre(mesh.view(), mesh.faces.triangles[i]), {face},
-             [&] { return "face " + number(face) + " has zero area"; });
+             [&] { return "face " + std::to_string(face) + " has zero area"; });
   }
   list.append_to(defects);
 }
@@ -74,7 +72,8 @@ void find_duplicates(const SoundMesh& mesh, std::vector<Defect>& defects, std::s
     if (rotated(triangles[order[i]]) != rotated(triangles[order[i - 1]])) continue;
     const std::uint32_t first = mesh.faces.sources[order[i - 1]], second = mesh.faces.sources[order[i]];
     list.add(centre(mesh.view(), triangles[order[i]]), {first, second}, [&] {
-      return "face " + number(second) + " repeats face " + number(first) + ", same vertices in the same sense";
+      return "face " + std::to_string(second) + " repeats face " + std::to_string(first) +
+             ", same vertices in the same sense";
     });
   }
   list.append_to(defects);

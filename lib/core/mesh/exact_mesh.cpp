@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/kernel/rational_point.h"
 #include "strata/mesh.h"
 
 namespace strata {
@@ -11,7 +12,7 @@ RationalPoint ExactMeshView::position(std::uint32_t vertex) const {
                                       [](const ExactVertex& e, std::uint32_t v) { return e.vertex < v; });
   if (found != exact.end() && found->vertex == vertex) return found->position;
   const Vertex& v = mesh.vertices[vertex];
-  return {to_rational(v[0]), to_rational(v[1]), to_rational(v[2])};
+  return to_rational(v);
 }
 
 }  // namespace strata

@@ -14,10 +14,10 @@ namespace {
 
 using Wide = __int128;
 using Unsigned = unsigned __int128;
-using Lattice = std::array<std::int64_t, 3>;
+using LatticePoint = std::array<std::int64_t, 3>;
 
 /// p / unit in integers, if it consists of integers below 2^61.
-bool to_lattice(const Vertex& p, double scale, double unit, Lattice& integers) {
+bool to_lattice(const Vertex& p, double scale, double unit, LatticePoint& integers) {
   bool is_exact = true;
   for (std::size_t i = 0; i < 3; ++i) {
     integers[i] = static_cast<std::int64_t>(p[i] * scale);
@@ -55,7 +55,7 @@ LatticeSum::LatticeSum(double largest)
 // Products of two coordinates are below 2^122, their differences below 2^123; three products with a coordinate below
 // 2^186. Of each of the latter `high` is below 2^120 and `low` below 2^125.
 bool LatticeSum::add_determinant(const Vertex& a, const Vertex& b, const Vertex& c) {
-  Lattice p, q, r;
+  LatticePoint p, q, r;
   if (!to_lattice(a, scale_, unit_, p) || !to_lattice(b, scale_, unit_, q) || !to_lattice(c, scale_, unit_, r))
     return false;
   const auto minor = [&](std::size_t i, std::size_t j) {
@@ -69,7 +69,7 @@ bool LatticeSum::add_determinant(const Vertex& a, const Vertex& b, const Vertex&
 // The sum of heights is below 3 * 2^61, differences are below 2^62, their products below 2^124, and twice the area
 // below 2^125. Of the product `high` is below 2^124 and `low` below 3 * 2^125.
 bool LatticeSum::add_prism(const Vertex& a, const Vertex& b, const Vertex& c) {
-  Lattice p, q, r;
+  LatticePoint p, q, r;
   if (!to_lattice(a, scale_, unit_, p) || !to_lattice(b, scale_, unit_, q) || !to_lattice(c, scale_, unit_, r))
     return false;
   const Wide area = static_cast<Wide>(q[0] - p[0]) * (r[1] - p[1]) - static_cast<Wide>(q[1] - p[1]) * (r[0] - p[0]);

@@ -11,6 +11,7 @@
 #include "core/exact/big_integer.h"
 #include "core/exact/pairwise_sum.h"
 #include "core/exact/scaled_root.h"
+#include "core/exact/vector.h"
 #include "core/mesh/closed_volume.h"
 #include "core/mesh/lattice_sum.h"
 #include "core/mesh/product_sum.h"
@@ -18,17 +19,6 @@
 
 namespace strata {
 namespace {
-
-RationalPoint minus(const RationalPoint& a, const RationalPoint& b) {
-  return {Rational(a[0] - b[0]), Rational(a[1] - b[1]), Rational(a[2] - b[2])};
-}
-
-RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
-  return {Rational(a[1] * b[2] - a[2] * b[1]), Rational(a[2] * b[0] - a[0] * b[2]),
-          Rational(a[0] * b[1] - a[1] * b[0])};
-}
-
-Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 using LongVector = std::array<long double, 3>;
 
@@ -85,7 +75,7 @@ long double fast_double_area(MeshView mesh, const SplitVertices& split, const Tr
 }
 
 using Range = tbb::blocked_range<std::size_t>;
-constexpr std::size_t grain = 1 << 13;
+constexpr std::size_t triangles_at_once = 1 << 13;
 
 /// Six times the volume of some triangles of doubles, most of which are on a lattice.
 class DoublesSum {
@@ -223,7 +213,7 @@ Rational volume_of(ExactMeshView mesh, const Monitor& monitor) {
   std::vector<bool> is_exact(mesh.exact.empty() ? 0 : mesh.mesh.vertices.size(), false);
   for (const ExactVertex& e : mesh.exact) is_exact[e.vertex] = true;
   VolumeSum sum(mesh, is_exact, largest_coordinate(mesh.mesh.vertices), monitor);
-  tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), grain), sum);
+  tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), triangles_at_once), sum);
   return sum.value() / 6;
 }
 
@@ -233,7 +223,7 @@ double nearest_volume_of(ExactMeshView mesh, const Monitor& monitor) {
   const SplitVertices split(mesh);
   const double largest = largest_coordinate(mesh.mesh.vertices);
   SplitVolumeSum sum(mesh.mesh, split, largest, monitor);
-  tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), grain), sum);
+  tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), triangles_at_once), sum);
   const Rational error = to_rational(split.error()), size = 2 * to_rational(largest) + 2 * error;
   const Rational bound = 18 * Rational(sum.rounded_triangles()) * size * size * error;
   const double lower = to_nearest_double(Rational((sum.value() - bound) / 6));
@@ -250,7 +240,7 @@ double area(const ExactMesh& mesh) { return area_of(mesh, {}); }
 ClosedVolume volume_of_closed(ExactMeshView mesh, const Monitor& monitor) {
   if (!mesh.exact.empty()) return {nearest_volume_of(mesh, monitor), std::nullopt};
   PrismSum prisms(mesh.mesh, largest_coordinate(mesh.mesh.vertices), monitor);
-  tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), grain), prisms);
+  tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), triangles_at_once), prisms);
   Rational exact = prisms.is_complete() ? Rational(prisms.value() / 6) : volume_of(mesh, monitor);
   const double nearest = to_nearest_double(exact);
   return {nearest, std::move(exact)};
@@ -276,8 +266,8 @@ double area_of(const ExactMesh& mesh, const Monitor& monitor) {
     a.lost += b.lost;
     return a;
   };
-  const CompensatedSum total =
-      tbb::parallel_deterministic_reduce(Range(0, mesh.mesh.triangles.size(), grain), CompensatedSum{}, add, join);
+  const CompensatedSum total = tbb::parallel_deterministic_reduce(
+      Range(0, mesh.mesh.triangles.size(), triangles_at_once), CompensatedSum{}, add, join);
   return static_cast<double>((total.sum + total.lost) / 2);
 }
 

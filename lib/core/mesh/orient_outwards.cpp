@@ -26,7 +26,7 @@ class Exactly {
   /// Orientation of a, b, p seen from positive x, in the plane of y and z.
   [[nodiscard]] int turn_yz(std::uint32_t a, std::uint32_t b, std::uint32_t p) const {
     const auto point = [&](std::uint32_t v) { return Point::free(vertices_[v]); };
-    return to_int(orient2d(input_, strata::Projection{1, 2}, point(a), point(b), point(p)));
+    return to_int(orient2d(input_, Projection{1, 2}, point(a), point(b), point(p)));
   }
 
   [[nodiscard]] int side(const Triangle& t, std::uint32_t p) const {

@@ -76,8 +76,8 @@ int orientation(const PointTable& points, Projection axes, std::uint32_t a, std:
     if (s.w == p.w) return s[axis] - p[axis];                                    // times w_p less: the sign is the same
     return s[axis] * p.w - p[axis] * s.w;
   };
-  const Integer left = difference(q, axes.first) * difference(r, axes.second);
-  const Integer right = difference(q, axes.second) * difference(r, axes.first);
+  const Integer left = difference(q, axes.u) * difference(r, axes.v);
+  const Integer right = difference(q, axes.v) * difference(r, axes.u);
   return sign_of(left.compare(right));
 }
 

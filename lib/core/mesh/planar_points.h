@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/kernel/predicates.h"
 #include "core/kernel/rational_point.h"
 #include "strata/monitor.h"
 
@@ -32,13 +33,6 @@ class PointTable {
   std::vector<HPoint<Integer>> points_;
   std::size_t sorted_;
   std::array<std::vector<std::uint32_t>, 2> ranks_;
-};
-
-/// A projection of one plane along a coordinate axis: `first` and `second` are the remaining axes, in an order that
-/// preserves orientation.
-struct Projection {
-  int first = 0;
-  int second = 1;
 };
 
 /// Orientation of a, b, c in the projection: 1 counter-clockwise, -1 clockwise, 0 collinear.

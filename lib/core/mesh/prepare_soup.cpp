@@ -13,8 +13,6 @@
 namespace strata {
 namespace {
 
-std::string number(std::uint64_t n) { return std::to_string(n); }
-
 /// What is made a solid, and what is told of it.
 struct Soup {
   MeshView mesh;
@@ -47,7 +45,8 @@ void drop_repeated_vertices(Soup& soup, SourcedTriangles& faces) {
     const Triangle& t = faces.triangles[i];
     if (!repeats_vertex(t)) return true;
     const std::uint32_t f = faces.sources[i];
-    list.add(soup.mesh.vertices[t[0]], {f}, [&] { return "two corners of face " + number(f) + " are one point"; });
+    list.add(soup.mesh.vertices[t[0]], {f},
+             [&] { return "two corners of face " + std::to_string(f) + " are one point"; });
     return false;
   });
   list.append_to(soup.notes);
@@ -95,7 +94,7 @@ void drop_duplicates(Soup& soup, OppositePairs opposite, SourcedTriangles& faces
     }
     const std::size_t count = same.size();
     list.add(soup.mesh.vertices[triangles[order[begin]][0]], std::move(same),
-             [&] { return number(count) + " faces have the same three vertices"; });
+             [&] { return std::to_string(count) + " faces have the same three vertices"; });
   }
   keep_if(faces, soup.monitor, [&](std::size_t i) { return keep[i]; });
   list.append_to(soup.notes);
@@ -117,7 +116,7 @@ void drop_loose_flat_sheets(Soup& soup, SourcedTriangles& faces) {
       for (const std::uint32_t t : members) {
         keep[t] = false;
         list.add(soup.mesh.vertices[faces.triangles[t][0]], {faces.sources[t]},
-                 [&] { return "face " + number(faces.sources[t]) + " has zero area and bounds nothing"; });
+                 [&] { return "face " + std::to_string(faces.sources[t]) + " has zero area and bounds nothing"; });
       }
     }
     if (dropped) keep_if(faces, soup.monitor, [&](std::size_t i) { return keep[i]; });
@@ -139,7 +138,7 @@ void add_note(std::vector<Defect>& notes, DefectKind kind, std::uint64_t count, 
 
 void note_reversed(std::vector<Defect>& notes, const Sheets& sheets) {
   add_note(notes, DefectKind::inconsistent_orientation, sheets.reversed,
-           number(sheets.reversed) + " faces were reversed to run against their neighbours",
+           std::to_string(sheets.reversed) + " faces were reversed to run against their neighbours",
            "nothing to do, or orient faces where the mesh is made");
 }
 
@@ -148,7 +147,8 @@ void orient_shells(const Soup& soup, SourcedTriangles& faces, const Sheets& shee
                    const std::vector<bool>& trusted = {}) {
   const Shells shells = orient_outwards(soup.mesh.vertices, faces.triangles, sheets, trusted, soup.monitor);
   add_note(notes, DefectKind::inside_out, shells.reversed,
-           number(shells.reversed) + " shells were reversed; of all shells, " + number(shells.cavities) +
+           std::to_string(shells.reversed) + " shells were reversed; of all shells, " +
+               std::to_string(shells.cavities) +
                " lie inside an odd number of others and bound cavities, the rest faces outwards",
            "orient shells where the mesh is made if something else is meant");
 }
@@ -183,7 +183,7 @@ void fill(Soup& soup, SourcedTriangles& faces, std::size_t most_edges, RepeatedE
                      "add what is missing there, or allow holes of so many edges to be filled");
   for (const Hole& hole : holes)
     (hole.loop.size() > most_edges ? refused : filled).add(middle_of(mesh, hole), {hole.face_beside}, [&] {
-      return "a hole is bounded by " + number(hole.loop.size()) + " open edges";
+      return "a hole is bounded by " + std::to_string(hole.loop.size()) + " open edges";
     });
   filled.append_to(soup.notes);
   if (refused.count() > 0) {

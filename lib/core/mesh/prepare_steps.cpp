@@ -1,10 +1,10 @@
 #include "core/mesh/prepare_steps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
+#include "core/exact/finite.h"
 #include "core/exact/pace.h"
 #include "core/mesh/defect_list.h"
 #include "core/mesh/edge_table.h"
@@ -13,13 +13,9 @@
 namespace strata {
 namespace {
 
-std::string number(std::uint64_t n) { return std::to_string(n); }
-
 Vertex middle(const Vertex& a, const Vertex& b) {
   return {a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2, a[2] / 2 + b[2] / 2};
 }
-
-bool is_finite(const Vertex& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
 }  // namespace
 
@@ -39,15 +35,15 @@ SourcedTriangles sound_faces(MeshView mesh, Severity severity, std::vector<Defec
     const auto outside = std::find_if(t.begin(), t.end(), [&](std::uint32_t v) { return v >= mesh.vertices.size(); });
     if (outside != t.end()) {
       out_of_range.add({}, {f}, [&] {
-        return "face " + number(f) + " names vertex " + number(*outside) + ", the mesh has " +
-               number(mesh.vertices.size());
+        return "face " + std::to_string(f) + " names vertex " + std::to_string(*outside) + ", the mesh has " +
+               std::to_string(mesh.vertices.size());
       });
       continue;
     }
     const auto bad = std::find_if(t.begin(), t.end(), [&](std::uint32_t v) { return !is_finite(mesh.vertices[v]); });
     if (bad != t.end()) {
       non_finite.add(mesh.vertices[*bad], {f},
-                     [&] { return "vertex " + number(*bad) + " has a coordinate that is no finite number"; });
+                     [&] { return "vertex " + std::to_string(*bad) + " has a coordinate that is no finite number"; });
       continue;
     }
     sound.add(t, f);
@@ -105,9 +101,9 @@ void find_open_edges(std::span<const Vertex> vertices, const SourcedTriangles& f
     for (const EdgeUse& use : uses) around.push_back(faces.sources[use.triangle]);
     const auto message = [&] {
       const auto forward = static_cast<std::int64_t>(uses.size() + net) / 2;
-      return "edge between vertices " + number(uses[0].low) + " and " + number(uses[0].high) + " has " +
-             number(forward) + (forward == 1 ? " face" : " faces") + " along it and " + number(uses.size() - forward) +
-             " against";
+      return "edge between vertices " + std::to_string(uses[0].low) + " and " + std::to_string(uses[0].high) + " has " +
+             std::to_string(forward) + (forward == 1 ? " face" : " faces") + " along it and " +
+             std::to_string(uses.size() - forward) + " against";
     };
     DefectList& list = uses.size() % 2 == 0 ? turned : open;
     list.add(middle(vertices[uses[0].low], vertices[uses[0].high]), std::move(around), message);

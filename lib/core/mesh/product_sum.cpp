@@ -7,7 +7,7 @@
 namespace strata {
 namespace {
 
-using Wide = unsigned __int128;
+using Word2 = unsigned __int128;
 
 /// |x| = significand * 2^(exponent - 1075), with exponent >= 1, subnormals included.
 struct Parts {
@@ -24,8 +24,8 @@ Parts parts(double x) {
 
 bool is_negative(double x) { return std::bit_cast<std::uint64_t>(x) >> 63 != 0; }
 
-std::uint64_t low_word(Wide x) { return static_cast<std::uint64_t>(x); }
-std::uint64_t high_word(Wide x) { return static_cast<std::uint64_t>(x >> 64); }
+std::uint64_t low_word(Word2 x) { return static_cast<std::uint64_t>(x); }
+std::uint64_t high_word(Word2 x) { return static_cast<std::uint64_t>(x >> 64); }
 
 template <class Limbs>
 Integer to_integer(const Limbs& limbs) {
@@ -38,14 +38,14 @@ Integer to_integer(const Limbs& limbs) {
 void ProductSum::add_shifted(Limbs& sum, unsigned shift, std::uint64_t w0, std::uint64_t w1, std::uint64_t w2) {
   const unsigned bit = shift % 64;
   std::size_t limb = shift / 64;
-  const Wide first = static_cast<Wide>(w0) << bit;
-  const Wide second = static_cast<Wide>(w1) << bit;
-  const Wide third = static_cast<Wide>(w2) << bit;
+  const Word2 first = static_cast<Word2>(w0) << bit;
+  const Word2 second = static_cast<Word2>(w1) << bit;
+  const Word2 third = static_cast<Word2>(w2) << bit;
   const std::uint64_t words[4] = {low_word(first), high_word(first) | low_word(second),
                                   high_word(second) | low_word(third), high_word(third)};
   std::uint64_t carry = 0;
   for (const std::uint64_t word : words) {
-    const Wide total = static_cast<Wide>(sum[limb]) + word + carry;
+    const Word2 total = static_cast<Word2>(sum[limb]) + word + carry;
     sum[limb++] = low_word(total);
     carry = high_word(total);
   }
@@ -56,9 +56,9 @@ void ProductSum::add(double a, double b, double c) {
   const Parts p = parts(a);
   const Parts q = parts(b);
   const Parts r = parts(c);
-  const Wide ab = static_cast<Wide>(p.significand) * q.significand;
-  const Wide low = static_cast<Wide>(low_word(ab)) * r.significand;
-  const Wide high = static_cast<Wide>(high_word(ab)) * r.significand + high_word(low);
+  const Word2 ab = static_cast<Word2>(p.significand) * q.significand;
+  const Word2 low = static_cast<Word2>(low_word(ab)) * r.significand;
+  const Word2 high = static_cast<Word2>(high_word(ab)) * r.significand + high_word(low);
   Limbs& sum = (is_negative(a) != is_negative(b)) != is_negative(c) ? negative_ : positive_;
   add_shifted(sum, p.exponent + q.exponent + r.exponent - 3, low_word(low), low_word(high), high_word(high));
 }
@@ -78,9 +78,9 @@ void ProductSum::add(const ProductSum& other) {
 }
 
 void ProductSum::add(Limbs& sum, const Limbs& term) {
-  Wide carry = 0;
+  Word2 carry = 0;
   for (std::size_t i = 0; i < limb_count; ++i) {
-    carry += static_cast<Wide>(sum[i]) + term[i];
+    carry += static_cast<Word2>(sum[i]) + term[i];
     sum[i] = low_word(carry);
     carry >>= 64;
   }

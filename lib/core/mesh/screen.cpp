@@ -1,11 +1,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
+#include "core/exact/finite.h"
 #include "core/exact/pace.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/prepare.h"
@@ -39,9 +39,7 @@ struct Chunks {
   }
 };
 
-bool is_finite(const Vertex& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
-
-using Wide = __int128;
+using Sum = __int128;
 
 /// A fixed random number of 60 bits and a sign per edge, negated for the reversed edge. For independent numbers, a
 /// chain that is not closed sums to zero with probability <= 2^-61: given all others, at most one value of one number
@@ -73,7 +71,7 @@ Box box_of(const Vertex& p, const Vertex& q, const Vertex& r) {
 
 /// The sums over a run of triangles.
 struct Tally {
-  Wide chain = 0;     ///< sum of edge numbers
+  Sum chain = 0;      ///< sum of edge numbers
   double volume = 0;  ///< sum of det(a-o, b-o, c-o), rounded
   double size = 0;    ///< sum of |b-a| |c-a| in the maximum norm: the scale of rounding errors
   Box box;            ///< of the vertices, if they are finite
@@ -148,12 +146,12 @@ int orientation(MeshView mesh, const Tally& total, const Vertex& o, const Chunks
 
 bool chain_is_closed(MeshView mesh, const Monitor& monitor) {
   const Chunks chunks(mesh.triangles.size());
-  std::vector<Wide> parts(chunks.count);
+  std::vector<Sum> parts(chunks.count);
   chunks.for_each(monitor, [&](std::size_t k, std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f)
       if (!repeats_vertex(mesh.triangles[f])) parts[k] += boundary_number(mesh.triangles[f]);
   });
-  return std::accumulate(parts.begin(), parts.end(), Wide{0}) == 0;
+  return std::accumulate(parts.begin(), parts.end(), Sum{0}) == 0;
 }
 
 Screening screen(MeshView mesh, const Monitor& monitor) {

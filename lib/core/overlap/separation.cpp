@@ -6,13 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/exact/vector.h"
 #include "core/mesh/lattice_sum.h"
 
 namespace strata {
 namespace {
 
-double dot(const Vertex& a, const Vertex& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vertex minus(const Vertex& a, const Vertex& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Vertex plus(const Vertex& a, double t, const Vertex& u) { return {a[0] + t * u[0], a[1] + t * u[1], a[2] + t * u[2]}; }
 
 using Corners = boost::container::static_vector<Vertex, 4>;

@@ -8,7 +8,7 @@
 namespace strata {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t no_face = 0xffffffffu;
 
 /// Faces with an edge both of whose ends are not in embedded stars. All faces of such an edge are among them.
 struct Rest {
@@ -20,14 +20,14 @@ struct Rest {
 Rest connect_stars(std::span<const Triangle> faces, std::size_t vertex_count, const EmbeddedStars& stars,
                    const std::vector<bool>& crossing, DisjointSets<std::uint32_t>& sets) {
   Rest rest;
-  std::vector<std::uint32_t> first_face(vertex_count, none);
+  std::vector<std::uint32_t> first_face(vertex_count, no_face);
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
     std::size_t embedded = 0;
     for (const std::uint32_t v : faces[f]) {
       if (!stars.at(v)) continue;
       ++embedded;
       if (!crossing.empty() && crossing[f]) continue;
-      if (first_face[v] == none)
+      if (first_face[v] == no_face)
         first_face[v] = f;
       else
         sets.unite(first_face[v], f);

@@ -146,7 +146,7 @@ bool is_same(const facets::Chain& a, const facets::Chain& b) {
   });
 }
 
-constexpr facets::Projection axes{0, 1};
+constexpr Projection axes{0, 1};
 
 /// What a pile is replaced by. Corners are numbers of vertices or, from the count of all vertices on, of new ones.
 struct Filling {

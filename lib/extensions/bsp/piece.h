@@ -58,6 +58,12 @@ struct Split {
 /// The whole hyperplane, up to the frame.
 template <int D>
 [[nodiscard]] Piece<D> whole(const HyperplaneTable<D>& table, std::uint32_t hyperplane);
+template <>
+Piece<1> whole(const HyperplaneTable<1>& table, std::uint32_t hyperplane);
+template <>
+Piece<2> whole(const HyperplaneTable<2>& table, std::uint32_t hyperplane);
+template <>
+Piece<3> whole(const HyperplaneTable<3>& table, std::uint32_t hyperplane);
 
 /// A side of the frame: the part of x_axis = W or -W between the others. Every unbounded region reaches such a side.
 template <int D>

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/kernel/rational_point.h"
 #include "strata/complex.h"
 
 namespace strata::complex {
@@ -9,7 +10,7 @@ RationalPoint Cells::position(std::uint32_t vertex) const {
                                    [](const ExactVertex& e, std::uint32_t v) { return e.vertex < v; });
   if (at != exact.end() && at->vertex == vertex) return at->position;
   const Vertex& p = points[vertex];
-  return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
+  return to_rational(p);
 }
 
 bool operator==(const Cells& a, const Cells& b) {

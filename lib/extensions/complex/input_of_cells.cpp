@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/kernel/rational_point.h"
+
 namespace strata::complex {
 namespace {
 
@@ -25,7 +27,7 @@ Index add_moved(Soup& soup, Index v, std::size_t axis, double distance) {
   if (at != soup.mesh.exact.end() && at->vertex == v) {
     ExactVertex moved{number, at->position};
     moved.position[axis] = to_rational(p[axis]);
-    const bool is_rational = moved.position != RationalPoint{to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
+    const bool is_rational = moved.position != to_rational(p);
     if (is_rational) soup.mesh.exact.push_back(std::move(moved));
   }
   soup.mesh.mesh.vertices.push_back(p);

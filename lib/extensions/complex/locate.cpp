@@ -3,6 +3,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/exact/finite.h"
+#include "core/exact/vector.h"
+#include "core/kernel/rational_point.h"
 #include "extensions/complex/face_geometry.h"
 #include "strata/complex.h"
 
@@ -10,8 +13,6 @@ namespace strata::complex {
 namespace {
 
 using Index = std::uint32_t;
-
-RationalPoint minus(const RationalPoint& p, const RationalPoint& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
 
 class Locator {
  public:
@@ -120,9 +121,8 @@ class Locator {
 };
 
 RationalPoint exact(const Vertex& p) {
-  if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-    throw std::invalid_argument("the point is not finite");
-  return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
+  if (!is_finite(p)) throw std::invalid_argument("the point is not finite");
+  return to_rational(p);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/kernel/rational_point.h"
 #include "extensions/complex/arrangement.h"
 #include "extensions/complex/overlay.h"
 #include "extensions/complex/shells.h"
@@ -20,8 +21,7 @@ Cells cells_of(const Arrangement& arrangement) {
     if (arrangement.points.is_input(id) && arrangement.input.has_doubles(id)) continue;
     RationalPoint exact = exact_position(arrangement.input, p);
     const Vertex& d = cells.points.back();
-    if (exact != RationalPoint{to_rational(d[0]), to_rational(d[1]), to_rational(d[2])})
-      cells.exact.push_back({v, std::move(exact)});
+    if (exact != to_rational(d)) cells.exact.push_back({v, std::move(exact)});
   }
   for (const Piece& p : arrangement.pieces)
     for (std::size_t i = 0; i < 3; ++i)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/io/input.h"
+#include "core/kernel/rational_point.h"
 #include "core/system/decimal.h"
 #include "extensions/complex/validate.h"
 #include "strata/complex.h"
@@ -147,8 +148,7 @@ class Reader {
       rounded[i] = to_nearest_double(p[i]) + 0.0;
     }
     cells_.marks[0].push_back(lines_.mark());
-    if (p != RationalPoint{to_rational(rounded[0]), to_rational(rounded[1]), to_rational(rounded[2])})
-      cells_.exact.push_back({static_cast<Index>(cells_.points.size()), p});
+    if (p != to_rational(rounded)) cells_.exact.push_back({static_cast<Index>(cells_.points.size()), p});
     cells_.points.push_back(rounded);
   }
 

@@ -6,14 +6,13 @@
 
 #include "core/arrange/triangulation.h"
 #include "core/kernel/predicates.h"
+#include "core/kernel/rational_point.h"
 #include "strata/complex.h"
 
 namespace strata::complex {
 namespace {
 
 using Index = std::uint32_t;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// A triangle that contains all points with a margin.
 std::array<Vertex, 3> corners_around(const std::vector<Vertex>& points) {
@@ -54,23 +53,23 @@ Subdivision::Subdivision(const ExactMesh& points, std::span<const std::array<std
     const Sign s = compare(input, 0, found[a], found[b]);
     return (s != Sign::zero ? s : compare(input, 1, found[a], found[b])) == Sign::negative;
   });
-  std::vector<Index> number(at(found.size()), none);
+  std::vector<Index> number(static_cast<std::size_t>(found.size()), none);
+  const auto number_of = [&](std::int32_t v) -> Index& { return number[static_cast<std::size_t>(v)]; };
   for (Index i = 0; i < order.size(); ++i) {
     const Point& p = found[order[i]];
-    number[at(order[i])] = i;
+    number_of(order[i]) = i;
     Vertex rounded = nearest_doubles(input, p);
     for (double& x : rounded) x += 0.0;
     vertices.mesh.vertices.push_back(rounded);
     if (p.name.kind == SymbolicPoint::Kind::input && input.has_doubles(p.name.id[0])) continue;
     RationalPoint place = exact_position(input, p);
-    if (place != RationalPoint{to_rational(rounded[0]), to_rational(rounded[1]), to_rational(rounded[2])})
-      vertices.exact.push_back({i, std::move(place)});
+    if (place != to_rational(rounded)) vertices.exact.push_back({i, std::move(place)});
   }
-  for (const std::int32_t v : local) vertex_of.push_back(number[at(v)]);
+  for (const std::int32_t v : local) vertex_of.push_back(number_of(v));
   for (const auto& t : triangulation.triangles()) {
     Part& part = parts.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
-      part.v[i] = number[at(t.v[i])];
+      part.v[i] = number_of(t.v[i]);
       part.sides[i].neighbour = t.n[i];
       if (t.n[i] < 0) outside = static_cast<Index>(parts.size()) - 1;
       for (std::int32_t n = t.c[i]; n >= 0; n = triangulation.note(n).next)

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/kernel/point.h"
+#include "core/kernel/rational_point.h"
 #include "extensions/contact/root.h"
 
 namespace strata::contact {
@@ -180,7 +181,7 @@ void NearestCandidates::offer(const Pair& pair, const Rational& squared, const R
 RationalPoint NearestCandidates::position(std::uint32_t vertex) const {
   if (const RationalPoint* p = input_.exact(vertex)) return *p;
   const auto& p = input_.vertex(vertex);
-  return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
+  return to_rational(p);
 }
 
 }  // namespace strata::contact

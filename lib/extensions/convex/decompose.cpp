@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/kernel/filters.h"
+#include "core/kernel/rational_point.h"
 #include "extensions/convex/piece_pool.h"
 #include "extensions/convex/point_list.h"
 #include "extensions/convex/region.h"
@@ -252,7 +253,7 @@ RationalPoint Decomposition::position(std::uint32_t point) const {
                                    [](const MeetOfThree& m, std::uint32_t p) { return m.point < p; });
   if (at != meets.end() && at->point == point) return planes->position(at->planes);
   const Vertex& v = points[point];
-  return {to_rational(v[0]), to_rational(v[1]), to_rational(v[2])};
+  return to_rational(v);
 }
 
 std::vector<ExactVertex> Decomposition::exact() const {

@@ -8,6 +8,7 @@
 #include "core/exact/big_integer.h"
 #include "core/exact/lattice.h"
 #include "core/exact/sign.h"
+#include "core/exact/vector.h"
 #include "extensions/convex/surface.h"
 
 // Vectors of integers, and signs of their products, for Gauss maps. theory.md, "Minkowski sums", "Bits".
@@ -15,19 +16,6 @@ namespace strata::convex {
 
 template <class N>
 using Triple = std::array<N, 3>;
-
-template <class N>
-[[nodiscard]] Triple<N> minus(const Triple<N>& a, const Triple<N>& b) {
-  return {N(a[0] - b[0]), N(a[1] - b[1]), N(a[2] - b[2])};
-}
-template <class N>
-[[nodiscard]] Triple<N> cross(const Triple<N>& a, const Triple<N>& b) {
-  return {N(a[1] * b[2] - a[2] * b[1]), N(a[2] * b[0] - a[0] * b[2]), N(a[0] * b[1] - a[1] * b[0])};
-}
-template <class N>
-[[nodiscard]] N dot(const Triple<N>& a, const Triple<N>& b) {
-  return N(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
-}
 
 [[nodiscard]] constexpr int sign_number(__int128 x) { return (x > 0) - (x < 0); }
 template <int Limbs>

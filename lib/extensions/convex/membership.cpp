@@ -7,18 +7,14 @@
 #include <optional>
 #include <utility>
 
+#include "core/exact/vector.h"
 #include "core/kernel/disjoint_sets.h"
+#include "core/kernel/rational_point.h"
 #include "extensions/convex/approximate_convex_set.h"
 #include "strata/convex.h"
 
 namespace strata::convex {
 namespace {
-
-RationalPoint minus(const RationalPoint& a, const RationalPoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -33,7 +29,7 @@ Box bounds_of(const Vertex& v) {
 }
 
 /// Bounds of all x - y. The ends of neither box are infinite in the wrong direction.
-Box minus(const Box& x, const Box& y) {
+Box differences(const Box& x, const Box& y) {
   Box box;
   for (std::size_t i = 0; i < 3; ++i) {
     box.lower[i] = std::nextafter(x.lower[i] - y.upper[i], -infinity);
@@ -160,9 +156,7 @@ Polytope triangle_polytope(ExactMeshView mesh, const Triangle& triangle) {
     result.vertices.push_back(mesh.mesh.vertices[order[i]]);
     if (mesh.exact.empty()) continue;
     RationalPoint place = mesh.position(order[i]);
-    if (place != RationalPoint{to_rational(result.vertices[i][0]), to_rational(result.vertices[i][1]),
-                               to_rational(result.vertices[i][2])})
-      result.exact.push_back({i, std::move(place)});
+    if (place != to_rational(result.vertices[i])) result.exact.push_back({i, std::move(place)});
   }
   return result;
 }
@@ -241,7 +235,7 @@ Side SumMembership::side_of_sums(const NearPoint& point, const Vertex& near, con
   std::optional<Polytope> of_b;  // computed when it is needed
   bool unknown = false;
   const bool is_out =
-      triangles_of_a_.for_each_overlapping(minus(bounds_of(near), bounds_of_b), [&](std::uint32_t number) {
+      triangles_of_a_.for_each_overlapping(differences(bounds_of(near), bounds_of_b), [&](std::uint32_t number) {
         monitor_.check();
         const Triangle& t = a_.mesh.triangles[number];
         if (sum_misses(approximate(a_.mesh, t), set_b, near)) return true;

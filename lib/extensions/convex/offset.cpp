@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/exact/failure.h"
+#include "core/exact/vector.h"
+#include "core/kernel/rational_point.h"
 #include "extensions/convex/convex_solid.h"
 #include "extensions/convex/surface.h"
 #include "strata/convex.h"
@@ -63,10 +65,7 @@ Mesh geodesic_sphere(int frequency) {
   return fine;
 }
 
-RationalPoint position(const Mesh& mesh, std::uint32_t v) {
-  return {to_rational(mesh.vertices[v][0]), to_rational(mesh.vertices[v][1]), to_rational(mesh.vertices[v][2])};
-}
-Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+RationalPoint position(const Mesh& mesh, std::uint32_t v) { return to_rational(mesh.vertices[v]); }
 
 /// n and n . v of a face with corner v: its plane is at the distance n . v / |n| from the origin.
 struct Support {

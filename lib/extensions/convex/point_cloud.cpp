@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/exact/finite.h"
 #include "core/exact/lattice.h"
 #include "core/kernel/box.h"
 #include "core/kernel/filtered_orientation.h"
@@ -13,8 +14,6 @@
 
 namespace strata::convex {
 namespace {
-
-bool is_finite(const Vertex& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
 bool is_rounded(const RationalPoint& place, const Vertex& at) {
   for (std::size_t i = 0; i < 3; ++i)

@@ -13,8 +13,6 @@
 namespace strata::convex {
 namespace {
 
-constexpr std::uint32_t none = Surface::no_face;
-
 /// A polytope with its directions, for queries of its extreme vertices in a direction.
 template <class N>
 class Extremes {
@@ -32,7 +30,7 @@ class Extremes {
     const auto level = step(u, i, 0);
     if (!level) return {vertex()};
     const std::uint32_t facet = level_facet(u, i);
-    if (facet != none) return surface_.faces[facet];
+    if (facet != Surface::no_face) return surface_.faces[facet];
     return {vertex(), surface_.fans[other_end(*level)].vertex};
   }
 
@@ -72,7 +70,7 @@ class Extremes {
       const std::uint32_t f = spokes[k].outgoing ? e.left : e.right;
       if (is_along(u.approximate[i], directions_.normals.approximate[f])) return f;
     }
-    return none;
+    return Surface::no_face;
   }
   /// True if two parallel vectors are not opposite.
   static bool is_along(const std::array<double, 3>& u, const std::array<double, 3>& v) {
@@ -185,7 +183,7 @@ class Summation {
 
   [[nodiscard]] bool crosses(std::uint32_t e, std::uint32_t g, int left_of_a) const {
     const SurfaceEdge& edge = b_.surface().edges[g];
-    if (edge.left == none) return true;
+    if (edge.left == Surface::no_face) return true;
     const int left = product_sign(b_.directions().normals, edge.left, a_.directions().edges, e);
     return left == -left_of_a && product_sign(b_.directions().normals, edge.right, a_.directions().edges, e) == -left;
   }

@@ -8,8 +8,6 @@
 namespace strata::convex {
 namespace {
 
-constexpr std::uint32_t none = Surface::no_face;
-
 /// The sides of faces as half-edges, numbered face after face.
 class HalfEdges {
  public:
@@ -25,7 +23,7 @@ class HalfEdges {
         from_.push_back(surface.faces[f][i]);
       }
     }
-    partner_.assign(face_.size(), none);
+    partner_.assign(face_.size(), Surface::no_face);
     pair();
   }
 
@@ -119,10 +117,10 @@ class HalfEdges {
 /// Adds edges, and fans about vertices, to a surface that has its faces.
 void add_neighbourhoods(Surface& surface, const Monitor& monitor) {
   const HalfEdges sides(surface, monitor);
-  std::vector<std::uint32_t> edge_of(sides.size(), none);
+  std::vector<std::uint32_t> edge_of(sides.size(), Surface::no_face);
   for (std::uint32_t h = 0; h < sides.size(); ++h) {
     monitor.check();
-    if (edge_of[h] != none) continue;
+    if (edge_of[h] != Surface::no_face) continue;
     const std::uint32_t g = sides.partner(h);
     edge_of[h] = edge_of[g] = static_cast<std::uint32_t>(surface.edges.size());
     surface.edges.push_back(
@@ -167,7 +165,7 @@ Surface surface_of(const Polytope& polytope, const Monitor& monitor) {
       surface.faces = {polytope.facets[0], {polytope.facets[0].rbegin(), polytope.facets[0].rend()}};
       break;
     case 1:
-      surface.edges = {{0, 1, none, none, {0, 1}, {}}};
+      surface.edges = {{0, 1, Surface::no_face, Surface::no_face, {0, 1}, {}}};
       surface.fans = {{0, {{0, true}}}, {1, {{0, false}}}};
       return surface;
     default:

@@ -16,8 +16,6 @@
 namespace strata::convex {
 namespace {
 
-constexpr std::uint32_t none = Surface::no_face;
-
 /// A bit per face of one surface and edge of the other.
 class BitRows {
  public:
@@ -140,7 +138,7 @@ class TouchingFaces {
     if (b_directions_.bend[g] <= 0) return;
     const SurfaceEdge &of_a = a_.edges[e], &of_b = b_.edges[g];
     const bool left_of_a = beyond_.at(of_a.left, g);
-    if (of_b.left != none) {
+    if (of_b.left != Surface::no_face) {
       const bool left_of_b = face_of_b_beyond(of_b.left, e);
       if (left_of_b == face_of_b_beyond(of_b.right, e) || left_of_a == left_of_b) return;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -16,7 +17,6 @@
 namespace strata::openscad {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double finest = 1.0 / (1 << 20);
 
 /// At least as many layers as keep a twist of one below 120 degrees.
@@ -36,7 +36,7 @@ double slices_for(double twist, double length, const Resolution& r) {
 
 /// Of the path of a point at that distance from the axis.
 double helix_slices(double radius, const LinearExtrusion& e) {
-  const double twist = std::abs(e.twist), turn = twist * pi / 180,
+  const double twist = std::abs(e.twist), turn = twist * std::numbers::pi / 180,
                height = std::hypot(e.along[0], e.along[1], e.along[2]);
   if (radius < finest || !std::isfinite(e.resolution.fn)) return least_slices(twist);
   const double pitch = height / turn;
@@ -45,7 +45,7 @@ double helix_slices(double radius, const LinearExtrusion& e) {
 
 /// Of one that comes nearer to the axis, or goes away from it, on the way.
 double conical_slices(double radius, const LinearExtrusion& e) {
-  const double twist = std::abs(e.twist), turn = twist * pi / 180,
+  const double twist = std::abs(e.twist), turn = twist * std::numbers::pi / 180,
                height = std::hypot(e.along[0], e.along[1], e.along[2]);
   if (radius < finest || !std::isfinite(e.resolution.fn)) return least_slices(twist);
   const double scale = e.scale[0], end = scale > 1 ? turn * scale / (scale - 1) : turn / (1 - scale);

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -14,8 +15,6 @@ namespace {
 
 using planar::PlanePoint;
 using Segment = std::array<PlanePoint, 2>;
-
-constexpr double pi = 3.14159265358979323846;
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = std::min(text.find_first_not_of(" \t\r"), text.size());
@@ -153,7 +152,7 @@ class DrawingReader {
     while (start > stop) stop += 360;
     const double sides = std::ceil(sides_of_circle(radius, resolution_) * (stop - start) / 360);
     const auto at = [&](double i) -> PlanePoint {
-      const double angle = (start + (stop - start) * i / sides) * pi / 180;
+      const double angle = (start + (stop - start) * i / sides) * std::numbers::pi / 180;
       return {centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)};
     };
     for (double i = 0; i < sides; ++i) add({at(i), i + 1 == sides && stop - start == 360 ? at(0) : at(i + 1)});
@@ -176,10 +175,10 @@ class DrawingReader {
   void ellipse(const Entity& e) {
     const PlanePoint centre = point(e.number(10), e.number(20));
     const double x = length(e.number(11)), y = length(e.number(21)), ratio = e.number(40, 1);
-    double start = e.number(41), stop = e.number(42, 2 * pi);
-    while (start > stop) stop += 2 * pi;
-    const double sides =
-        std::max(std::ceil(sides_of_circle(std::hypot(x, y), resolution_) * (stop - start) / (2 * pi)), 1.0);
+    double start = e.number(41), stop = e.number(42, 2 * std::numbers::pi);
+    while (start > stop) stop += 2 * std::numbers::pi;
+    const double sides = std::max(
+        std::ceil(sides_of_circle(std::hypot(x, y), resolution_) * (stop - start) / (2 * std::numbers::pi)), 1.0);
     const auto at = [&](double i) -> PlanePoint {
       const double angle = start + (stop - start) * i / sides, c = std::cos(angle), s = std::sin(angle) * ratio;
       return {centre[0] + x * c - y * s, centre[1] + y * c + x * s};
@@ -189,7 +188,7 @@ class DrawingReader {
   void insert(const Entity& e) {
     const auto block = blocks_.find(std::string(e.text(2)));
     if (block == blocks_.end()) return;
-    const double angle = e.number(50) * pi / 180, c = std::cos(angle), s = std::sin(angle);
+    const double angle = e.number(50) * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
     const double sx = e.number(41, 1), sy = e.number(42, 1), dx = e.number(10), dy = e.number(20);
     const auto placed = [&](const PlanePoint& p) {
       const double x = p[0] * sx, y = p[1] * sy;

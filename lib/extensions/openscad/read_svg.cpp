@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <optional>
 #include <pugixml.hpp>
 #include <set>
@@ -20,8 +21,6 @@ namespace {
 using planar::PlanePoint;
 using Loop = std::vector<PlanePoint>;
 
-constexpr double pi = 3.14159265358979323846;
-
 /// (x, y) -> (a x + c y + e, b x + d y + f).
 struct Affine {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
@@ -36,7 +35,7 @@ struct Affine {
 };
 
 Affine rotation(double degrees) {
-  const double c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
+  const double c = std::cos(degrees * std::numbers::pi / 180), s = std::sin(degrees * std::numbers::pi / 180);
   return {c, s, -s, c, 0, 0};
 }
 
@@ -47,8 +46,8 @@ Affine affine_named(std::string_view name, const std::vector<double>& n) {
   if (name == "scale") return {at(0, 1), 0, 0, at(1, at(0, 1)), 0, 0};
   if (name == "rotate")
     return Affine{1, 0, 0, 1, at(1, 0), at(2, 0)} * rotation(at(0, 0)) * Affine{1, 0, 0, 1, -at(1, 0), -at(2, 0)};
-  if (name == "skewX") return {1, 0, std::tan(at(0, 0) * pi / 180), 1, 0, 0};
-  if (name == "skewY") return {1, std::tan(at(0, 0) * pi / 180), 0, 1, 0, 0};
+  if (name == "skewX") return {1, 0, std::tan(at(0, 0) * std::numbers::pi / 180), 1, 0, 0};
+  if (name == "skewY") return {1, std::tan(at(0, 0) * std::numbers::pi / 180), 0, 1, 0, 0};
   throw IoError("SVG", {}, "'" + std::string(name.substr(0, 32)) + "' is no transformation");
 }
 
@@ -217,7 +216,7 @@ class PictureReader {
   [[nodiscard]] Loop oval(double cx, double cy, double rx, double ry) const {
     Loop loop;
     for (double k = 0; rx > 0 && ry > 0 && k < parts_.of_turn; ++k) {
-      const double angle = 2 * pi * k / parts_.of_turn;
+      const double angle = 2 * std::numbers::pi * k / parts_.of_turn;
       loop.push_back({cx + rx * std::cos(angle), cy + ry * std::sin(angle)});
     }
     return loop;
@@ -238,7 +237,7 @@ class PictureReader {
         {x + w - rx, y + h - ry}, {x + rx, y + h - ry}, {x + rx, y + ry}, {x + w - rx, y + ry}};
     for (std::size_t q = 0; q < 4; ++q)
       for (double k = 0; k <= steps; ++k) {
-        const double angle = (static_cast<double>(q) + k / steps) * pi / 2;
+        const double angle = (static_cast<double>(q) + k / steps) * std::numbers::pi / 2;
         loop.push_back({centres[q][0] + rx * std::cos(angle), centres[q][1] + ry * std::sin(angle)});
       }
     return loop;

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/kernel/rational_point.h"
 #include "core/mesh/fill_holes.h"
 #include "extensions/openscad/rational_mesh.h"
 #include "extensions/openscad/shape_operations.h"
@@ -13,15 +14,13 @@
 namespace strata::openscad {
 namespace {
 
-RationalPoint rational(const Vertex& p) { return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])}; }
-
 /// Calls `visit` with every vertex and its exact position.
 template <class Visit>
 void for_positions(const ExactMesh& mesh, const Visit& visit) {
   auto next = mesh.exact.begin();
   for (std::uint32_t v = 0; v < mesh.mesh.vertices.size(); ++v) {
     const bool is_listed = next != mesh.exact.end() && next->vertex == v;
-    visit(v, is_listed ? next->position : rational(mesh.mesh.vertices[v]));
+    visit(v, is_listed ? next->position : to_rational(mesh.mesh.vertices[v]));
     if (is_listed) ++next;
   }
 }

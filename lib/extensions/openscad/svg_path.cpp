@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "core/system/decimal.h"
@@ -12,8 +13,6 @@ namespace strata::openscad {
 namespace {
 
 using planar::PlanePoint;
-
-constexpr double pi = 3.14159265358979323846;
 
 PlanePoint operator+(const PlanePoint& a, const PlanePoint& b) { return {a[0] + b[0], a[1] + b[1]}; }
 PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) { return {a[0] - b[0], a[1] - b[1]}; }
@@ -160,7 +159,7 @@ class PathReader {
   /// SVG 1.1, F.6: from end points to the centre.
   void arc() {
     double rx = std::abs(scanner_.number()), ry = std::abs(scanner_.number());
-    const double tilt = scanner_.number() * pi / 180, c = std::cos(tilt), s = std::sin(tilt);
+    const double tilt = scanner_.number() * std::numbers::pi / 180, c = std::cos(tilt), s = std::sin(tilt);
     const bool is_large = scanner_.flag(), is_positive = scanner_.flag();
     const PlanePoint to = point();
     if (rx == 0 || ry == 0 || to == here_) return line(to);
@@ -177,9 +176,9 @@ class PathReader {
     const PlanePoint middle = 0.5 * (here_ + to), centre{c * cx - s * cy + middle[0], s * cx + c * cy + middle[1]};
     const double start = std::atan2((y - cy) / ry, (x - cx) / rx);
     double turn = std::atan2((-y - cy) / ry, (-x - cx) / rx) - start;
-    if (is_positive && turn < 0) turn += 2 * pi;
-    if (!is_positive && turn > 0) turn -= 2 * pi;
-    const double steps = std::max(std::ceil(parts_.of_turn * std::abs(turn) / (2 * pi)), 1.0);
+    if (is_positive && turn < 0) turn += 2 * std::numbers::pi;
+    if (!is_positive && turn > 0) turn -= 2 * std::numbers::pi;
+    const double steps = std::max(std::ceil(parts_.of_turn * std::abs(turn) / (2 * std::numbers::pi)), 1.0);
     for (double k = 1; k < steps; ++k) {
       const double angle = start + turn * k / steps, u = rx * std::cos(angle), v = ry * std::sin(angle);
       emit({c * u - s * v + centre[0], s * u + c * v + centre[1]});

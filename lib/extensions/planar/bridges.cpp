@@ -6,7 +6,7 @@
 namespace strata::planar {
 namespace {
 
-Rational orientation(const RationalPlacement& p, const RationalPlacement& q, const RationalPlacement& r) {
+Rational twice_area(const RationalPlacement& p, const RationalPlacement& q, const RationalPlacement& r) {
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
@@ -81,8 +81,8 @@ class Bridging {
     for (const std::uint32_t w : walk_) {
       if (height(w) < height(v) || height(w) > height(upper)) continue;
       const RationalPlacement &p = place(v), &q = place(w), &r = place(upper);
-      if (orientation(m, p, q) < 0 || orientation(p, r, q) < 0 || orientation(r, m, q) < 0) continue;
-      const Rational order = orientation(p, place(best), q);  // seen from v, upwards on the left is clockwise
+      if (twice_area(m, p, q) < 0 || twice_area(p, r, q) < 0 || twice_area(r, m, q) < 0) continue;
+      const Rational order = twice_area(p, place(best), q);  // seen from v, upwards on the left is clockwise
       if (order > 0 || (order == 0 && squared(p, q) < squared(p, place(best)))) best = w;
     }
     return best;
@@ -100,9 +100,9 @@ class Bridging {
       last = i;
       const RationalPlacement &before = place(walk_[i > 0 ? i - 1 : walk_.size() - 1]),
                               &after = place(walk_[i + 1 < walk_.size() ? i + 1 : 0]);
-      const bool left_of_out = orientation(place(w), after, place(v)) > 0,
-                 left_of_in = orientation(before, place(w), place(v)) > 0;
-      const bool is_convex = orientation(before, place(w), after) > 0;
+      const bool left_of_out = twice_area(place(w), after, place(v)) > 0,
+                 left_of_in = twice_area(before, place(w), place(v)) > 0;
+      const bool is_convex = twice_area(before, place(w), after) > 0;
       if (is_convex ? left_of_out && left_of_in : left_of_out || left_of_in) return i;
     }
     return last;

@@ -53,7 +53,7 @@ BoundedPair bounded_pair(const Places& places, std::uint32_t p) {
   return {bounded(places, p, 0), bounded(places, p, 1)};
 }
 
-Bounded orientation(const BoundedPair& p, const BoundedPair& q, const BoundedPair& r) {
+Bounded bounded_orientation(const BoundedPair& p, const BoundedPair& q, const BoundedPair& r) {
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
@@ -134,7 +134,8 @@ Sign closer::side(const Places& places, std::uint32_t point, std::uint32_t line)
   }
   if (places.is_meet(point) && (places.meet(point).first == line || places.meet(point).second == line))
     return Sign::zero;
-  const auto sign = orientation(bounded_pair(places, a), bounded_pair(places, b), bounded_pair(places, point)).sign();
+  const auto sign =
+      bounded_orientation(bounded_pair(places, a), bounded_pair(places, b), bounded_pair(places, point)).sign();
   return sign ? *sign : exact::side(places, point, line);
 }
 

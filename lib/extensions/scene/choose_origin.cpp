@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/exact/finite.h"
 #include "core/kernel/input_complex.h"
 #include "extensions/scene/origin_sample.h"
 #include "extensions/scene/scene_data.h"
@@ -15,10 +16,6 @@
 
 namespace strata {
 namespace {
-
-bool is_finite(const InputComplex::Coordinates& p) {
-  return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
-}
 
 /// Is the origin on no plane of a face? Exact.
 bool sees_no_face_flat(const Scene& scene, const Origin& origin) {

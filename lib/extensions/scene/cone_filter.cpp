@@ -1,16 +1,13 @@
 #include "extensions/scene/cone_filter.h"
 
+#include "core/exact/vector.h"
+
 namespace strata {
 namespace {
 
 using Vector = InputComplex::Coordinates;
 
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Vector& a) { return std::sqrt(product(a, a)); }
+double length(const Vector& a) { return std::sqrt(dot(a, a)); }
 
 /// Lengths whose products and squares neither overflow nor underflow.
 bool is_moderate(double x) { return x > 0x1p-200 && x < 0x1p200; }
@@ -23,7 +20,7 @@ constexpr double thin_edge = 0x1p-22, thin_face = 0x1p-20, grazing = 0x1p-6;
 ConeFilter::ConeFilter(const Vector& origin, const std::array<Vector, 3>& corners, double scale) {
   const std::array<Vector, 3> p{minus(corners[0], origin), minus(corners[1], origin), minus(corners[2], origin)};
   const Vector u = minus(corners[1], corners[0]), v = minus(corners[2], corners[0]), normal = cross(u, v);
-  const double area = length(normal), far = length(p[0]), offset = product(normal, p[0]);
+  const double area = length(normal), far = length(p[0]), offset = dot(normal, p[0]);
   if (!is_moderate(length(u)) || !is_moderate(length(v)) || !is_moderate(far) || !is_moderate(scale)) return;
   if (!(area > thin_face * length(u) * length(v)) || !(std::abs(offset) > grazing * area * far)) return;
   std::array<std::array<float, 3>, 3> edges;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/exact/vector.h"
 #include "core/kernel/input_complex.h"
 
 namespace strata {
@@ -44,10 +45,6 @@ class ConeFilter {
   }
 
  private:
-  static float dot(const std::array<float, 3>& a, const std::array<float, 3>& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-
   std::array<std::array<float, 3>, 3>
       edges_{};                   ///< unit normals of the planes through the origin and the edges, inwards
   std::array<float, 3> plane_{};  ///< at distance 1 / (plane . direction) rays meet the face's plane

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/exact/vector.h"
 #include "core/kernel/input_complex.h"
 #include "extensions/scene/scene_data.h"
 
@@ -14,10 +15,6 @@ constexpr std::uint32_t most_faces = 2048, most_rays = 32, inside_places = 6;
 
 Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Vector along(const Vector& a, double t, const Vector& d) { return {a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]}; }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 Vector middle(const std::array<Vector, 3>& f) {
   Vector m{};

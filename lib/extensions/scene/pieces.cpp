@@ -1,23 +1,12 @@
 #include "extensions/scene/pieces.h"
 
+#include "core/exact/vector.h"
+#include "core/kernel/rational_point.h"
+
 namespace strata {
 namespace {
 
 using RationalVector = std::array<Rational, 3>;
-
-RationalVector operator-(const RationalVector& a, const RationalVector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-RationalVector cross(const RationalVector& u, const RationalVector& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
-Rational dot(const RationalVector& u, const RationalVector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
-
-RationalVector rational(const InputComplex::Coordinates& p) {
-  return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
-}
 
 RationalPlane plane_at(const RationalPoint& p, const RationalVector& u, const RationalVector& v) {
   RationalPlane plane{cross(u, v), 0};
@@ -37,18 +26,18 @@ RationalPoint meet(const RationalPoint& a, const Rational& value_a, const Ration
 
 RationalPoint Pieces::position(std::uint32_t vertex) const {
   if (const RationalPoint* exact = input_.exact(vertex)) return *exact;
-  return rational(input_.vertex(vertex));
+  return to_rational(input_.vertex(vertex));
 }
 
 RationalPlane Pieces::plane_of(std::uint32_t piece) const {
   const auto v = input_.face(face_of(piece));  // the whole face: its numbers are shorter
   const RationalPoint a = position(v[0]);
-  return plane_at(a, position(v[1]) - a, position(v[2]) - a);
+  return plane_at(a, minus(position(v[1]), a), minus(position(v[2]), a));
 }
 
 RationalPlane Pieces::plane_of_sight(const Origin& origin, std::uint32_t a, std::uint32_t b) const {
-  const RationalPoint p = position(a), o = rational(origin.at);
-  return plane_at(p, position(b) - p, origin.is_point() ? o - p : o);
+  const RationalPoint p = position(a), o = to_rational(origin.at);
+  return plane_at(p, minus(position(b), p), origin.is_point() ? minus(o, p) : o);
 }
 
 bool Pieces::cut(std::uint32_t p, const RationalPlane& plane) {
@@ -103,7 +92,7 @@ void Pieces::undo(std::uint32_t p, const Mark& before) {
 std::uint32_t Pieces::add_point(const RationalPoint& p) {
   const auto number = static_cast<std::uint32_t>(points_.size());
   points_.push_back({to_nearest_double(p[0]), to_nearest_double(p[1]), to_nearest_double(p[2])});
-  if (rational(points_.back()) != p) exact_.push_back({number, p});
+  if (to_rational(points_.back()) != p) exact_.push_back({number, p});
   return input_complex_of(scene_).vertex_count() + number;
 }
 

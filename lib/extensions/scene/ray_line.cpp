@@ -4,22 +4,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/exact/finite.h"
+#include "core/exact/vector.h"
+#include "core/kernel/rational_point.h"
 #include "extensions/scene/closed_face.h"
 
 namespace strata {
 namespace {
-
-bool is_finite(const Vertex& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
-
-RationalPoint rational(const Vertex& v) { return {to_rational(v[0]), to_rational(v[1]), to_rational(v[2])}; }
-
-RationalPoint difference(const RationalPoint& a, const RationalPoint& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-RationalPoint cross_product(const RationalPoint& u, const RationalPoint& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-Rational dot_product(const RationalPoint& u, const RationalPoint& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
 /// The interval of a rational around its nearest double.
 Bounded bounded(const Rational& x) {
@@ -110,11 +101,11 @@ bool RayLine::settle(const Look& look, std::uint32_t face, FaceHit& hit) const {
 
 RationalPoint RayLine::position(std::uint32_t vertex) const {
   const RationalPoint* exact = input_.exact(vertex);
-  return exact != nullptr ? *exact : rational(input_.vertex(vertex));
+  return exact != nullptr ? *exact : to_rational(input_.vertex(vertex));
 }
 
 RationalPoint RayLine::rational_direction() const {
-  return is_segment_ ? difference(rational(to_), rational(from_)) : rational(direction_);
+  return is_segment_ ? minus(to_rational(to_), to_rational(from_)) : to_rational(direction_);
 }
 
 /// Sign of ((a - from) x (b - from)) . direction.
@@ -126,7 +117,7 @@ Sign RayLine::orientation(std::uint32_t a, std::uint32_t b) const {
 
 /// The same with from + (e, e^2, e^3): the derivative in `from` is direction x (b - a).
 Sign RayLine::moved_turn(std::uint32_t a, std::uint32_t b) const {
-  const RationalPoint derivative = cross_product(rational_direction(), difference(position(b), position(a)));
+  const RationalPoint derivative = cross(rational_direction(), minus(position(b), position(a)));
   for (const Rational& x : derivative)
     if (x != 0) return sign_of(x);
   return Sign::zero;
@@ -135,8 +126,8 @@ Sign RayLine::moved_turn(std::uint32_t a, std::uint32_t b) const {
 Rational RayLine::crossing_parameter(std::uint32_t face) const {
   const auto v = input_.face(face);
   const RationalPoint a = position(v[0]);
-  const RationalPoint normal = cross_product(difference(position(v[1]), a), difference(position(v[2]), a));
-  return dot_product(normal, difference(a, rational(from_))) / dot_product(normal, rational_direction());
+  const RationalPoint normal = cross(minus(position(v[1]), a), minus(position(v[2]), a));
+  return dot(normal, minus(a, to_rational(from_))) / dot(normal, rational_direction());
 }
 
 const Rational& RayLine::exact(FaceHit& hit) const {
@@ -182,13 +173,13 @@ RayLine::Hits RayLine::meet_exactly(std::uint32_t face) const {
 /// A line in the plane of a triangle, clipped by the half-planes of the triangle's edges.
 RayLine::Hits RayLine::meet_within(std::uint32_t face) const {
   const auto v = input_.face(face);
-  const RationalPoint o = rational(from_), d = rational_direction();
+  const RationalPoint o = to_rational(from_), d = rational_direction();
   const std::array<RationalPoint, 3> corner{position(v[0]), position(v[1]), position(v[2])};
-  const RationalPoint normal = cross_product(difference(corner[1], corner[0]), difference(corner[2], corner[0]));
+  const RationalPoint normal = cross(minus(corner[1], corner[0]), minus(corner[2], corner[0]));
   std::optional<Rational> first, last;
   for (std::size_t i = 0; i < 3; ++i) {
-    const RationalPoint inwards = cross_product(normal, difference(corner[(i + 1) % 3], corner[i]));
-    const Rational height = dot_product(inwards, difference(o, corner[i])), growth = dot_product(inwards, d);
+    const RationalPoint inwards = cross(normal, minus(corner[(i + 1) % 3], corner[i]));
+    const Rational height = dot(inwards, minus(o, corner[i])), growth = dot(inwards, d);
     if (growth == 0 && height < 0) return {};
     if (growth == 0) continue;
     const Rational t = -height / growth;
@@ -207,7 +198,7 @@ RayLine::Hits RayLine::meet_within(std::uint32_t face) const {
 }
 
 RationalPoint RayLine::place_at(const Rational& t) const {
-  RationalPoint p = rational(from_);
+  RationalPoint p = to_rational(from_);
   const RationalPoint d = rational_direction();
   for (std::size_t i = 0; i < 3; ++i) p[i] += t * d[i];
   return p;

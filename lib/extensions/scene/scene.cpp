@@ -6,6 +6,7 @@
 
 #include "core/exact/pace.h"
 #include "core/kernel/predicates.h"
+#include "core/kernel/rational_point.h"
 #include "extensions/scene/scene_data.h"
 #include "strata/errors.h"
 
@@ -64,7 +65,7 @@ const Vertex& Scene::vertex(std::uint32_t v) const { return data_->input.vertex(
 RationalPoint Scene::position(std::uint32_t v) const {
   if (const RationalPoint* exact = data_->input.exact(v)) return *exact;
   const Vertex& p = vertex(v);
-  return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
+  return to_rational(p);
 }
 Triangle Scene::face(std::uint32_t face) const { return data_->input.face(face); }
 

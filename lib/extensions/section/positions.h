@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/kernel/rational_point.h"
 #include "strata/planar.h"
 #include "strata/rational.h"
 #include "strata/solid.h"
@@ -24,7 +25,7 @@ class Positions {
   [[nodiscard]] RationalPoint exact(std::uint32_t v) const {
     if (const RationalPoint* p = rational(v)) return *p;
     const Vertex& p = rounded(v);
-    return {to_rational(p[0]), to_rational(p[1]), to_rational(p[2])};
+    return to_rational(p);
   }
 
  private:

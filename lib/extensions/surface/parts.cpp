@@ -14,7 +14,7 @@ namespace strata {
 namespace {
 
 using Index = std::uint32_t;
-constexpr Index none = std::numeric_limits<Index>::max();
+constexpr Index unnumbered = std::numeric_limits<Index>::max();
 
 /// A wall as a part of an operand, with its first face there.
 struct OperandWall {
@@ -73,14 +73,14 @@ std::vector<AttributedMesh> attributed_meshes(std::span<const Surface> surfaces)
 }
 
 MeshPart::~MeshPart() {
-  for (const Index v : used_) number_[v] = none;
+  for (const Index v : used_) number_[v] = unnumbered;
 }
 
 void MeshPart::add(const Triangle& triangle, bool is_reversed) {
   Triangle t{};
   for (std::size_t i = 0; i < 3; ++i) {
     Index& number = number_[triangle[i]];
-    if (number == none) {
+    if (number == unnumbered) {
       number = static_cast<Index>(used_.size());
       used_.push_back(triangle[i]);
       part_.mesh.vertices.push_back(mesh_.mesh.vertices[triangle[i]]);
@@ -129,7 +129,7 @@ Surface clip(const Surface& surface, const Solid& solid, ClipTo part, const Opti
     const ClipTo is = in_front != behind ? ClipTo::on : in_front ? ClipTo::inside : ClipTo::outside;
     if (is == part) kept.push_back({w, a.sources[w], false});
   }
-  std::vector<Index> number(a.mesh.mesh.vertices.size(), none);
+  std::vector<Index> number(a.mesh.mesh.vertices.size(), unnumbered);
   return carried(surface_of_walls(a.mesh, kept, number), operands, 0, options);
 }
 
@@ -144,7 +144,7 @@ std::vector<Surface> imprint(std::span<const Surface> surfaces, const Options& o
     const Walls walls(surfaces, monitor);
     monitor.report(0.8);
     const ExactMesh mesh = walls.mesh(monitor);
-    std::vector<Index> number(mesh.mesh.vertices.size(), none);
+    std::vector<Index> number(mesh.mesh.vertices.size(), unnumbered);
     const auto lists = walls_of_operands(walls, result.size());
     for (Index k = 0; k < result.size(); ++k)
       result[k] = carried(surface_of_walls(mesh, lists[k], number), surfaces, k, options);

@@ -19,7 +19,7 @@ namespace strata {
 namespace {
 
 using Index = std::uint32_t;
-constexpr Index none = 0xffffffffu;
+constexpr Index no_shell = 0xffffffffu;
 
 /// Sides of walls are numbered 2 w in front and 2 w + 1 behind.
 Index front_of(Index wall) { return 2 * wall; }
@@ -211,7 +211,7 @@ class Nesting {
       around[k] = shells_around(k);
     });
     // Shells around a set lie within one another, and the inner ones are within more.
-    std::vector<Index> innermost(shells_.sets(), none);
+    std::vector<Index> innermost(shells_.sets(), no_shell);
     for (Index k = 0; k < shells_.sets(); ++k) {
       std::size_t most = 0;
       for (const Index shell : around[k])
@@ -273,13 +273,13 @@ class Nesting {
 
 SpaceCells find_cells(const Walls& walls, const ExactMesh& mesh, const Monitor& monitor) {
   const SpaceShells shells(walls, mesh, monitor);
-  std::vector<Index> cell(shells.count(), none);
+  std::vector<Index> cell(shells.count(), no_shell);
   SpaceCells result;
   for (Index s = 0; s < shells.count(); ++s)
     if (s != shells.outer(shells.set_of(s))) cell[s] = result.count++;
-  std::vector<Index> around(shells.sets(), none);
+  std::vector<Index> around(shells.sets(), no_shell);
   if (shells.sets() > 1 && result.count > 1) around = Nesting(shells, mesh).find(monitor);
-  for (Index k = 0; k < shells.sets(); ++k) cell[shells.outer(k)] = around[k] == none ? 0 : cell[around[k]];
+  for (Index k = 0; k < shells.sets(); ++k) cell[shells.outer(k)] = around[k] == no_shell ? 0 : cell[around[k]];
   monitor.check();
   for (Index w = 0; w < walls.size(); ++w)
     result.of_wall.push_back({cell[shells.of_side(front_of(w))], cell[shells.of_side(back_of(w))]});

@@ -12,8 +12,6 @@
 namespace strata::planar {
 namespace {
 
-Rational exact(const io::ExactCoordinate& c) { return to_rational(c.nearest); }
-
 /// Path data (SVG 1.1, 8.3), straight lines only. Subpaths are closed as filling closes them.
 class PathReader {
  public:
@@ -112,7 +110,7 @@ class PathReader {
     coordinate(1, is_relative);
   }
   void coordinate(std::size_t axis, bool is_relative) {
-    const Rational x = exact(scanner_.number(false));
+    const Rational x = to_rational(scanner_.number(false).nearest);
     at_[axis] = is_relative ? Rational(at_[axis] + x) : x;
     if (!std::isfinite(to_nearest_double(at_[axis])))
       scanner_.fail("a sum of relative coordinates is beyond all doubles");

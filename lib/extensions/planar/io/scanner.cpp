@@ -8,17 +8,17 @@ namespace {
 
 constexpr std::string_view number_characters = "+-0123456789.eE";
 
-Rational exact(const io::ExactCoordinate& c) { return c.exact ? *c.exact : to_rational(c.nearest); }
+Rational rational_of(const io::ExactCoordinate& c) { return c.exact ? *c.exact : to_rational(c.nearest); }
 
 bool is_equal(const CoordinatePair& p, const CoordinatePair& q) {
-  return exact(p[0]) == exact(q[0]) && exact(p[1]) == exact(q[1]);
+  return rational_of(p[0]) == rational_of(q[0]) && rational_of(p[1]) == rational_of(q[1]);
 }
 
 Rational twice_area_of(const std::vector<CoordinatePair>& ring) {
   LoopsBuilder builder;
   for (const auto& [x, y] : ring) {
     if (x.exact || y.exact) {
-      builder.add_vertex(RationalPlacement{exact(x), exact(y)});
+      builder.add_vertex(RationalPlacement{rational_of(x), rational_of(y)});
     } else {
       builder.add_vertex(PlanePoint{x.nearest, y.nearest});
     }
@@ -100,7 +100,7 @@ void RingCollector::drop_repeated_end() {
 void RingCollector::flush() {
   for (auto& [x, y] : ring_) {
     if (x.exact || y.exact) {
-      builder_.add_vertex(RationalPlacement{exact(x), exact(y)});
+      builder_.add_vertex(RationalPlacement{rational_of(x), rational_of(y)});
     } else {
       builder_.add_vertex(PlanePoint{x.nearest, y.nearest});
     }

@@ -1,0 +1,12 @@
+#pragma once
+#include <array>
+#include <cmath>
+
+namespace strata {
+
+/// No coordinate is infinite or NaN.
+[[nodiscard]] inline bool is_finite(const std::array<double, 3>& p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+}  // namespace strata
