@@ -156,14 +156,24 @@ class WeldedMesh {
   InputComplex complex_{SelfIntersections::possible};
 };
 
-BooleanResult evaluate(const Rule& rule, InputComplex complex, const Options& options, const Monitor& monitor,
-                       Stages& stages) {
+/// The pairs of faces of one mesh that cross: those that are known, or else those that are found, `enough` at most.
+std::vector<SelfIntersection> crossings_of(const InputComplex& mesh, const EmbeddedStars& stars, const FacePairs* known,
+                                           const Monitor& monitor, std::size_t enough) {
+  if (known == nullptr) return find_self_intersections(mesh, &stars, monitor, enough);
+  std::vector<SelfIntersection> pairs;
+  pairs.reserve(known->size());
+  for (const auto& [face, other] : *known) pairs.push_back({face, other});
+  return pairs;
+}
+
+BooleanResult evaluate(const Rule& rule, InputComplex complex, const FacePairs* crossings, const Options& options,
+                       const Monitor& monitor, Stages& stages) {
   if (complex.operand_count() == 1 && complex.may_self_intersect() && rule.looks_around() && !complex.has_rationals() &&
       !complex.has_planes()) {
     const WeldedMesh mesh(complex);
     const EmbeddedStars stars(mesh.complex(), monitor);
     const std::size_t enough = few_pairs(complex.face_count());
-    const std::vector<SelfIntersection> pairs = find_self_intersections(mesh.complex(), &stars, monitor, enough);
+    const std::vector<SelfIntersection> pairs = crossings_of(mesh.complex(), stars, crossings, monitor, enough);
     stages.end("find_candidates", 0.3);
     if (pairs.size() < enough) return evaluate_in_patches(rule, mesh.complex(), stars, pairs, options, monitor, stages);
   }
@@ -189,7 +199,7 @@ BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Op
   const PreparedOperands operands(given, options);
   stages.end("prepare", 0.05);
 
-  BooleanResult result = evaluate(rule, operands.complex(), options, monitor, stages);
+  BooleanResult result = evaluate(rule, operands.complex(), nullptr, options, monitor, stages);
   operands.restore(result.sources);
   count_tiers(tiers, profile);
   stages.end("round", 0.99);
@@ -201,12 +211,12 @@ BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Op
   return result;
 }
 
-BooleanResult resolved(InputComplex input, Inside inside, const Monitor& monitor) {
+BooleanResult resolved(InputComplex input, Inside inside, const Monitor& monitor, const FacePairs* crossings) {
   Options options;
   options.exact_vertices = true;
   Profile profile;
   Stages stages(profile, monitor);
-  BooleanResult result = evaluate(Rule::of_one(inside), std::move(input), options, monitor, stages);
+  BooleanResult result = evaluate(Rule::of_one(inside), std::move(input), crossings, options, monitor, stages);
   if (!chain_is_closed(result.mesh)) throw LogicError("the boundary of a result is not closed");
   return result;
 }

@@ -1,6 +1,7 @@
 #include "core/csg/round_to_solid.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <atomic>
@@ -153,7 +154,7 @@ class SolidRounding {
       }
       repairs = 0;
       if (!wrong.empty() && !reach_.is_time_to_resolve(wrong.size())) continue;
-      if (!resolve_again(moving, ++resolves)) return finished(std::move(moving), nullptr, report, false);
+      if (!resolve_again(moving, region, ++resolves)) return finished(std::move(moving), nullptr, report, false);
     }
   }
 
@@ -215,28 +216,46 @@ class SolidRounding {
   }
 
   /// The mesh becomes the regular set of points with a positive winding number, its new vertices rounded. Returns false
-  /// if there are none: then it is a solid on the grid.
-  bool resolve_again(MovingMesh& moving, int resolves) const {
+  /// if there are none: then it is a solid on the grid. `region`: what was searched last; nothing has changed since.
+  bool resolve_again(MovingMesh& moving, const ChangedRegion& region, int resolves) const {
+    const std::optional<FacePairs> crossings = crossings_when_taken(moving, region);
     MovingMesh::Parts from = std::move(moving).take();
-    const Prepared prepared = without_degenerate_faces(from.mesh);
-    if (prepared.mesh->triangles.empty()) {
+    const Prepared prepared = crossings ? Prepared{} : without_degenerate_faces(from.mesh);
+    const Mesh& mesh = crossings ? from.mesh : *prepared.mesh;
+    if (mesh.triangles.empty()) {
       moving = MovingMesh({}, {}, {});
       return false;
     }
     InputComplex complex(SelfIntersections::possible);
-    complex.add(prepared.mesh->vertices, prepared.mesh->triangles, {}, prepared.bounds);
-    BooleanResult result = resolved(std::move(complex), Inside::winding, monitor_);
+    complex.add(mesh.vertices, mesh.triangles, {}, prepared.bounds);
+    BooleanResult result = resolved(std::move(complex), Inside::winding, monitor_, crossings ? &*crossings : nullptr);
     std::vector<std::uint32_t> source_face;
     std::vector<double> moved;
-    for (const Source& s : result.sources) {
-      const std::uint32_t source = prepared.source_face[s.face];
-      source_face.push_back(from.source_face[source]);
-      moved.push_back(from.moved[source]);
-    }
+    resize_fresh(source_face, result.sources.size());
+    resize_fresh(moved, result.sources.size());
+    tbb::parallel_for(std::size_t{0}, result.sources.size(), [&](std::size_t i) {
+      const std::uint32_t face = result.sources[i].face, source = crossings ? face : prepared.source_face[face];
+      source_face[i] = from.source_face[source];
+      moved[i] = from.moved[source];
+    });
     const std::vector<VertexMove> moves = moves_of_new_vertices(result, bits_less_in(resolves));
     moving = MovingMesh(std::move(result.mesh), std::move(source_face), std::move(moved));
     moving.move(moves);
     return !moves.empty();
+  }
+
+  /// All pairs of faces that cross, by their numbers when the mesh is taken; none where they are not known, or where
+  /// faces have no area.
+  [[nodiscard]] static std::optional<FacePairs> crossings_when_taken(const MovingMesh& moving,
+                                                                     const ChangedRegion& region) {
+    if (!region.is_complete() || !region.has_area_everywhere()) return std::nullopt;
+    const std::vector<std::uint32_t> gone =
+        collect(moving.mesh().triangles.size(), [&](std::uint32_t f) { return !moving.is_left(f); });
+    FacePairs pairs = region.wrong_pairs();
+    for (auto& [face, other] : pairs)
+      for (std::uint32_t* f : {&face, &other})
+        *f -= static_cast<std::uint32_t>(std::lower_bound(gone.begin(), gone.end(), *f) - gone.begin());
+    return pairs;
   }
 
   /// With fewer bits, the other vertices of triangles with new ones are rounded, too, so that all that is in the way
@@ -281,8 +300,10 @@ class SolidRounding {
     std::vector<bool> is_left(exact_.mesh.triangles.size(), false);
     for (const std::uint32_t f : rounded.source_face) is_left[f] = true;
     report.vanished_faces = static_cast<std::uint64_t>(std::count(is_left.begin(), is_left.end(), false));
-    report.exact = topology_of(exact_);
-    report.rounded = topology({rounded.mesh, {}});
+    tbb::parallel_invoke([&] { report.exact = topology_of(exact_); },
+                         [&] {
+                           report.rounded = topology_of({rounded.mesh, {}, {}});
+                         });
   }
 
   /// A vertex is as near to the exact boundary as any of its triangles.

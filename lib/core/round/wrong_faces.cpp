@@ -85,6 +85,7 @@ std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor, st
   const ZeroAreaTest has_no_area(part_);
   const auto is_flat = [&](std::uint32_t f) { return repeats_vertex(part_.triangles[f]) || has_no_area(f); };
   const std::vector<std::uint32_t> flat = collect(faces_.size(), is_flat);
+  has_area_everywhere_ = flat.empty();
   std::vector<std::uint32_t> wrong = flat;
   if (flat.empty()) {
     const InputComplex complex = complex_of(part_.vertices, part_.triangles);

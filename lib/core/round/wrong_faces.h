@@ -24,6 +24,8 @@ class ChangedRegion {
 
   /// True when it found all.
   [[nodiscard]] bool is_complete() const { return is_complete_; }
+  /// True when none of its faces has no area, if it was called.
+  [[nodiscard]] bool has_area_everywhere() const { return has_area_everywhere_; }
   /// Of these, the pairs that meet, if it was called.
   [[nodiscard]] const std::vector<std::pair<std::uint32_t, std::uint32_t>>& wrong_pairs() const { return pairs_; }
 
@@ -54,7 +56,7 @@ class ChangedRegion {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> equal_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
   Mesh part_;  ///< those faces; equal vertices are one
-  bool is_complete_ = false;
+  bool is_complete_ = false, has_area_everywhere_ = false;
   std::optional<EmbeddedStars> stars_;
   std::vector<std::uint32_t> vertices_;  ///< the mesh's number of each of its vertices
 };
