@@ -1,12 +1,18 @@
-#include <algorithm>
-#include <utility>
+#include <tbb/enumerable_thread_specific.h>
 
-#include "core/exact/pace.h"
+#include <algorithm>
+#include <compare>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/containers/collect.h"
 #include "core/mesh/defect_list.h"
-#include "core/mesh/edge_table.h"
 #include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
 #include "core/mesh/prepare_steps.h"
+#include "core/mesh/vertex_stars.h"
 #include "core/mesh/zero_area.h"
 
 namespace strata {
@@ -37,10 +43,8 @@ void find_zero_areas(const SoundMesh& mesh, std::vector<Defect>& defects, std::s
                            : "nothing to do: zero-area triangles are removed exactly, their neighbours divided",
                   listed);
   const ZeroAreaTest is_zero(mesh.exact_view());
-  Pace pace(monitor);
-  for (std::size_t i = 0; i < mesh.faces.triangles.size(); ++i) {
-    pace.step();
-    if (!is_zero(i)) continue;
+  monitor.check();
+  for (const std::uint32_t i : collect(mesh.faces.triangles.size(), [&](std::uint32_t f) { return is_zero(f); })) {
     const std::uint32_t face = mesh.faces.sources[i];
     list.add(centre(mesh.view(), mesh.faces.triangles[i]), {face},
              [&] { return "face " + std::to_string(face) + " has zero area"; });
@@ -48,33 +52,53 @@ void find_zero_areas(const SoundMesh& mesh, std::vector<Defect>& defects, std::s
   list.append_to(defects);
 }
 
-/// The smallest rotation: equal for triangles with the same vertices and orientation.
-Triangle rotated(Triangle t) {
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  return t;
+/// A triangle at its lowest vertex.
+struct Wedge {
+  std::uint32_t next, last;  ///< its other vertices, in its sense
+  std::uint32_t triangle;
+
+  [[nodiscard]] bool repeats(const Wedge& other) const { return next == other.next && last == other.last; }
+  friend auto operator<=>(const Wedge&, const Wedge&) = default;
+};
+
+/// Sorted, those of triangles whose lowest vertex this is.
+void list_wedges(const VertexStars& stars, std::span<const Triangle> triangles, std::uint32_t vertex,
+                 std::vector<Wedge>& wedges) {
+  wedges.clear();
+  for (const std::uint32_t f : stars.at(vertex)) {
+    const Triangle& t = triangles[f];
+    const std::size_t corner = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
+    const Wedge wedge{t[(corner + 1) % 3], t[(corner + 2) % 3], f};
+    if (vertex < wedge.next && vertex < wedge.last) wedges.push_back(wedge);
+  }
+  std::sort(wedges.begin(), wedges.end());
 }
 
 void find_duplicates(const SoundMesh& mesh, std::vector<Defect>& defects, std::size_t listed, const Monitor& monitor) {
   DefectList list(DefectKind::duplicate_face, Severity::error,
                   "remove all but one of these faces (input class repair does)", listed);
-  const auto& triangles = mesh.faces.triangles;
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    if (!repeats_vertex(triangles[i])) order.push_back(i);
-  }
-  Pace pace(monitor);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    pace.step();
-    const Triangle s = rotated(triangles[a]), t = rotated(triangles[b]);
-    return s != t ? s < t : a < b;
+  const std::span<const Triangle> triangles = mesh.faces.triangles;
+  const VertexStars stars(triangles, mesh.vertices.size(), monitor);
+  const auto repeats = [](const Wedge& a, const Wedge& b) { return a.repeats(b); };
+  tbb::enumerable_thread_specific<std::vector<Wedge>> of_thread;
+  const std::vector<std::uint32_t> vertices = collect(mesh.vertices.size(), [&](std::uint32_t v) {
+    std::vector<Wedge>& wedges = of_thread.local();
+    list_wedges(stars, triangles, v, wedges);
+    return std::adjacent_find(wedges.begin(), wedges.end(), repeats) != wedges.end();
   });
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (rotated(triangles[order[i]]) != rotated(triangles[order[i - 1]])) continue;
-    const std::uint32_t first = mesh.faces.sources[order[i - 1]], second = mesh.faces.sources[order[i]];
-    list.add(centre(mesh.view(), triangles[order[i]]), {first, second}, [&] {
-      return "face " + std::to_string(second) + " repeats face " + std::to_string(first) +
-             ", same vertices in the same sense";
-    });
+  std::vector<Wedge> wedges;
+  for (const std::uint32_t v : vertices) {
+    monitor.check();
+    list_wedges(stars, triangles, v, wedges);
+    for (std::size_t i = 1; i < wedges.size(); ++i) {
+      if (!wedges[i].repeats(wedges[i - 1])) continue;
+      const std::uint32_t first = mesh.faces.sources[wedges[i - 1].triangle],
+                          second = mesh.faces.sources[wedges[i].triangle];
+      list.add(centre(mesh.view(), triangles[wedges[i].triangle]), {first, second}, [&] {
+        return "face " + std::to_string(second) + " repeats face " + std::to_string(first) +
+               ", same vertices in the same sense";
+      });
+    }
   }
   list.append_to(defects);
 }
