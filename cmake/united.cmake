@@ -3,8 +3,9 @@
 # file is compiled by itself, shows that it does. What is in the unnamed namespace of a file needs a name that no other file of its target
 # gives to something else.
 
-# GCC takes files that another includes for headers, which should not have unnamed namespaces.
-set(strata_united_options $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+# GCC takes files that another includes for headers, which should not have unnamed namespaces. What shadows a name of another file is no
+# mistake; the preset `clang` warns of what shadows one of its own.
+set(strata_united_options -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 # GCC limits what it inlines by the size of a unit. Without this, Booleans of 20 thousand triangles take 5 % longer than compiled file by
 # file.
 set(strata_united_inlining $<$<CXX_COMPILER_ID:GNU>:--param=large-unit-insns=200000>)

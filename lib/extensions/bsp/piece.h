@@ -68,6 +68,12 @@ Piece<3> whole(const HyperplaneTable<3>& table, std::uint32_t hyperplane);
 /// A side of the frame: the part of x_axis = W or -W between the others. Every unbounded region reaches such a side.
 template <int D>
 [[nodiscard]] Piece<D> side_of_frame(const HyperplaneTable<D>& table, std::size_t axis, bool is_upper);
+template <>
+Piece<1> side_of_frame(const HyperplaneTable<1>& table, std::size_t axis, bool is_upper);
+template <>
+Piece<2> side_of_frame(const HyperplaneTable<2>& table, std::size_t axis, bool is_upper);
+template <>
+Piece<3> side_of_frame(const HyperplaneTable<3>& table, std::size_t axis, bool is_upper);
 
 /// Two planes of space for each axis, the lower one first, both with normals towards larger coordinates.
 using BoxPlanes = std::array<std::array<std::uint32_t, 2>, 3>;
