@@ -2,6 +2,7 @@
 #include <random>
 
 #include "core/csg/boolean.h"
+#include "core/mesh/equal_vertices.h"
 #include "core/overlap/self_intersections.h"
 #include "support/shapes.h"
 
@@ -51,6 +52,33 @@ TEST_CASE("a mesh whose crossings are known is resolved as one in which they are
     REQUIRE(known.exact.size() == found.exact.size());
     for (std::size_t i = 0; i < known.exact.size(); ++i) REQUIRE(known.exact[i].position == found.exact[i].position);
   }
+}
+
+// Boxes that touch in edges and have vertices of their own there, and far from them boxes that cross: where crossings
+// are many, cells find the equal vertices.
+TEST_CASE("a mesh that lists vertices several times is resolved with known crossings as without", "[csg][property]") {
+  std::size_t most_faces_cross = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    std::mt19937 random(seed);
+    const auto between = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(random); };
+    Mesh mesh;
+    const int side = 1 + static_cast<int>(random() % 5);
+    for (int i = 0; i < side; ++i)
+      for (int j = i % 2; j < side; j += 2)
+        mesh = joined(mesh, test::box({double(i), double(j), 0}, {double(i + 1), double(j + 1), 1}));
+    for (auto count = 2 + random() % 12; count-- > 0;) {
+      const Vertex low{30 + between(0, 1), between(0, 1), between(0, 1)};
+      mesh = joined(mesh, test::box(low, {low[0] + between(.1, 1), low[1] + between(.1, 1), low[2] + between(.1, 1)}));
+    }
+    const Mesh welded{mesh.vertices, on_first_vertices(ExactMeshView(mesh, {}))};
+    const FacePairs crossings = crossings_of(welded);
+    most_faces_cross += crossings.size() > mesh.triangles.size() / 8;
+    const BooleanResult found = resolved(complex_of(welded), Inside::winding, Monitor());
+    const BooleanResult known = resolved(complex_of(mesh), Inside::winding, Monitor(), &crossings);
+    REQUIRE(known.mesh == found.mesh);
+    REQUIRE(known.sources == found.sources);
+  }
+  CHECK(most_faces_cross > 20);
 }
 
 TEST_CASE("crossings that are known are all that count", "[csg]") {
