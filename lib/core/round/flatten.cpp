@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "core/exact/double_double.h"
 #include "core/mesh/planar_chain.h"
@@ -17,11 +18,22 @@ namespace {
 
 using Index = std::uint32_t;
 
+/// Numbers between two bounds.
+struct Range {
+  double lower = 0, upper = 0;
+
+  void include(const Range& other) {
+    lower = std::min(lower, other.lower);
+    upper = std::max(upper, other.upper);
+  }
+};
+
 /// A plane through a point, by doubles. The normal's largest component is 1 or -1.
 struct ViewedPlane {
   Vertex at{}, normal{};
   std::size_t axis = 0;  ///< of that component: along which the plane is seen
-  double area = 0;       ///< of the triangle, about
+  /// Of the triangle, about; the second is for areas too small for the first, times 2^1200.
+  std::pair<double, double> area{};
 
   ViewedPlane() = default;
   ViewedPlane(const Vertex& a, const Vertex& b, const Vertex& c) : at(a) {
@@ -32,7 +44,7 @@ struct ViewedPlane {
     for (double& x : v) x /= scale;
     for (std::size_t i = 0; i < 3; ++i) normal[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
     const double largest = size(normal);
-    area = largest * scale * scale;
+    area = area_of(largest, scale);
     if (!(largest > 0)) return;
     for (std::size_t i = 0; i < 3; ++i) {
       normal[i] /= largest;
@@ -40,21 +52,28 @@ struct ViewedPlane {
     }
   }
 
-  /// How far a point is above the plane, along the axis.
-  [[nodiscard]] Bounded height(const Vertex& p) const {
+  /// How far a point is above the plane, along the axis. Products of small numbers underflow, so they are lifted.
+  [[nodiscard]] Range height(const Vertex& p) const {
+    constexpr double small = 0x1p-800;
+    constexpr int lift = 600;
+    const bool is_small = std::max(size(at), size(p)) < small;
+    const auto lifted = [&](double x) { return DoubleDouble(is_small ? std::ldexp(x, lift) : x); };
     DoubleDouble h;
-    for (std::size_t i = 0; i < 3; ++i) h = h + DoubleDouble(normal[i]) * (DoubleDouble(p[i]) - DoubleDouble(at[i]));
-    return h.bounded();
+    for (std::size_t i = 0; i < 3; ++i) h = h + DoubleDouble(normal[i]) * (lifted(p[i]) - lifted(at[i]));
+    const Bounded height = h.bounded();
+    if (!is_small) return {height.lower(), height.upper()};
+    Range range{std::ldexp(height.lower(), -lift), std::ldexp(height.upper(), -lift)};
+    if (std::ldexp(range.lower, lift) > height.lower()) range.lower = std::nextafter(range.lower, -Box::infinity);
+    if (std::ldexp(range.upper, lift) < height.upper()) range.upper = std::nextafter(range.upper, Box::infinity);
+    return range;
   }
-};
 
-/// Numbers between two bounds.
-struct Range {
-  double lower = 0, upper = 0;
-
-  void include(const Range& other) {
-    lower = std::min(lower, other.lower);
-    upper = std::max(upper, other.upper);
+ private:
+  static std::pair<double, double> area_of(double of_scaled, double scale) {
+    constexpr double smallest = 0x1p-1000;
+    if (const double area = of_scaled * scale * scale; area > smallest) return {area, 0};
+    const double lifted = std::ldexp(scale, 600);
+    return {0, of_scaled * lifted * lifted};
   }
 };
 
@@ -88,10 +107,7 @@ class Piles {
       const std::size_t n = waiting.back();
       waiting.pop_back();
       Range heights;
-      for (const Index v : mesh_.mesh().triangles[faces_[n]]) {
-        const Bounded height = plane.height(point(v));
-        heights.include({height.lower(), height.upper()});
-      }
+      for (const Index v : mesh_.mesh().triangles[faces_[n]]) heights.include(plane.height(point(v)));
       if (!(std::max(-heights.lower, heights.upper) <= reach)) {
         far_.push_back(faces_[n]);
         continue;
@@ -325,7 +341,7 @@ bool flatten(MovingMesh& mesh, const ChangedRegion& region, const std::vector<In
     const Piles piles(mesh, among, region.wrong_pairs());
     std::vector<bool> taken(mesh.mesh().triangles.size(), false);
     for (const Seed& seed : seeds) {
-      if (taken[seed.face] || !mesh.is_left(seed.face) || !(seed.plane.area > 0)) continue;
+      if (taken[seed.face] || !mesh.is_left(seed.face) || seed.plane.area == std::pair(0.0, 0.0)) continue;
       const double unit = grid.unit_at(size(seed.plane.at));
       const Pile pile = piles.pile_of(seed.face, seed.plane, reach * unit, taken);
       const auto filling = filling_of(mesh.mesh(), pile, grid, may_divide);
