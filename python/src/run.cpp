@@ -40,11 +40,16 @@ auto ask_for_lock(Ask ask) {
 /// The token of the computation that the main thread is in.
 std::atomic<CancelToken*> interrupted{nullptr};
 
+/// How many handlers may still set a token: a signal may come to any thread.
+std::atomic<int> cancelling{0};
+
 std::array<struct sigaction, watched_signals.size()> handlers_before;
 
 /// Stops the computation, then does what the handler before does: that of Python notes the signal.
 void stop_and_note(int signal_number, siginfo_t* information, void* context) {
+  ++cancelling;
   if (CancelToken* const token = interrupted.load()) token->cancel();
+  --cancelling;
   for (std::size_t i = 0; i < watched_signals.size(); ++i)
     if (watched_signals[i] == signal_number) {
       const struct sigaction& before = handlers_before[i];
@@ -89,13 +94,14 @@ class SignalGuard {
   SignalGuard& operator=(const SignalGuard&) = delete;
   ~SignalGuard() { stop(); }
 
-  /// From here on, signals do what they did before.
+  /// From here on, signals do what they did before. None sets the token any more.
   void stop() {
     if (!is_set_) return;
     is_set_ = false;
     for (std::size_t i = 0; i < watched_signals.size(); ++i)
       if (is_replaced_[i]) set_back(watched_signals[i], handlers_before[i]);
     interrupted = before_;
+    while (cancelling > 0) std::this_thread::yield();
   }
 
  private:
@@ -212,7 +218,8 @@ const Options& Computation::options() const { return state_->options; }
 Monitor Computation::monitor() const { return Monitor(&state_->token, &state_->options.progress); }
 
 void Computation::stopped() {
-  state_->token.reset();  // first: a time limit that passes from here on is not lost
+  state_->signals.stop();  // what comes while a handler runs must not stop the second start
+  state_->token.reset();   // before the time limit is looked at: one that passes from here on is not lost
   if (PyErr_CheckSignals() != 0) throw nb::python_error();
   if (state_->deadline && state_->deadline->is_passed()) {
     PyErr_SetString(PyExc_TimeoutError, "the computation was stopped at its time limit");
@@ -221,7 +228,6 @@ void Computation::stopped() {
 }
 
 void Computation::run_aside(FunctionRef<void()> work) {
-  state_->signals.stop();
   std::atomic<bool> is_done = false;
   std::mutex mutex;
   std::condition_variable done;

@@ -78,8 +78,9 @@ class Computation {
   /// Returns where a handler decided that the program goes on: the computation is to be started anew, aside.
   void stopped();
 
-  /// Runs `work`, which throws nothing, in another thread, and the handlers of signals in this one meanwhile. With the
-  /// lock held. Signals alone no longer stop the computation, but what their handlers raise does, and is thrown.
+  /// After stopped(): runs `work`, which throws nothing, in another thread, and the handlers of signals in this one
+  /// meanwhile. With the lock held. Signals alone no longer stop the computation, but what their handlers raise does,
+  /// and is thrown.
   void run_aside(FunctionRef<void()> work);
 
  private:

@@ -232,6 +232,32 @@ def test_signals_that_never_stop_coming():
     assert len(seen) > 3
 
 
+def test_signals_that_come_while_a_handler_runs():
+    seen = []
+    is_within = False
+
+    def handler(number: int, frame: object) -> None:
+        nonlocal is_within
+        seen.append(number)
+        if is_within:
+            return
+        is_within = True
+        time.sleep(0.03)
+        is_within = False
+
+    before = signal.signal(signal.SIGALRM, handler)
+    try:
+        solids = [st.torus(3, 1, 200, 100).rotated((1, 2, 3), 9.0 * i) for i in range(8)]
+        expected = st.union(solids)
+        signal.setitimer(signal.ITIMER_REAL, 0.01, 0.01)
+        for _ in range(3):
+            assert np.array_equal(st.union(solids).triangles, expected.triangles)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert len(seen) > 3
+
+
 def test_handlers_that_a_callback_sets_stay():
     a = st.sphere(1, 200)
     try:
