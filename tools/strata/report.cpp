@@ -13,7 +13,7 @@ using strata::ExactMesh;
 
 namespace {
 
-bool measurable(const ExactMesh& mesh) {
+bool is_measurable(const ExactMesh& mesh) {
   const auto is_finite = [](double x) { return std::isfinite(x); };
   for (const strata::Triangle& t : mesh.mesh.triangles)
     for (const std::uint32_t v : t)
@@ -77,7 +77,7 @@ Json to_json(std::span<const Defect> defects) {
 }
 
 Json measures(const ExactMesh& mesh, const Settings& settings) {
-  return measurable(mesh) ? to_json(mesh, measure(mesh, settings, false)) : to_json(mesh, std::nullopt);
+  return is_measurable(mesh) ? to_json(mesh, measure(mesh, settings, false)) : to_json(mesh, std::nullopt);
 }
 
 Json operand_report(const LoadedMesh& operand, std::span<const Defect> defects, const Settings& settings) {

@@ -144,15 +144,14 @@ std::size_t few_pairs(std::size_t faces) { return faces / 8 + 1; }
 /// One mesh of doubles, each vertex of which is the first of those in its place.
 class WeldedMesh {
  public:
-  explicit WeldedMesh(const InputComplex& mesh)
-      : triangles_(on_first_vertices(ExactMeshView({mesh.points(0), mesh.faces(0)}, {}))) {
+  explicit WeldedMesh(const InputComplex& mesh) : welded_(ExactMeshView({mesh.points(0), mesh.faces(0)}, {})) {
     const std::optional<Box> bounds = mesh.bounds(0) != nullptr ? std::optional(*mesh.bounds(0)) : std::nullopt;
-    complex_.add(mesh.points(0), triangles_, {}, bounds);
+    complex_.add(mesh.points(0), welded_.triangles(), {}, bounds);
   }
   [[nodiscard]] const InputComplex& complex() const { return complex_; }
 
  private:
-  std::vector<Triangle> triangles_;
+  OnFirstVertices welded_;
   InputComplex complex_{SelfIntersections::possible};
 };
 

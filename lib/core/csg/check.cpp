@@ -45,8 +45,8 @@ std::vector<Defect> check(ExactMeshView mesh, const Options& options, std::size_
     if (std::any_of(defects.begin(), defects.end(), is_error) || mesh.mesh.triangles.empty()) return defects;
     const Prepared prepared = mesh.exact.empty() ? prepare_closed(mesh.mesh, true) : prepare_exact(mesh);
     const ExactMeshView ready(prepared.mesh ? MeshView(*prepared.mesh) : mesh.mesh, mesh.exact);
-    const std::vector<Triangle> triangles = on_first_vertices(ready);
-    const auto more = Inspection({{ready.mesh.vertices, triangles}, mesh.exact}, monitor)
+    const OnFirstVertices welded(ready, monitor);
+    const auto more = Inspection({{ready.mesh.vertices, welded.triangles()}, mesh.exact}, monitor)
                           .defects(Severity::error, prepared.source_face, listed);
     defects.insert(defects.end(), more.begin(), more.end());
     return defects;
@@ -76,9 +76,9 @@ bool is_embedded(ExactMeshView mesh, const Options& options) {
     const Monitor monitor(options.cancel);
     if (!has_sound_faces(mesh)) return false;
     if (is_embedded_by_number(mesh, monitor)) return true;
-    const std::vector<Triangle> triangles = on_first_vertices(mesh);
-    return !std::equal(triangles.begin(), triangles.end(), mesh.mesh.triangles.begin()) &&
-           is_embedded_by_number({{mesh.mesh.vertices, triangles}, mesh.exact}, monitor);
+    const OnFirstVertices welded(mesh, monitor);
+    return !welded.are_given() &&
+           is_embedded_by_number({{mesh.mesh.vertices, welded.triangles()}, mesh.exact}, monitor);
   });
 }
 

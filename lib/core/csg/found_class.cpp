@@ -19,8 +19,8 @@ std::vector<Defect> to_resolve(const Operand& operand, std::size_t number, const
   if (operand.exact.empty() && is_plainly_solid(operand.mesh, monitor)) return {};
   const Prepared prepared = prepare({operand.mesh, operand.exact}, Options{}, number);
   const ExactMeshView ready(prepared.mesh ? MeshView(*prepared.mesh) : operand.mesh, operand.exact);
-  const std::vector<Triangle> triangles = on_first_vertices(ready);
-  return Inspection({{ready.mesh.vertices, triangles}, operand.exact}, monitor)
+  const OnFirstVertices welded(ready, monitor);
+  return Inspection({{ready.mesh.vertices, welded.triangles()}, operand.exact}, monitor)
       .defects(Severity::note, prepared.source_face);
 }
 

@@ -6,16 +6,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "core/exact/pace.h"
+#include "core/exact/vector.h"
 #include "core/kernel/disjoint_sets.h"
 #include "core/kernel/input_complex.h"
 #include "core/kernel/predicates.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/equal_vertices.h"
+#include "core/mesh/lattice_sum.h"
 #include "core/mesh/vertex_stars.h"
 
 namespace strata {
@@ -31,21 +35,70 @@ struct Spoke {
   bool leaves;     ///< the triangle's side starts at the vertex
 };
 
+/// A triangle at the vertex whose star is visited: its sides run from the vertex to `next`, and from `last` to it.
+struct Corner {
+  Index triangle, next, last;
+};
+
 /// Two triangles of one facet, with an edge in common.
 using FlatPair = std::pair<Index, Index>;
+
+/// A mesh whose facets are counted, and a filter in doubles for what is not flat.
+class Flatness {
+ public:
+  Flatness(ExactMeshView mesh, std::span<const Triangle> triangles) : points_(mesh.mesh.vertices) {
+    complex_.add(points_, triangles, mesh.exact);
+    if (!mesh.exact.empty()) error_ = largest_coordinate(points_) * 0x1p-52 + 0x1p-1074;
+  }
+
+  [[nodiscard]] const InputComplex& complex() const { return complex_; }
+
+  /// For an inner vertex and the others around it, in order: which edges to these are certain to be bent? A bit each.
+  ///
+  /// The edge is bent unless the determinant of three differences is 0. These are off by half a unit in the last place,
+  /// and by `error_` where vertices are rational. If no component is above L, the determinant is off by at most
+  /// 6 L^3 times 8 units (theory.md of the kernel, "Filters") and by 18 (L + error_)^2 error_.
+  [[nodiscard]] std::uint32_t bent_edges(Index center, std::span<const Corner> ring) const {
+    std::array<Vertex, most_corners> spokes;
+    double largest = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      spokes[i] = minus(points_[ring[i].next], points_[center]);
+      for (const double x : spokes[i]) largest = std::max(largest, std::abs(x));
+    }
+    constexpr double too_large = 0x1p+300;
+    if (!(largest < too_large)) return 0;
+    const double reach = largest + error_;
+    const double bound = largest * largest * largest * (48 * 0x1p-53) + reach * reach * error_ * 20 + 0x1p-1000;
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vertex &before = spokes[i == 0 ? ring.size() - 1 : i - 1],
+                   &after = spokes[i + 1 == ring.size() ? 0 : i + 1];
+      bits |= static_cast<std::uint32_t>(std::abs(dot(spokes[i], cross(before, after))) > bound) << i;
+    }
+    return bits;
+  }
+
+  static constexpr std::size_t most_corners = 8;  ///< of bent_edges
+
+ private:
+  std::span<const Vertex> points_;
+  InputComplex complex_;
+  double error_ = 0;  ///< of a difference of two coordinates
+};
 
 /// Looks at the stars of some vertices: counts what each adds, each edge at its lower vertex.
 class StarCensus {
  public:
-  StarCensus(const VertexStars& stars, std::span<const Triangle> triangles, const InputComplex* flat,
+  StarCensus(const VertexStars& stars, std::span<const Triangle> triangles, const Flatness* flatness,
              const Monitor& monitor)
-      : stars_(stars), triangles_(triangles), flat_(flat), monitor_(monitor) {}
-  StarCensus(StarCensus& other, tbb::split) : StarCensus(other.stars_, other.triangles_, other.flat_, other.monitor_) {}
+      : stars_(stars), triangles_(triangles), flatness_(flatness), monitor_(monitor) {}
+  StarCensus(StarCensus& other, tbb::split)
+      : StarCensus(other.stars_, other.triangles_, other.flatness_, other.monitor_) {}
 
   void operator()(const tbb::blocked_range<Index>& range) {
     monitor_.check();
     for (Index v = range.begin(); v != range.end(); ++v)
-      if (!stars_.at(v).empty()) visit(v);
+      if (!stars_.at(v).empty()) visit(v, stars_.at(v));
   }
   void join(const StarCensus& other) {
     vertices += other.vertices;
@@ -60,48 +113,53 @@ class StarCensus {
   std::vector<FlatPair> flat_pairs;
 
  private:
-  void visit(Index v) {
-    const std::span<const Index> star = stars_.at(v);
+  void visit(Index v, std::span<const Index> star) {
     ++vertices;
-    list_spokes(v, star);
-    if (!visit_closed(v, star)) visit_any(v, star);
+    if (!visit_inner(v, star)) visit_any(v, star);
   }
 
-  /// Small stars in which every edge has two triangles, which run against each other: triangle m is followed, around
-  /// the vertex, by the one that leaves where m comes in. Returns false, with nothing counted, for other stars.
-  bool visit_closed(Index v, std::span<const Index> star) {
-    constexpr Index most = 8;
-    const auto degree = static_cast<Index>(star.size());
-    if (degree > most) return false;
-    std::array<Index, most> following{};
-    for (Index m = 0; m < degree; ++m) {
-      Index followers = 0, followed = 0;
-      for (Index j = 0; j < degree; ++j) {
-        followed += coming(j).other == leaving(m).other;
-        if (leaving(j).other != coming(m).other) continue;
-        ++followers;
-        following[m] = j;
-      }
-      if (followers != 1 || followed != 1) return false;
+  /// Small stars that are one closed fan: each triangle is followed by the only one whose `next` is its `last`. Returns
+  /// false, with nothing counted, for others.
+  bool visit_inner(Index v, std::span<const Index> star) {
+    const std::size_t degree = star.size();
+    if (degree > Flatness::most_corners) return false;
+    std::array<Corner, Flatness::most_corners> storage;
+    const std::span<Corner> ring(storage.data(), degree);
+    for (std::size_t i = 0; i < degree; ++i) ring[i] = corner_of(star[i], v);
+    for (std::size_t i = 1; i < degree; ++i) {
+      const Index at = ring[i - 1].last;
+      std::size_t following = 0, count = 0;
+      for (std::size_t j = i; j < degree; ++j)
+        if (ring[j].next == at) {
+          following = j;
+          ++count;
+        }
+      if (count != 1 || at == ring.front().next) return false;
+      std::swap(ring[i], ring[following]);
     }
-    std::array<bool, most> seen{};
-    Index fans = 0;
-    for (Index first = 0; first < degree; ++first) {
-      fans += !seen[first];
-      for (Index m = first; !seen[m]; m = following[m]) seen[m] = true;
-    }
-    non_manifold_vertices += fans > 1;
-    for (Index m = 0; m < degree; ++m)
-      if (v < coming(m).other) {
-        ++edges;
-        if (flat_ != nullptr) add_if_flat(v, star, leaving(following[m]), coming(m));
-      }
+    if (ring.back().last != ring.front().next) return false;
+    for (const Corner& c : ring) edges += v < c.next;
+    if (flatness_ != nullptr) list_flat_pairs(v, ring);
     return true;
   }
-  [[nodiscard]] const Spoke& leaving(Index member) const { return spokes_[2 * member]; }
-  [[nodiscard]] const Spoke& coming(Index member) const { return spokes_[2 * member + 1]; }
+
+  void list_flat_pairs(Index v, std::span<const Corner> ring) {
+    const std::uint32_t bent = flatness_->bent_edges(v, ring);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (v > ring[i].next || (bent >> i & 1u) != 0) continue;
+      const Corner &after = ring[i], &before = ring[i == 0 ? ring.size() - 1 : i - 1];
+      add_if_flat(v, after.next, {after.triangle, after.last}, {before.triangle, before.next});
+    }
+  }
+
+  [[nodiscard]] Corner corner_of(Index triangle, Index v) const {
+    const Triangle& t = triangles_[triangle];
+    if (t[0] == v) return {triangle, t[1], t[2]};
+    return t[1] == v ? Corner{triangle, t[2], t[0]} : Corner{triangle, t[0], t[1]};
+  }
 
   void visit_any(Index v, std::span<const Index> star) {
+    list_spokes(v, star);
     std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& a, const Spoke& b) { return a.other < b.other; });
     fans_.assign(star.size());
     for (std::size_t begin = 0, end = 0; begin < spokes_.size(); begin = end) {
@@ -117,11 +175,9 @@ class StarCensus {
   void list_spokes(Index v, std::span<const Index> star) {
     spokes_.clear();
     for (Index m = 0; m < star.size(); ++m) {
-      const Triangle& t = triangles_[star[m]];
-      const std::size_t corner = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-      const Index next = t[(corner + 1) % 3], last = t[(corner + 2) % 3];
-      spokes_.push_back({next, m, last, true});
-      spokes_.push_back({last, m, next, false});
+      const Corner c = corner_of(star[m], v);
+      spokes_.push_back({c.next, m, c.last, true});
+      spokes_.push_back({c.last, m, c.next, false});
     }
   }
 
@@ -130,19 +186,22 @@ class StarCensus {
     ++edges;
     non_manifold_edges += uses.size() > 2;
     open_edges += 2 * static_cast<std::size_t>(leaving) != uses.size();
-    if (flat_ == nullptr) return;
+    if (flatness_ == nullptr) return;
     for (const Spoke& a : uses)
       for (const Spoke& b : uses)
-        if (a.leaves && !b.leaves) add_if_flat(v, star, a, b);
+        if (a.leaves && !b.leaves) add_if_flat(v, a.other, {star[a.member], a.opposite}, {star[b.member], b.opposite});
   }
 
-  void add_if_flat(Index v, std::span<const Index> star, const Spoke& a, const Spoke& b) {
-    if (are_one_facet(v, star[a.member], a, star[b.member], b)) flat_pairs.emplace_back(star[a.member], star[b.member]);
-  }
+  /// A triangle at an edge, and its third vertex.
+  struct Wing {
+    Index triangle, tip;
+  };
 
-  [[nodiscard]] bool are_one_facet(Index v, Index f, const Spoke& a, Index g, const Spoke& b) const {
-    return orient3d(*flat_, v, a.other, a.opposite, b.opposite) == Sign::zero &&
-           same_orientation(*flat_, f, g) == Sign::positive;
+  /// `a` has the side from v to w, `b` that from w to v.
+  void add_if_flat(Index v, Index w, const Wing& a, const Wing& b) {
+    if (orient3d(flatness_->complex(), v, w, a.tip, b.tip) == Sign::zero &&
+        same_orientation(flatness_->complex(), a.triangle, b.triangle) == Sign::positive)
+      flat_pairs.emplace_back(a.triangle, b.triangle);
   }
 
   /// Sets of a star's members.
@@ -172,7 +231,7 @@ class StarCensus {
 
   const VertexStars& stars_;
   std::span<const Triangle> triangles_;
-  const InputComplex* flat_;  ///< the mesh, if facets are counted
+  const Flatness* flatness_;  ///< if facets are counted
   const Monitor& monitor_;
   std::vector<Spoke> spokes_;
   Fans fans_;
@@ -192,40 +251,39 @@ std::uint64_t spanning_edges(std::span<const Triangle> triangles, std::size_t ve
   return count;
 }
 
-/// Of triangles on the first of their equal vertices. Facets are counted where there is a complex.
-Connections connections(std::span<const Triangle> triangles, std::size_t vertex_count, const InputComplex* complex,
+/// Of triangles on the first of their equal vertices. Facets are counted where flatness is given.
+Connections connections(std::span<const Triangle> triangles, std::size_t vertex_count, const Flatness* flatness,
                         const Monitor& monitor) {
-  const auto proper = static_cast<std::uint64_t>(
-      std::count_if(triangles.begin(), triangles.end(), [](const Triangle& t) { return !repeats_vertex(t); }));
   const VertexStars stars(triangles, vertex_count, monitor);
-  StarCensus census(stars, triangles, complex, monitor);
+  StarCensus census(stars, triangles, flatness, monitor);
   std::uint64_t spanning = 0;
   tbb::parallel_invoke(
       [&] { tbb::parallel_reduce(tbb::blocked_range<Index>(0, static_cast<Index>(vertex_count), 1 << 12), census); },
       [&] { spanning = spanning_edges(triangles, vertex_count, monitor); });
+  const std::uint64_t proper = stars.triangle_count();
   Connections result;
   result.topology = {census.vertices - spanning,
                      static_cast<std::int64_t>(census.vertices + proper) - static_cast<std::int64_t>(census.edges),
                      census.non_manifold_edges, census.non_manifold_vertices, census.open_edges};
-  if (complex != nullptr) {
-    DisjointSets<Index> connected(triangles.size());
-    result.facets = proper;
-    for (const auto& [f, g] : census.flat_pairs) result.facets -= connected.unite(f, g);
-  }
+  if (flatness == nullptr) return result;
+  result.facets = proper;
+  if (census.flat_pairs.empty()) return result;
+  DisjointSets<Index> connected(triangles.size());
+  for (const auto& [f, g] : census.flat_pairs) result.facets -= connected.unite(f, g);
   return result;
 }
 
 }  // namespace
 
 Connections connections(ExactMeshView mesh, Facets facets, const Monitor& monitor) {
-  const std::vector<Triangle> triangles = on_first_vertices(mesh, monitor);
-  InputComplex complex;
-  if (facets == Facets::count) complex.add(mesh.mesh.vertices, triangles, mesh.exact);
-  return connections(triangles, mesh.mesh.vertices.size(), facets == Facets::count ? &complex : nullptr, monitor);
+  const OnFirstVertices welded(mesh, monitor);
+  std::optional<Flatness> flatness;
+  if (facets == Facets::count) flatness.emplace(mesh, welded.triangles());
+  return connections(welded.triangles(), mesh.mesh.vertices.size(), flatness ? &*flatness : nullptr, monitor);
 }
 
 Topology topology_of(const NearestMesh& mesh) {
-  return connections(on_first_vertices(mesh), mesh.mesh.vertices.size(), nullptr, {}).topology;
+  return connections(OnFirstVertices(mesh).triangles(), mesh.mesh.vertices.size(), nullptr, {}).topology;
 }
 
 Topology topology(const ExactMesh& mesh) { return connections(mesh, Facets::skip).topology; }

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,23 @@ namespace strata {
 
 /// The triangles of a mesh, each on the first of its equal vertices. Sheets that touch in a vertex then share it.
 [[nodiscard]] std::vector<Triangle> on_first_vertices(ExactMeshView mesh, const Monitor& monitor = {});
-[[nodiscard]] std::vector<Triangle> on_first_vertices(const NearestMesh& mesh);
+
+/// The same, to be looked at: where no vertices are equal, these are the triangles of the mesh, which must stay.
+class OnFirstVertices {
+ public:
+  explicit OnFirstVertices(ExactMeshView mesh, const Monitor& monitor = {});
+  explicit OnFirstVertices(const NearestMesh& mesh);
+  OnFirstVertices(const OnFirstVertices&) = delete;
+  OnFirstVertices& operator=(const OnFirstVertices&) = delete;
+
+  [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
+  [[nodiscard]] bool are_given() const { return changed_.empty(); }  ///< no triangle has another vertex than before
+
+ private:
+  OnFirstVertices(std::span<const Triangle> triangles, const std::optional<std::vector<std::uint32_t>>& first);
+
+  std::vector<Triangle> changed_;
+  std::span<const Triangle> triangles_;
+};
 
 }  // namespace strata

@@ -3,12 +3,14 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "core/exact/big_integer.h"
+#include "core/exact/double_double.h"
 #include "core/exact/pairwise_sum.h"
 #include "core/exact/scaled_root.h"
 #include "core/exact/vector.h"
@@ -72,6 +74,28 @@ long double fast_double_area(MeshView mesh, const SplitVertices& split, const Tr
   const long double least = std::ldexp(static_cast<long double>(split.error()), 67);
   if (squared_length(u) < least * least || squared_length(v) < least * least) return -1;
   return fast_double_area(u, v);
+}
+
+struct BoundedArea {
+  long double value, error;
+};
+
+/// The same for any triangle, with a bound on the error, by sums of two doubles that carry such bounds.
+BoundedArea bounded_double_area(MeshView mesh, const SplitVertices& split, const Triangle& t) {
+  const auto corner = [&](std::size_t i) {
+    const Vertex& high = mesh.vertices[t[i]];
+    const Vertex* const low = split.low(t[i]);
+    std::array<DoubleDouble, 3> point;
+    for (std::size_t k = 0; k < 3; ++k)
+      point[k] = low != nullptr ? DoubleDouble(high[k], (*low)[k], split.error()) : DoubleDouble(high[k]);
+    return point;
+  };
+  const auto a = corner(0), normal = cross(minus(corner(1), a), minus(corner(2), a));
+  const DoubleDouble squared = dot(normal, normal);
+  // Roots of numbers that differ by e differ by at most the root of e, and by e over the root of the larger one.
+  const long double error = squared.error, area = std::sqrt(std::max<long double>(squared.value, 0));
+  return {std::sqrt(std::max<long double>(static_cast<long double>(squared.value) + squared.low, 0)),
+          squared.value > 0 ? std::min(std::sqrt(error), error / area) : std::sqrt(error)};
 }
 
 using Range = tbb::blocked_range<std::size_t>;
@@ -198,9 +222,9 @@ class PrismSum {
   bool is_complete_ = true;
 };
 
-/// A sum with what its roundings lost (Neumaier 1974).
+/// A sum with what its roundings lost (Neumaier 1974), and a bound on the errors of its terms.
 struct CompensatedSum {
-  long double sum = 0, lost = 0;
+  long double sum = 0, lost = 0, error = 0;
 
   void add(long double term) {
     const long double next = sum + term;
@@ -208,6 +232,39 @@ struct CompensatedSum {
     sum = next;
   }
 };
+
+/// How thin triangles are measured whose rational corners are too near each other for sums of two doubles.
+enum class ThinTriangles : bool { bounded, exact };
+
+/// Twice the area. Ranges are divided in the same places for any number of threads, so that roundings are the same.
+CompensatedSum double_area_of(const ExactMesh& mesh, const SplitVertices& split, ThinTriangles thin,
+                              const Monitor& monitor) {
+  const auto& v = mesh.mesh.vertices;
+  const auto add = [&](const Range& range, CompensatedSum sum) {
+    monitor.check();
+    for (std::size_t f = range.begin(); f != range.end(); ++f) {
+      const Triangle& t = mesh.mesh.triangles[f];
+      long double term =
+          split.any_low(t) ? fast_double_area(mesh.mesh, split, t) : fast_double_area(v[t[0]], v[t[1]], v[t[2]]);
+      if (term < 0) {
+        const BoundedArea bounded = bounded_double_area(mesh.mesh, split, t);
+        const bool is_sure = bounded.error <= bounded.value * 0x1p-56L;
+        term = is_sure || thin == ThinTriangles::bounded ? bounded.value : exact_double_area(mesh, t);
+        if (!is_sure && thin == ThinTriangles::bounded) sum.error += bounded.error;
+      }
+      sum.add(term);
+    }
+    return sum;
+  };
+  const auto join = [](CompensatedSum a, const CompensatedSum& b) {
+    a.add(b.sum);
+    a.lost += b.lost;
+    a.error += b.error;
+    return a;
+  };
+  return tbb::parallel_deterministic_reduce(Range(0, mesh.mesh.triangles.size(), triangles_at_once), CompensatedSum{},
+                                            add, join);
+}
 
 Rational volume_of(ExactMeshView mesh, const Monitor& monitor) {
   std::vector<bool> is_exact(mesh.exact.empty() ? 0 : mesh.mesh.vertices.size(), false);
@@ -246,28 +303,11 @@ ClosedVolume volume_of_closed(ExactMeshView mesh, const Monitor& monitor) {
   return {nearest, std::move(exact)};
 }
 
-// Ranges are divided in the same places for any number of threads, so that roundings are the same.
+// The errors of triangles that are thinner than two doubles tell matter only where nearly all are so thin.
 double area_of(const ExactMesh& mesh, const Monitor& monitor) {
   const SplitVertices split(mesh);
-  const auto& v = mesh.mesh.vertices;
-  const auto add = [&](const Range& range, CompensatedSum sum) {
-    monitor.check();
-    for (std::size_t f = range.begin(); f != range.end(); ++f) {
-      const Triangle& t = mesh.mesh.triangles[f];
-      long double term =
-          split.any_low(t) ? fast_double_area(mesh.mesh, split, t) : fast_double_area(v[t[0]], v[t[1]], v[t[2]]);
-      if (term < 0) term = exact_double_area(mesh, t);
-      sum.add(term);
-    }
-    return sum;
-  };
-  const auto join = [](CompensatedSum a, const CompensatedSum& b) {
-    a.add(b.sum);
-    a.lost += b.lost;
-    return a;
-  };
-  const CompensatedSum total = tbb::parallel_deterministic_reduce(
-      Range(0, mesh.mesh.triangles.size(), triangles_at_once), CompensatedSum{}, add, join);
+  CompensatedSum total = double_area_of(mesh, split, ThinTriangles::bounded, monitor);
+  if (!(total.error <= total.sum * 0x1p-56L)) total = double_area_of(mesh, split, ThinTriangles::exact, monitor);
   return static_cast<double>((total.sum + total.lost) / 2);
 }
 

@@ -16,6 +16,7 @@ class VertexStars {
   VertexStars(std::span<const Triangle> triangles, std::size_t vertex_count, const Monitor& monitor = {});
 
   [[nodiscard]] std::size_t vertex_count() const { return begin_.size() - 1; }
+  [[nodiscard]] std::size_t triangle_count() const { return triangles_.size() / 3; }  ///< without those left out
   [[nodiscard]] std::span<const std::uint32_t> at(std::uint32_t vertex) const {
     return std::span(triangles_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
   }
