@@ -18,11 +18,11 @@ MovingMesh moving(Mesh mesh) {
   return MovingMesh(std::move(mesh), std::move(source), std::vector<double>(count, 0));
 }
 
-/// Changes all of it in place, so that it is the region.
+/// Changes all of it in place, as if it had been rounded, so that it is the region.
 MovingMesh changed(const Mesh& mesh) {
   MovingMesh result = moving(mesh);
   std::vector<VertexMove> moves;
-  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) moves.push_back({v, v, mesh.vertices[v], 0});
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) moves.push_back({v, v, mesh.vertices[v], 0x1p-53});
   result.move(moves);
   return result;
 }

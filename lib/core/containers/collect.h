@@ -17,7 +17,10 @@ template <class IsWanted>
     for (std::size_t n = block * size; n < std::min(count, (block + 1) * size); ++n)
       if (is_wanted(static_cast<std::uint32_t>(n))) found[block].push_back(static_cast<std::uint32_t>(n));
   });
+  std::size_t total = 0;
+  for (const auto& f : found) total += f.size();
   std::vector<std::uint32_t> all;
+  all.reserve(total);
   for (const auto& f : found) all.insert(all.end(), f.begin(), f.end());
   return all;
 }

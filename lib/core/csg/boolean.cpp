@@ -85,7 +85,7 @@ BooleanResult finished(const InputComplex& input, const std::vector<Verdict>& ve
   result.sources = std::move(boundary.sources);
   if (options.rounding && !options.exact_vertices) {
     const NearestMesh nearest{result.mesh, rounded_vertices(input, boundary, result.mesh.vertices, monitor),
-                              [&](std::uint32_t vertex) { return exact_position(input, boundary, vertex); }};
+                              [&](std::uint32_t a, std::uint32_t b) { return are_equal(input, boundary, a, b); }};
     round_result(nearest, *options.rounding, monitor, result);
   }
   return result;

@@ -117,7 +117,8 @@ Prepared without_degenerate_faces(const Mesh& mesh) {
 bool winds_like_a_solid(const MovingMesh& mesh, const ChangedRegion& region, const Monitor& monitor) {
   if (region.keeps_windings()) return true;
   if (region.is_all())
-    return windings_are_those_of_a_solid(region.part(), region.stars() ? &*region.stars() : nullptr, monitor);
+    return region.part().triangles.empty() ||
+           windings_are_those_of_a_solid(region.part(), region.stars() ? &*region.stars() : nullptr, monitor);
   std::vector<Triangle> triangles = on_first_vertices(ExactMeshView(mesh.mesh(), {}));
   std::erase_if(triangles, repeats_vertex);
   return triangles.empty() || windings_are_those_of_a_solid({mesh.mesh().vertices, triangles}, nullptr, monitor);
@@ -143,7 +144,8 @@ class SolidRounding {
       const std::vector<std::uint32_t> wrong = region.wrong_faces(monitor_);
       if (region.is_complete()) moving.set_searched(wrong);
       if (wrong.empty() && winds_like_a_solid(moving, region, monitor_)) {
-        const std::vector<VertexMove> met = vertices_that_met(moving, region, report.rounds == 0);
+        const std::vector<VertexMove> met =
+            vertices_that_met(moving, region, report.rounds == 0 && !region.has_collapsed());
         moving.move(met);
         return finished(std::move(moving), &region, report, !met.empty());
       }
@@ -205,7 +207,7 @@ class SolidRounding {
       return std::binary_search(exact_.rounded.begin(), exact_.rounded.end(), v);
     };
     if (is_rounded(a) != is_rounded(b) || exact_.mesh.vertices[a] != exact_.mesh.vertices[b]) return false;
-    return !is_rounded(a) || exact_.position(a) == exact_.position(b);
+    return !is_rounded(a) || exact_.are_equal(a, b);
   }
 
   [[noreturn]] void refuse(std::size_t v) const {

@@ -83,7 +83,7 @@ std::optional<Numbers> first_equal(const NearestMesh& mesh) {
   std::vector<bool> is_rounded(mesh.mesh.vertices.size(), false);
   for (const std::uint32_t v : mesh.rounded) is_rounded[v] = true;
   return first_equal(mesh.mesh.vertices, [&](std::uint32_t a, std::uint32_t b) {
-    return is_rounded[a] == is_rounded[b] && (a == b || !is_rounded[a] || mesh.position(a) == mesh.position(b));
+    return is_rounded[a] == is_rounded[b] && (a == b || !is_rounded[a] || mesh.are_equal(a, b));
   });
 }
 
@@ -133,7 +133,8 @@ OnFirstVertices::OnFirstVertices(ExactMeshView mesh, const Monitor& monitor)
 OnFirstVertices::OnFirstVertices(const NearestMesh& mesh) : OnFirstVertices(mesh.mesh.triangles, first_equal(mesh)) {}
 
 NearestMesh NearestMesh::of(const ExactMesh& exact) {
-  NearestMesh nearest{exact.mesh, {}, [&exact](std::uint32_t vertex) { return exact.position(vertex); }};
+  NearestMesh nearest{
+      exact.mesh, {}, [&exact](std::uint32_t a, std::uint32_t b) { return exact.position(a) == exact.position(b); }};
   for (const ExactVertex& e : exact.exact) nearest.rounded.push_back(e.vertex);
   return nearest;
 }

@@ -1,11 +1,16 @@
 #include "core/round/flatten.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "core/containers/collect.h"
+#include "core/containers/huge_pages.h"
 #include "core/exact/double_double.h"
 #include "core/mesh/planar_chain.h"
 #include "core/mesh/planar_levels.h"
@@ -66,6 +71,13 @@ struct ViewedPlane {
     if (std::ldexp(range.lower, lift) > height.lower()) range.lower = std::nextafter(range.lower, -Box::infinity);
     if (std::ldexp(range.upper, lift) < height.upper()) range.upper = std::nextafter(range.upper, Box::infinity);
     return range;
+  }
+
+  /// False only if the height, either way, is above this. The rounding errors of the sum are below 16 units.
+  [[nodiscard]] bool may_be_within(const Vertex& p, double reach) const {
+    double h = 0;
+    for (std::size_t i = 0; i < 3; ++i) h += normal[i] * (p[i] - at[i]);
+    return !(std::abs(h) > reach + (size(p) + size(at)) * 0x1p-49 + 0x1p-1070);
   }
 
  private:
@@ -155,6 +167,37 @@ class Piles {
   std::vector<std::vector<std::size_t>> neighbours_;
   mutable std::vector<Index> far_;
 };
+
+/// A face about whose plane a pile is looked for.
+struct Seed {
+  Index face;
+  ViewedPlane plane;
+  double reach;
+};
+
+/// Of some faces, those that may be of a pile about one of the planes, and all that have a vertex of these: what
+/// decides on piles, and on how they are connected. All of them where there are many planes.
+std::vector<Index> faces_about(MeshView mesh, const std::vector<Index>& faces, std::span<const Seed> seeds) {
+  constexpr std::size_t many = 32;
+  if (seeds.size() > many) return faces;
+  const auto is_near = [&](const Triangle& t, const Seed& seed) {
+    return std::all_of(t.begin(), t.end(),
+                       [&](Index v) { return seed.plane.may_be_within(mesh.vertices[v], seed.reach); });
+  };
+  std::vector<char> has_near_face;  // per vertex
+  resize_fresh(has_near_face, mesh.vertices.size());
+  tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t n) {
+    const Triangle& t = mesh.triangles[faces[n]];
+    if (std::any_of(seeds.begin(), seeds.end(), [&](const Seed& seed) { return is_near(t, seed); }))
+      for (const Index v : t) std::atomic_ref(has_near_face[v]).store(1, std::memory_order_relaxed);
+  });
+  std::vector<Index> about = collect(faces.size(), [&](std::uint32_t n) {
+    const auto [a, b, c] = mesh.triangles[faces[n]];
+    return (has_near_face[a] | has_near_face[b] | has_near_face[c]) != 0;
+  });
+  for (Index& n : about) n = faces[n];
+  return about;
+}
 
 bool is_same(const facets::Chain& a, const facets::Chain& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const facets::NetEdge& e, const facets::NetEdge& f) {
@@ -318,15 +361,13 @@ std::optional<Filling> filling_of(MeshView mesh, const Pile& pile, const GridRou
 
 bool flatten(MovingMesh& mesh, const ChangedRegion& region, const std::vector<Index>& wrong, const GridRounding& grid,
              double reach) {
-  struct Seed {
-    Index face;
-    ViewedPlane plane;
-  };
   std::vector<Seed> seeds;
   for (const Index f : wrong) {
     const auto& [a, b, c] = mesh.mesh().triangles[f];
     const std::span<const Vertex> points = mesh.mesh().vertices;
-    if (mesh.is_left(f)) seeds.push_back({f, ViewedPlane(points[a], points[b], points[c])});
+    if (!mesh.is_left(f)) continue;
+    const ViewedPlane plane(points[a], points[b], points[c]);
+    if (plane.area != std::pair(0.0, 0.0)) seeds.push_back({f, plane, reach * grid.unit_at(size(plane.at))});
   }
   std::stable_sort(seeds.begin(), seeds.end(),
                    [](const Seed& a, const Seed& b) { return a.plane.area > b.plane.area; });
@@ -335,19 +376,19 @@ bool flatten(MovingMesh& mesh, const ChangedRegion& region, const std::vector<In
     const std::vector<Index>& among;
     bool may_divide;
   };
+  const std::vector<Index> about = faces_about(mesh.mesh(), region.faces(), seeds);
   bool is_changed = false;
-  for (const auto& [among, may_divide] :
-       {Attempt{wrong, false}, Attempt{region.faces(), false}, Attempt{wrong, true}}) {
+  for (const auto& [among, may_divide] : {Attempt{wrong, false}, Attempt{about, false}, Attempt{wrong, true}}) {
     const Piles piles(mesh, among, region.wrong_pairs());
     std::vector<bool> taken(mesh.mesh().triangles.size(), false);
     for (const Seed& seed : seeds) {
-      if (taken[seed.face] || !mesh.is_left(seed.face) || seed.plane.area == std::pair(0.0, 0.0)) continue;
-      const double unit = grid.unit_at(size(seed.plane.at));
-      const Pile pile = piles.pile_of(seed.face, seed.plane, reach * unit, taken);
+      if (taken[seed.face] || !mesh.is_left(seed.face)) continue;
+      const Pile pile = piles.pile_of(seed.face, seed.plane, seed.reach, taken);
       const auto filling = filling_of(mesh.mesh(), pile, grid, may_divide);
       if (!filling) continue;
       for (const Vertex& v : filling->added) (void)mesh.add_vertex(v);
-      mesh.replace(pile.faces, filling->triangles, pile.thickness() + (filling->added.empty() ? 0 : unit));
+      const double rounding = filling->added.empty() ? 0 : grid.unit_at(size(seed.plane.at));
+      mesh.replace(pile.faces, filling->triangles, pile.thickness() + rounding);
       is_changed = true;
     }
   }

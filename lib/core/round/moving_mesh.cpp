@@ -82,32 +82,32 @@ void MovingMesh::move(std::span<const VertexMove> moves) {
                      });
   if (!stays) copy_given();
   const MeshView mesh = this->mesh();
-  std::vector<bool> moves_away(mesh.vertices.size(), false);
-  for (const VertexMove& m : moves) moves_away[m.vertex] = true;
+  std::vector<std::uint32_t> move_at;  // per vertex
+  resize_fresh(move_at, mesh.vertices.size(), none);
+  tbb::parallel_for(std::size_t{0}, moves.size(),
+                    [&](std::size_t n) { move_at[moves[n].vertex] = static_cast<std::uint32_t>(n); });
   const std::uint32_t first_to_move = moves.front().vertex;  // constructed vertices are the last ones of a result
   std::vector<std::uint32_t> touched = collect(mesh.triangles.size(), [&](std::uint32_t f) {
     const auto [a, b, c] = mesh.triangles[f];
     if (a < first_to_move && b < first_to_move && c < first_to_move) return false;
-    return (moves_away[a] || moves_away[b] || moves_away[c]) && !repeats_vertex(mesh.triangles[f]);
+    return (move_at[a] != none || move_at[b] != none || move_at[c] != none) && !repeats_vertex(mesh.triangles[f]);
   });
-  const auto move_of = [&](std::uint32_t v) -> const VertexMove& {
-    return *std::lower_bound(moves.begin(), moves.end(), v,
-                             [](const VertexMove& m, std::uint32_t w) { return m.vertex < w; });
-  };
   if (2 * touched.size() > mesh.triangles.size()) swept_.reset();
   if (is_as_given()) moved_.resize(touched.size());
   const std::size_t before = swept_ ? swept_->size() : 0;
   if (swept_) swept_->resize(before + touched.size());
+  std::vector<char> is_elsewhere(touched.size(), 0);
   tbb::parallel_for(std::size_t{0}, touched.size(), [&](std::size_t n) {
     const std::uint32_t f = touched[n];
     if (swept_) (*swept_)[before + n] = box_around(mesh, f);
     double way = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t v = mesh.triangles[f][i];
-      if (!moves_away[v]) continue;
-      const VertexMove& m = move_of(v);
+      if (move_at[v] == none) continue;
+      const VertexMove& m = moves[move_at[v]];
       if (swept_) (*swept_)[before + n].include(m.to);
       way = std::max(way, m.way);
+      if (m.way > 0 || m.to != mesh.vertices[v]) is_elsewhere[n] = 1;
       if (!is_as_given()) mesh_.triangles[f][i] = m.becomes;
     }
     moved_[is_as_given() ? n : f] += way;
@@ -116,6 +116,12 @@ void MovingMesh::move(std::span<const VertexMove> moves) {
     if (is_as_given()) break;
     mesh_.vertices[m.vertex] = m.to;
     has_unused_ = has_unused_ || m.becomes != m.vertex;
+  }
+  if (!swept_ && !is_as_given()) {  // names of edges do not matter then
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < touched.size(); ++n)
+      if (is_elsewhere[n] != 0) touched[kept++] = touched[n];
+    touched.resize(kept);
   }
   add_changed(std::move(touched));
 }

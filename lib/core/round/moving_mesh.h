@@ -51,7 +51,8 @@ class MovingMesh {
   [[nodiscard]] bool is_left(std::uint32_t face) const { return !repeats_vertex(mesh().triangles[face]); }
   [[nodiscard]] Box box(std::uint32_t face) const { return box_of(mesh(), face); }
 
-  /// At most one move per vertex, by increasing vertex; what a vertex becomes does not move. O(n), in parallel.
+  /// At most one move per vertex, by increasing vertex; what a vertex becomes does not move. Once `swept` is
+  /// everywhere, a vertex that becomes one in the same place changes no triangle. O(n), in parallel.
   void move(std::span<const VertexMove> moves);
   /// Each triangle in one flip at most.
   void flip(std::span<const FlatFlip> flips);

@@ -7,9 +7,16 @@
 #include "core/containers/for_each_index.h"
 #include "core/containers/huge_pages.h"
 #include "core/exact/big_integer.h"
+#include "core/kernel/predicates.h"
 
 namespace strata {
 namespace {
+
+RationalPoint exact_position(const InputComplex& input, const Boundary& boundary, std::uint32_t vertex) {
+  if (vertex < boundary.inputs.size())
+    if (const RationalPoint* given = input.exact(boundary.inputs[vertex])) return *given;
+  return exact_position(input, boundary.points.point(boundary.point(vertex)));
+}
 
 /// The vertices that may not be three doubles.
 std::vector<std::uint32_t> candidates_for_rounding(const InputComplex& input, const Boundary& boundary) {
@@ -47,10 +54,8 @@ std::vector<Vertex> round_to_doubles(const InputComplex& input, const Boundary& 
   return rounded;
 }
 
-RationalPoint exact_position(const InputComplex& input, const Boundary& boundary, std::uint32_t vertex) {
-  if (vertex < boundary.inputs.size())
-    if (const RationalPoint* given = input.exact(boundary.inputs[vertex])) return *given;
-  return exact_position(input, boundary.points.point(boundary.point(vertex)));
+bool are_equal(const InputComplex& input, const Boundary& boundary, std::uint32_t a, std::uint32_t b) {
+  return equal(input, boundary.points.point(boundary.point(a)), boundary.points.point(boundary.point(b)));
 }
 
 std::vector<std::uint32_t> rounded_vertices(const InputComplex& input, const Boundary& boundary,

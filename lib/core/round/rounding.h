@@ -18,8 +18,8 @@ namespace strata {
 [[nodiscard]] std::vector<std::uint32_t> rounded_vertices(const InputComplex& input, const Boundary& boundary,
                                                           const std::vector<Vertex>& rounded, const Monitor& monitor);
 
-/// The exact position of a vertex of the boundary.
-[[nodiscard]] RationalPoint exact_position(const InputComplex& input, const Boundary& boundary, std::uint32_t vertex);
+/// Whether two vertices of the boundary have one position. Exact; mostly in sums of two doubles.
+[[nodiscard]] bool are_equal(const InputComplex& input, const Boundary& boundary, std::uint32_t a, std::uint32_t b);
 
 /// The exact positions of those vertices that differ from `rounded`.
 [[nodiscard]] std::vector<ExactVertex> exact_positions(const InputComplex& input, const Boundary& boundary,

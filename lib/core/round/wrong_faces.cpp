@@ -72,32 +72,44 @@ InputComplex complex_of(std::span<const Vertex> vertices, std::span<const Triang
 ChangedRegion::ChangedRegion(const MovingMesh& mesh, const Monitor& monitor)
     : mesh_(mesh), faces_(faces_to_search(mesh)) {
   monitor.check();
+  is_all_ = 2 * mesh.changed().size() > mesh.mesh().triangles.size() || faces_.size() == mesh.mesh().triangles.size();
   part_ = part_of(mesh.mesh(), faces_, vertices_);
   const std::vector<std::uint32_t> first = strata::equal_vertices(part_.vertices);
   for (std::uint32_t v = 0; v < first.size(); ++v)
     if (first[v] != v) equal_.emplace_back(vertices_[v], vertices_[first[v]]);
   if (equal_.empty()) return;
-  for (Triangle& t : part_.triangles)
-    for (std::uint32_t& v : t) v = first[v];
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const auto [a, b, c] = part_.triangles[f];
+    const Triangle t{first[a], first[b], first[c]};
+    if (repeats_vertex(t)) {
+      collapsed_at_.resize(first.size(), false);
+      for (const std::uint32_t v : t) collapsed_at_[v] = true;
+      continue;
+    }
+    part_.triangles[kept] = t;
+    faces_[kept++] = faces_[f];
+  }
+  part_.triangles.resize(kept);
+  faces_.resize(kept);
 }
 
 std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor, std::size_t enough) {
   const ZeroAreaTest has_no_area(part_);
-  const auto is_flat = [&](std::uint32_t f) { return repeats_vertex(part_.triangles[f]) || has_no_area(f); };
-  const std::vector<std::uint32_t> flat = collect(faces_.size(), is_flat);
-  has_area_everywhere_ = flat.empty();
+  const std::vector<std::uint32_t> flat = collect(faces_.size(), has_no_area);
+  has_area_everywhere_ = flat.empty() && !has_collapsed();
   std::vector<std::uint32_t> wrong = flat;
+  const InputComplex complex = complex_of(part_.vertices, part_.triangles);
+  if (is_all()) stars_.emplace(complex, monitor);
+  const EmbeddedStars* const stars = stars_ ? &*stars_ : nullptr;
   if (flat.empty()) {
-    const InputComplex complex = complex_of(part_.vertices, part_.triangles);
-    if (is_all()) stars_.emplace(complex, monitor);
-    for (const auto& s : find_self_intersections(complex, stars_ ? &*stars_ : nullptr, monitor, enough))
-      pairs_.emplace_back(s.face, s.other);
+    for (const auto& s : find_self_intersections(complex, stars, monitor, enough)) pairs_.emplace_back(s.face, s.other);
   } else {
     const std::vector<std::uint32_t> sound =
         collect(faces_.size(), [&](std::uint32_t f) { return !std::binary_search(flat.begin(), flat.end(), f); });
     std::vector<Triangle> triangles;
     for (const std::uint32_t f : sound) triangles.push_back(part_.triangles[f]);
-    for (const auto& s : find_self_intersections(complex_of(part_.vertices, triangles), nullptr, monitor, enough))
+    for (const auto& s : find_self_intersections(complex_of(part_.vertices, triangles), stars, monitor, enough))
       pairs_.emplace_back(sound[s.face], sound[s.other]);
   }
   is_complete_ = pairs_.size() < enough;
@@ -117,14 +129,18 @@ bool ChangedRegion::keeps_windings() const {
   std::vector<bool> is_changed(faces_.size());
   for (std::uint32_t f = 0; f < faces_.size(); ++f)
     is_changed[f] = std::binary_search(mesh_.changed().begin(), mesh_.changed().end(), faces_[f]);
+  const auto had_collapsed = [&](const EdgeUse& use) {
+    return has_collapsed() && (collapsed_at_[use.low] || collapsed_at_[use.high]);
+  };
   const auto is_lost = [&](const EdgeUse& use) {
     return mesh_.lost_sides().contains({vertices_[use.low], vertices_[use.high]});
   };
   DisjointSets<std::uint32_t> patches(faces_.size());
   std::vector<std::uint32_t> beside_known;  // faces with a side that a face outside the region has, too
   for_each_edge(edge_table(part_.triangles, part_.vertices.size()), [&](std::span<const EdgeUse> uses) {
-    const bool changed =
-        std::any_of(uses.begin(), uses.end(), [&](const EdgeUse& u) { return is_changed[u.triangle]; });
+    const bool changed = had_collapsed(uses[0]) || std::any_of(uses.begin(), uses.end(), [&](const EdgeUse& u) {
+                           return is_changed[u.triangle];
+                         });
     if (changed ? uses.size() != 2 || net_uses(uses) != 0 : is_lost(uses[0])) return;
     for (const EdgeUse& use : uses) patches.unite(uses[0].triangle, use.triangle);
     if (net_uses(uses) != 0) beside_known.push_back(uses[0].triangle);

@@ -11,7 +11,7 @@
 namespace strata {
 
 /// The faces near those that changed: all of a closed mesh that rounding can have made wrong. Vertices with equal
-/// coordinates are one here.
+/// coordinates are one here, and faces that have two of them are not there.
 class ChangedRegion {
  public:
   /// Faces that meet a box of `swept`, or, if that is everything, the box of a changed face. O(n + m log m) for m of
@@ -24,7 +24,7 @@ class ChangedRegion {
 
   /// True when it found all.
   [[nodiscard]] bool is_complete() const { return is_complete_; }
-  /// True when none of its faces has no area, if it was called.
+  /// True when none of its faces has no area, nor any that is not there, if it was called.
   [[nodiscard]] bool has_area_everywhere() const { return has_area_everywhere_; }
   /// Of these, the pairs that meet, if it was called.
   [[nodiscard]] const std::vector<std::pair<std::uint32_t, std::uint32_t>>& wrong_pairs() const { return pairs_; }
@@ -33,10 +33,11 @@ class ChangedRegion {
   /// faces are wrong. See round/theory.md.
   [[nodiscard]] bool keeps_windings() const;
 
-  /// True when the region is the whole mesh, without triangles that are no longer there.
-  [[nodiscard]] bool is_all() const { return faces_.size() == mesh_.mesh().triangles.size(); }
-  /// Its faces and their vertices, equal ones with one number. If it is the whole mesh, vertices that no face has are
-  /// left out.
+  /// True when the region is the whole mesh.
+  [[nodiscard]] bool is_all() const { return is_all_; }
+  /// True when there are faces with two equal vertices.
+  [[nodiscard]] bool has_collapsed() const { return !collapsed_at_.empty(); }
+  /// Its faces and their vertices, equal ones with one number.
   [[nodiscard]] const Mesh& part() const { return part_; }
   /// Of that part, if `wrong_faces` needed them.
   [[nodiscard]] const std::optional<EmbeddedStars>& stars() const { return stars_; }
@@ -55,8 +56,9 @@ class ChangedRegion {
   std::vector<std::uint32_t> faces_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> equal_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
-  Mesh part_;  ///< those faces; equal vertices are one
-  bool is_complete_ = false, has_area_everywhere_ = false;
+  Mesh part_;                       ///< those faces; equal vertices are one
+  std::vector<bool> collapsed_at_;  ///< per vertex of it: faces with two equal vertices had this one; empty if none
+  bool is_all_ = false, is_complete_ = false, has_area_everywhere_ = false;
   std::optional<EmbeddedStars> stars_;
   std::vector<std::uint32_t> vertices_;  ///< the mesh's number of each of its vertices
 };
