@@ -1,5 +1,6 @@
 #include <array>
 #include <catch2/catch.hpp>
+#include <functional>
 #include <random>
 
 #include "strata/measure.h"
@@ -71,6 +72,58 @@ TEST_CASE("measures of random sets of boxes agree with the canonical form", "[cs
       solid = k % 3 == 2 ? solid - next : k % 3 == 1 ? solid ^ next : solid | next;
     }
     check_measures(solid);
+  }
+}
+
+namespace {
+
+/// A plate whose upper side is a grid of cells, at these heights; its other sides are flat.
+ExactMesh plate(int cells, const std::function<Rational(int, int)>& height) {
+  ExactMesh mesh;
+  const int side = cells + 1;
+  for (const bool is_upper : {false, true})
+    for (int j = 0; j < side; ++j)
+      for (int i = 0; i < side; ++i) {
+        const Rational z = is_upper ? height(i, j) : Rational(-1);
+        const Vertex nearest{double(i), double(j), to_nearest_double(z)};
+        if (to_rational(nearest[2]) != z)
+          mesh.exact.push_back({static_cast<std::uint32_t>(mesh.mesh.vertices.size()), {Rational(i), Rational(j), z}});
+        mesh.mesh.vertices.push_back(nearest);
+      }
+  const auto at = [&](int i, int j, bool is_upper) {
+    return static_cast<std::uint32_t>((is_upper ? side * side : 0) + j * side + i);
+  };
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    mesh.mesh.triangles.insert(mesh.mesh.triangles.end(), {{a, b, c}, {a, c, d}});
+  };
+  for (int j = 0; j < cells; ++j)
+    for (int i = 0; i < cells; ++i) {
+      add(at(i, j, true), at(i + 1, j, true), at(i + 1, j + 1, true), at(i, j + 1, true));
+      add(at(i, j, false), at(i, j + 1, false), at(i + 1, j + 1, false), at(i + 1, j, false));
+    }
+  for (int i = 0; i < cells; ++i) {
+    add(at(i, 0, false), at(i + 1, 0, false), at(i + 1, 0, true), at(i, 0, true));
+    add(at(i + 1, cells, false), at(i, cells, false), at(i, cells, true), at(i + 1, cells, true));
+    add(at(0, i + 1, false), at(0, i, false), at(0, i, true), at(0, i + 1, true));
+    add(at(cells, i, false), at(cells, i + 1, false), at(cells, i + 1, true), at(cells, i, true));
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("facets of planes that doubles do not hold, and of bends that they hardly tell", "[csg]") {
+  CHECK(measure(plate(6, [](int i, int j) { return Rational(i, 3) + Rational(j, 7); })).facets == 6);
+  CHECK(measure(plate(6, [](int i, int j) { return Rational(i, 3) * i + Rational(j, 7); })).facets == 11);
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> kind(0, 7), exponent(20, 1100);
+    const ExactMesh mesh = plate(5, [&](int i, int j) {
+      const int k = i % 5 == 0 || j % 5 == 0 ? 0 : kind(random);
+      const Rational bend = Rational(1) / (Rational(Integer(1) << (seed % 2 == 0 ? 52 : exponent(random))));
+      return Rational(i, 3) - Rational(j, 5) + (k < 5 ? Rational(0) : k == 5 ? bend : Rational(bend / (k - 9)));
+    });
+    CHECK(measure(mesh).facets == canonical_form(mesh).facet_count());
   }
 }
 

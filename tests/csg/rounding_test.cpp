@@ -333,6 +333,17 @@ TEST_CASE("a ball within one unit vanishes, however many vertices it has", "[csg
   CHECK(check_rounded({ball, {}}, floats()).mesh.triangles.empty());
 }
 
+TEST_CASE("short sides collapse without repairs", "[csg][rounding]") {
+  // A corner is cut off by less than the step.
+  const Solid cube = box({0, 0, 0}, {8, 8, 8});
+  const Solid cut = cube - Solid(test::tetrahedron({8.5, 8.5, 8.5}, {6.5, 8.5, 8.5}, {8.5, 6.5, 8.5}, {8.5, 8.5, 6.5}));
+  REQUIRE(cut.exact_mesh().mesh.triangles.size() > 12);
+  const RoundedMesh r = check_rounded(cut.exact_mesh(), steps(2));
+  CHECK(r.report.rounds == 0);
+  CHECK(r.report.vanished_faces > 0);
+  CHECK(Solid(r.mesh) == cube);
+}
+
 TEST_CASE("shells that rounding turns inside out are gone", "[csg][rounding]") {
   // A flat pyramid, whose top goes below its base, far from a cube and within one.
   const Solid cube = box({0, 0, 0}, {8, 8, 8});

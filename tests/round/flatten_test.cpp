@@ -104,3 +104,32 @@ TEST_CASE("a search that ends early says so", "[round]") {
   CHECK_FALSE(all.wrong_faces({}).empty());
   CHECK(all.is_complete());
 }
+
+TEST_CASE("triangles that collapse are not searched", "[round]") {
+  // A pyramid over a square, one corner of which is cut off by a short side: its ends meet.
+  const Mesh pyramid{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0.2, 4, 0}, {0, 3.8, 0}, {1, 1, 4}},
+                     {{0, 1, 5}, {1, 2, 5}, {2, 3, 5}, {3, 4, 5}, {4, 0, 5}, {0, 2, 1}, {0, 3, 2}, {0, 4, 3}}};
+  MovingMesh mesh = moving(pyramid);
+  mesh.move(std::vector<VertexMove>{{3, 3, {0, 4, 0}, 0.2}, {4, 4, {0, 4, 0}, 0.2}});
+  ChangedRegion region(mesh, {});
+  CHECK(region.wrong_faces({}).empty());
+  CHECK(region.has_collapsed());
+  CHECK_FALSE(region.has_area_everywhere());
+  CHECK(region.faces() == std::vector<std::uint32_t>{0, 1, 2, 4, 5, 6});
+  CHECK(region.equal_vertices() == std::vector<std::pair<std::uint32_t, std::uint32_t>>{{4, 3}});
+}
+
+TEST_CASE("once all has moved, a vertex that only gets another number changes no triangle", "[round]") {
+  Mesh two = test::box({0, 0, 0}, {1, 1, 1});
+  two.vertices.push_back(two.vertices[0]);
+  two.triangles[0] = {8, two.triangles[0][1], two.triangles[0][2]};
+  REQUIRE(two.vertices[8] == two.vertices[0]);
+  MovingMesh mesh = changed(two);
+  REQUIRE_FALSE(mesh.swept());
+  mesh.set_searched({});
+  mesh.move(std::vector<VertexMove>{{8, 0, two.vertices[0], 0}});
+  CHECK(mesh.changed().empty());
+  CHECK(mesh.mesh().triangles[0][0] == 0);
+  mesh.move(std::vector<VertexMove>{{7, 7, {2, 2, 2}, 1}});
+  CHECK_FALSE(mesh.changed().empty());
+}
