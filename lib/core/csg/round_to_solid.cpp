@@ -19,6 +19,7 @@
 #include "core/csg/boolean.h"
 #include "core/csg/inspection.h"
 #include "core/exact/finite.h"
+#include "core/exact/number_text.h"
 #include "core/kernel/grid_rounding.h"
 #include "core/mesh/connections.h"
 #include "core/mesh/equal_vertices.h"
@@ -212,8 +213,8 @@ class SolidRounding {
 
   [[noreturn]] void refuse(std::size_t v) const {
     const Vertex& at = exact_.mesh.vertices[v];
-    throw std::invalid_argument("vertex " + std::to_string(v) + " at (" + std::to_string(at[0]) + ", " +
-                                std::to_string(at[1]) + ", " + std::to_string(at[2]) +
+    throw std::invalid_argument("vertex " + std::to_string(v) + " at (" + number_text(at[0]) + ", " +
+                                number_text(at[1]) + ", " + number_text(at[2]) +
                                 ") is beyond the largest number of the format");
   }
 

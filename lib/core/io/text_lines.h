@@ -7,19 +7,11 @@
 #include <string>
 #include <string_view>
 
+#include "core/exact/number_text.h"
 #include "core/io/blocks.h"
 #include "core/io/writers.h"
 
 namespace strata::io {
-
-/// The longest number: "-2.2250738585072014e-308" has 24 characters.
-inline constexpr std::size_t longest_number = 24;
-
-/// The shortest digits that read back the same.
-[[nodiscard]] inline std::string number_text(double x) {
-  std::array<char, longest_number> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
 
 inline char* append(char* at, std::string_view text) { return std::copy(text.begin(), text.end(), at); }
 

@@ -1,17 +1,11 @@
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
+#include "core/exact/number_text.h"
 #include "strata/errors.h"
 
 namespace strata {
 namespace {
-
-std::string shortest(double x) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, x).ptr;
-  return {buffer, end};
-}
 
 /// Defects for which the mesh is refused first, then those that were resolved.
 std::vector<Defect>& errors_first(std::vector<Defect>& defects) {
@@ -68,7 +62,7 @@ std::string describe(const Defect& defect) {
   if (!defect.message.empty()) text += ": " + defect.message;
   if (defect.where) {
     const auto& [x, y, z] = *defect.where;
-    text += " at (" + shortest(x) + ", " + shortest(y) + ", " + shortest(z) + ")";
+    text += " at (" + number_text(x) + ", " + number_text(y) + ", " + number_text(z) + ")";
   }
   if (!defect.faces.empty()) {
     text += defect.faces.size() == 1 ? ", face " : ", faces ";
