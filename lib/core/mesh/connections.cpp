@@ -78,7 +78,7 @@ class Flatness {
     return bits;
   }
 
-  static constexpr std::size_t most_corners = 8;  ///< of bent_edges
+  static constexpr std::size_t most_corners = 12;  ///< of bent_edges
 
  private:
   std::span<const Vertex> points_;

@@ -17,9 +17,6 @@ namespace strata {
 /// The same for exact coordinates.
 [[nodiscard]] std::vector<std::uint32_t> equal_vertices(ExactMeshView mesh, const Monitor& monitor = {});
 
-/// The same; positions are asked for only where the nearest doubles of two vertices are equal.
-[[nodiscard]] std::vector<std::uint32_t> equal_vertices(const NearestMesh& mesh);
-
 /// The triangles of a mesh, each on the first of its equal vertices. Sheets that touch in a vertex then share it.
 [[nodiscard]] std::vector<Triangle> on_first_vertices(ExactMeshView mesh, const Monitor& monitor = {});
 
@@ -27,7 +24,7 @@ namespace strata {
 class OnFirstVertices {
  public:
   explicit OnFirstVertices(ExactMeshView mesh, const Monitor& monitor = {});
-  explicit OnFirstVertices(const NearestMesh& mesh);
+  explicit OnFirstVertices(const NearestMesh& mesh);  ///< compares where nearest doubles are equal
   OnFirstVertices(const OnFirstVertices&) = delete;
   OnFirstVertices& operator=(const OnFirstVertices&) = delete;
 

@@ -1,16 +1,14 @@
 #include "core/overlap/self_intersections.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 
 #include "core/containers/packed_boxes.h"
+#include "core/containers/point_bounds.h"
 #include "core/kernel/face_box.h"
 #include "core/overlap/fans.h"
 #include "core/overlap/meeting.h"
@@ -56,22 +54,6 @@ class PairTest {
   PairIntersections intersections_;
 };
 
-/// Of the finite points: others are of no face.
-Box bounds_of(std::span<const Vertex> points) {
-  return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, points.size(), 1 << 14), Box(),
-      [&](const tbb::blocked_range<std::size_t>& range, Box box) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-          if (std::isfinite(points[i][0]) && std::isfinite(points[i][1]) && std::isfinite(points[i][2]))
-            box.include(points[i]);
-        return box;
-      },
-      [](Box a, const Box& b) {
-        a.include(b);
-        return a;
-      });
-}
-
 std::vector<Vertex> corners_of(const InputComplex& input, std::span<const std::uint32_t> faces) {
   std::vector<Vertex> corners;
   corners.reserve(3 * faces.size());
@@ -94,7 +76,7 @@ std::vector<SelfIntersection> find_self_intersections(const InputComplex& input,
     return keys;
   };
   const PackedBoxes boxes(
-      input.face_count(0), bounds_of(input.points(0)), [&](std::uint32_t face) { return face_box(input, face); },
+      input.face_count(0), bounds_of_finite(input.points(0)), [&](std::uint32_t face) { return face_box(input, face); },
       keys_of);
   tbb::enumerable_thread_specific<PairTest> tests([&] { return PairTest(input); });
 

@@ -48,7 +48,7 @@ std::vector<Vertex> round_to_doubles(const InputComplex& input, const Boundary& 
   resize_fresh(rounded, boundary.inputs.size() + boundary.constructed.size());
   for_each_index(boundary.inputs.size(), 1024, monitor,
                  [&](std::size_t i) { rounded[i] = input.vertex(boundary.inputs[i]); });
-  for_each_index(boundary.constructed.size(), 64, monitor, [&](std::size_t i) {
+  for_each_index(boundary.constructed.size(), 8, monitor, [&](std::size_t i) {
     rounded[boundary.inputs.size() + i] = nearest_doubles(input, boundary.points.constructed(boundary.constructed[i]));
   });
   return rounded;

@@ -1,8 +1,12 @@
 #include "core/winding/ray_windings.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "core/containers/huge_pages.h"
+#include "core/containers/point_bounds.h"
 #include "core/kernel/face_box.h"
 #include "core/kernel/predicates.h"
 #include "core/kernel/ray_crossing.h"
@@ -10,7 +14,7 @@
 namespace strata {
 namespace {
 
-constexpr std::uint64_t many_cells = 16;
+constexpr int many_cells = 16;
 
 /// The side of a face's plane to which the ray's start counts as moved, or along which the ray runs.
 Sign side_of_ray(const InputComplex& input, std::uint32_t face) {
@@ -23,18 +27,22 @@ Sign side_of_ray(const InputComplex& input, std::uint32_t face) {
 
 RayWindings::RayWindings(const InputComplex& input) : input_(input) {
   const std::uint32_t count = input.face_count();
-  Box bounds;
-  for (std::uint32_t f = 0; f < count; ++f) bounds.include(face_box(input, f));
-  width_ = std::clamp<std::uint32_t>(static_cast<std::uint32_t>(std::sqrt(count) / 2), 1, 1024);
+  const Box bounds = bounds_of_finite(input.points(0));
+  width_ = std::clamp<std::uint32_t>(static_cast<std::uint32_t>(std::sqrt(count) / 2), 1, most_columns);
   for (std::size_t i = 0; i < 2; ++i) {
     origin_[i] = bounds.lower[i + 1];
     const double cells = width_ / 2.0 / (bounds.upper[i + 1] / 2 - bounds.lower[i + 1] / 2);
     per_cell_[i] = cells > 0 && cells < Box::infinity ? cells : 0;
   }
+  std::vector<Cells> cells;  // of each face
+  resize_fresh(cells, count);
+  tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t f) {
+    const Box box = face_box(input, f);
+    cells[f] = cells_of(box.lower[1], box.upper[1], box.lower[2], box.upper[2]);
+  });
   const auto for_each_column = [&](std::uint32_t face, const auto& visit) {
-    const Box box = face_box(input, face);
-    const auto [lower, upper] = cells_of(box.lower[1], box.upper[1], box.lower[2], box.upper[2]);
-    if (std::uint64_t{upper[0] - lower[0] + 1} * (upper[1] - lower[1] + 1) > many_cells) return false;
+    const auto& [lower, upper] = cells[face];
+    if ((upper[0] - lower[0] + 1) * (upper[1] - lower[1] + 1) > many_cells) return false;
     for (std::uint32_t z = lower[1]; z <= upper[1]; ++z)
       for (std::uint32_t y = lower[0]; y <= upper[0]; ++y) visit(z * width_ + y);
     return true;
@@ -43,7 +51,7 @@ RayWindings::RayWindings(const InputComplex& input) : input_(input) {
   for (std::uint32_t f = 0; f < count; ++f)
     if (!for_each_column(f, [&](std::uint32_t column) { ++first_[column + 1]; })) wide_.push_back(f);
   for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-  faces_.resize(first_.back());
+  resize_fresh(faces_, first_.back());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::uint32_t f = 0; f < count; ++f)
     for_each_column(f, [&](std::uint32_t column) { faces_[next[column]++] = f; });
@@ -53,7 +61,7 @@ RayWindings::RayWindings(const InputComplex& input) : input_(input) {
 RayWindings::Cells RayWindings::cells_of(double low_y, double high_y, double low_z, double high_z) const {
   const auto cell = [&](double x, std::size_t i) {
     const double at = (x - origin_[i]) * per_cell_[i];
-    return at > 0 ? static_cast<std::uint32_t>(std::min(at, width_ - 1.0)) : 0U;
+    return static_cast<std::uint16_t>(at > 0 ? std::min(at, width_ - 1.0) : 0);
   };
   return {{cell(low_y, 0), cell(low_z, 1)}, {cell(high_y, 0), cell(high_z, 1)}};
 }

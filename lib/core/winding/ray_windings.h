@@ -21,8 +21,9 @@ class RayWindings final : public WindingOracle {
                                std::span<const std::uint32_t> covering) const override;
 
  private:
+  static constexpr std::uint32_t most_columns = 1024;  ///< in a row
   struct Cells {
-    std::array<std::uint32_t, 2> lower, upper;
+    std::array<std::uint16_t, 2> lower, upper;
   };
   [[nodiscard]] Cells cells_of(double low_y, double high_y, double low_z, double high_z) const;
   /// The sum over all faces that the ray from q crosses. Faces whose plane contains q count as not crossed.
