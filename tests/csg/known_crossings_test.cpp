@@ -4,17 +4,12 @@
 #include "core/csg/boolean.h"
 #include "core/mesh/equal_vertices.h"
 #include "core/overlap/self_intersections.h"
+#include "csg/complex_of.h"
 #include "support/shapes.h"
 
 using namespace strata;
 
 namespace {
-
-InputComplex complex_of(const Mesh& mesh) {
-  InputComplex complex(SelfIntersections::possible);
-  complex.add(mesh.vertices, mesh.triangles);
-  return complex;
-}
 
 Mesh joined(const Mesh& a, const Mesh& b) {
   Mesh all = a;
@@ -26,7 +21,7 @@ Mesh joined(const Mesh& a, const Mesh& b) {
 
 FacePairs crossings_of(const Mesh& mesh) {
   FacePairs pairs;
-  for (const SelfIntersection& s : find_self_intersections(complex_of(mesh), nullptr, Monitor()))
+  for (const SelfIntersection& s : find_self_intersections(test::complex_of(mesh), nullptr, Monitor()))
     pairs.emplace_back(s.face, s.other);
   return pairs;
 }
@@ -44,8 +39,8 @@ TEST_CASE("a mesh whose crossings are known is resolved as one in which they are
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Mesh mesh = crossing_spheres(seed);
     const FacePairs crossings = crossings_of(mesh);
-    const BooleanResult found = resolved(complex_of(mesh), Inside::winding, Monitor());
-    const BooleanResult known = resolved(complex_of(mesh), Inside::winding, Monitor(), &crossings);
+    const BooleanResult found = resolved(test::complex_of(mesh), Inside::winding, Monitor());
+    const BooleanResult known = resolved(test::complex_of(mesh), Inside::winding, Monitor(), &crossings);
     REQUIRE(known.mesh.vertices == found.mesh.vertices);
     REQUIRE(known.mesh.triangles == found.mesh.triangles);
     REQUIRE(known.sources == found.sources);
@@ -73,8 +68,8 @@ TEST_CASE("a mesh that lists vertices several times is resolved with known cross
     const Mesh welded{mesh.vertices, on_first_vertices(ExactMeshView(mesh, {}))};
     const FacePairs crossings = crossings_of(welded);
     most_faces_cross += crossings.size() > mesh.triangles.size() / 8;
-    const BooleanResult found = resolved(complex_of(welded), Inside::winding, Monitor());
-    const BooleanResult known = resolved(complex_of(mesh), Inside::winding, Monitor(), &crossings);
+    const BooleanResult found = resolved(test::complex_of(welded), Inside::winding, Monitor());
+    const BooleanResult known = resolved(test::complex_of(mesh), Inside::winding, Monitor(), &crossings);
     REQUIRE(known.mesh == found.mesh);
     REQUIRE(known.sources == found.sources);
   }
@@ -84,6 +79,6 @@ TEST_CASE("a mesh that lists vertices several times is resolved with known cross
 TEST_CASE("crossings that are known are all that count", "[csg]") {
   const Mesh mesh = crossing_spheres(0);
   const FacePairs none;
-  const BooleanResult result = resolved(complex_of(mesh), Inside::winding, Monitor(), &none);
+  const BooleanResult result = resolved(test::complex_of(mesh), Inside::winding, Monitor(), &none);
   CHECK(result.exact.empty());  // nothing was cut
 }
