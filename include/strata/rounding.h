@@ -22,7 +22,8 @@ struct RoundingReport {
   /// How often faces were repaired or resolved. 0: the vertices, each rounded to the nearest numbers, bound a solid.
   std::uint64_t rounds = 0;
   std::uint64_t moved_vertices = 0;  ///< vertices of the mesh that may be off the exact boundary
-  /// The largest distance from a point of the mesh to the exact boundary: a bound, as the sum of what each round moved.
+  /// The largest distance from a point of the mesh to the exact boundary: a bound. It is the sum of what each round
+  /// moved, or measured where that would be more than four units.
   double largest_movement = 0;
   double unit = 0;  ///< the distance of the numbers near the largest coordinate: one unit in the last place there
   std::uint64_t far_vertices = 0;          ///< vertices of the mesh that moved by more than four units

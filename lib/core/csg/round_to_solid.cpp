@@ -29,6 +29,7 @@
 #include "core/round/flatten.h"
 #include "core/round/moving_mesh.h"
 #include "core/round/repair.h"
+#include "core/round/surface_distance.h"
 #include "core/round/wrong_faces.h"
 #include "strata/rounding.h"
 
@@ -40,6 +41,8 @@ constexpr int full_resolves = 40;
 constexpr int bits_per_resolve = 2;
 /// Wrong faces are repaired so often before they are resolved.
 constexpr int most_repairs = 3;
+/// What moved by more units than this is far.
+constexpr double far_units = 4;
 
 int bits_less_in(int resolves) {
   return resolves < full_resolves ? 0 : bits_per_resolve * (resolves - full_resolves + 1);
@@ -88,14 +91,6 @@ class Reach {
   int resolves_ = 0, growths_ = 0;
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
 };
-
-/// At least the rounding error of a coordinate rounded to the nearest double.
-double half_unit(const Vertex& v) {
-  const double largest = size(v);
-  const double next = std::nextafter(largest, std::numeric_limits<double>::infinity());
-  const double unit = std::isfinite(next) ? next - largest : largest - std::nextafter(largest, 0.0);
-  return std::max(unit / 2, std::numeric_limits<double>::denorm_min());
-}
 
 /// Without triangles that repeat a vertex, and with faces of positive area only.
 Prepared without_degenerate_faces(const Mesh& mesh) {
@@ -294,6 +289,7 @@ class SolidRounding {
     }
     MovingMesh::Parts parts = std::move(moving).take();
     if (report.rounds > 0 || have_vertices_met) compare(parts, report);
+    tighten_distances(exact_, parts.mesh, far_units * report.unit, monitor_, parts.moved);
     count_moved_vertices(parts, report);
     for (const double moved : parts.moved) report.largest_movement = std::max(report.largest_movement, moved);
     return {std::move(parts), report};
@@ -331,8 +327,8 @@ class SolidRounding {
       const std::vector<std::uint32_t> moved =
           collect(of_vertex_.size(), [&](std::uint32_t v) { return is_between(0, v); });
       report.moved_vertices += moved.size();
-      report.far_vertices += static_cast<std::size_t>(
-          std::count_if(moved.begin(), moved.end(), [&](std::uint32_t v) { return is_between(4 * report.unit, v); }));
+      report.far_vertices += static_cast<std::size_t>(std::count_if(
+          moved.begin(), moved.end(), [&](std::uint32_t v) { return is_between(far_units * report.unit, v); }));
     }
 
    private:
