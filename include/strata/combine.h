@@ -12,6 +12,7 @@
 #include "strata/attributes.h"
 #include "strata/errors.h"
 #include "strata/formula.h"
+#include "strata/measure.h"
 #include "strata/mesh.h"
 #include "strata/options.h"
 #include "strata/rounding.h"
@@ -35,14 +36,21 @@ struct Operand {
   const Attributes* attributes = nullptr;  ///< what the result is to carry on (carry_attributes.h); null: nothing
 };
 
+/// Facts about a boundary, whose vertices are rational.
+struct MeasuredBoundary {
+  std::uint64_t vertices = 0, triangles = 0;
+  Measures measures;
+};
+
 /// The regularized boundary of the result.
 struct BooleanResult {
   Mesh mesh;  ///< unsplit faces first in input order, then split ones; new vertices rounded to nearest
-  std::vector<Source> sources;             ///< one per triangle
-  std::vector<ExactVertex> exact;          ///< exact positions of rounded vertices, if Options::exact_vertices
-  std::optional<RoundingReport> rounding;  ///< what moved, if Options::rounding
-  Attributes attributes;                   ///< if an operand has any, or Options::cut_material is given
-  std::vector<Defect> notes;               ///< what was resolved on the way in (seams welded, degenerate faces)
+  std::vector<Source> sources;               ///< one per triangle
+  std::vector<ExactVertex> exact;            ///< exact positions of rounded vertices, if Options::exact_vertices
+  std::optional<MeasuredBoundary> measured;  ///< the exact result, if Options::measure
+  std::optional<RoundingReport> rounding;    ///< what moved, if Options::rounding
+  Attributes attributes;                     ///< if an operand has any, or Options::cut_material is given
+  std::vector<Defect> notes;                 ///< what was resolved on the way in (seams welded, degenerate faces)
   Profile profile;
 };
 

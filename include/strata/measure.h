@@ -47,7 +47,7 @@ struct Topology {
 struct Measures {
   Topology topology;
   std::optional<double> volume;          ///< the nearest double; none if the mesh is not closed
-  std::optional<Rational> exact_volume;  ///< of a closed mesh without rational vertices
+  std::optional<Rational> exact_volume;  ///< of a closed mesh of which no more than 1,000 vertices are rational
   double area = 0;
   /// 0 if not counted. Sets of coplanar triangles of one orientation, connected over whole edges. Of the boundary of a
   /// solid whose triangles meet in whole edges these are the facets of its canonical form.

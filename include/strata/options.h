@@ -112,6 +112,9 @@ struct Options {
   /// what moved in BooleanResult::rounding. Exact vertices, where they are asked for, go before: nothing is rounded
   /// then. Solids are exact; their functions do not look at it.
   std::optional<CoordinateGrid> rounding = {};
+  /// Fill BooleanResult::measured with facts about the exact result, and, where rounding had to rearrange faces,
+  /// RoundingReport::exact and rounded. Takes a few passes over the result; exact vertices need not be asked for.
+  bool measure = false;
   /// Where attributes are carried (carry_attributes.h): what cut faces are made of that have no material. Null:
   /// nothing.
   const Material* cut_material = nullptr;

@@ -26,9 +26,11 @@ struct RoundingReport {
   /// moved, or measured where that would be more than four units.
   double largest_movement = 0;
   double unit = 0;  ///< the distance of the numbers near the largest coordinate: one unit in the last place there
-  std::uint64_t far_vertices = 0;          ///< vertices of the mesh that moved by more than four units
-  std::uint64_t vanished_faces = 0;        ///< triangles of the exact boundary of which nothing is left
-  std::optional<Topology> exact, rounded;  ///< before and after, where faces were rearranged or vertices met
+  std::uint64_t far_vertices = 0;         ///< vertices of the mesh that moved by more than four units
+  std::uint64_t vanished_faces = 0;       ///< triangles of the exact boundary of which nothing is left
+  std::uint64_t vanished_components = 0;  ///< sets of such triangles, connected over vertices, that no others touch
+  /// Before and after, where faces were rearranged or vertices met; with Options::measure.
+  std::optional<Topology> exact, rounded;
 };
 
 struct RoundedMesh {
@@ -51,10 +53,10 @@ struct RoundedMesh {
 ///
 /// Laws: a mesh on the grid that bounds a solid is not changed; rounding the result again gives the result. Same bytes
 /// for any number of threads. Requires that `mesh` bounds a solid, as ExactMesh of a Solid does. Of the options,
-/// `threads` and `cancel` count. Throws std::invalid_argument for a step as above is not, and for a coordinate beyond
-/// the largest number of the format; Cancelled. O(n + m log m) to search for crossings near m triangles that moved; the
-/// complexity of `resolve` for each time that faces are resolved. Source: own, after iterated snap rounding (Halperin
-/// and Packer 2002); lib/core/round/theory.md.
+/// `threads`, `cancel` and `measure` count. Throws std::invalid_argument for a step as above is not, and for a
+/// coordinate beyond the largest number of the format; Cancelled. O(n + m log m) to search for crossings near m
+/// triangles that moved; the complexity of `resolve` for each time that faces are resolved. Source: own, after iterated
+/// snap rounding (Halperin and Packer 2002); lib/core/round/theory.md.
 [[nodiscard]] RoundedMesh round_to_solid(const ExactMesh& mesh, const CoordinateGrid& grid = {},
                                          const Options& options = {});
 

@@ -108,6 +108,7 @@ nb::dict dict_of(const RoundingReport& rounding) {
   report["unit"] = rounding.unit;
   report["far_vertices"] = rounding.far_vertices;
   report["vanished_faces"] = rounding.vanished_faces;
+  report["vanished_components"] = rounding.vanished_components;
   return report;
 }
 

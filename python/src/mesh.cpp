@@ -178,7 +178,8 @@ Fraction(1, 6)
           nb::sig("def file_notes(self) -> tuple[str, ...]"),
           "Of a mesh that was read: what was left out or decided, a sentence each.")
       .def_prop_ro("rounding", rounding_of, nb::sig("def rounding(self) -> dict[str, int | float] | None"),
-                   "Of a rounded result: rounds, moved_vertices, largest_movement, unit, far_vertices, vanished_faces.")
+                   "Of a rounded result: rounds, moved_vertices, largest_movement, unit, far_vertices, vanished_faces, "
+                   "vanished_components.")
       .def_prop_ro("seconds", seconds_of, nb::sig("def seconds(self) -> dict[str, float]"),
                    "Of a result: the time that each stage took.")
       .def("__repr__", describe)

@@ -59,8 +59,10 @@ class Rounding(ToolTest):
         plate = self.file("plate.off", thin_box(1e-3))
         ran = self.run_tool("round", plate, "--to", "0.01", "-o", "none.off", "--report", "r.json")
         self.assertIn(b"rearranged", ran.stderr)
+        self.assertIn(b"nothing is left of 12 faces, nor of 1 connected parts", ran.stderr)
         rounding = json.loads(self.path("r.json").read_text())["result"]["rounding"]
         self.assertEqual((rounding["triangles"], rounding["vanished_faces"]), (0, 12))
+        self.assertEqual(rounding["vanished_components"], 1)
         self.assertEqual((rounding["exact"]["components"], rounding["rounded"]["components"]), (1, 0))
 
     def test_parts_that_meet_in_floats_touch(self):

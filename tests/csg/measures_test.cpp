@@ -1,8 +1,11 @@
 #include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <functional>
 #include <random>
+#include <span>
 
+#include "strata/combine.h"
 #include "strata/measure.h"
 #include "strata/solid.h"
 #include "support/shapes.h"
@@ -27,6 +30,51 @@ void check_measures(const Solid& solid) {
   CHECK(m.topology.euler == t.euler);
   CHECK(m.topology.non_manifold_edges == t.non_manifold_edges);
   CHECK(m.topology.non_manifold_vertices == t.non_manifold_vertices);
+}
+
+/// Bars along x, side by side, turned about z and then tilted about x.
+Mesh comb(int bars, double turn, double tilt) {
+  Mesh all;
+  for (int k = 0; k < bars; ++k) {
+    const double y = 2.0 * k / bars - 1, width = 1.2 / bars;
+    const Mesh bar = test::box({-1, y, -0.1}, {1, y + width, 0.1});
+    const auto first = static_cast<std::uint32_t>(all.vertices.size());
+    for (const Vertex& v : bar.vertices) {
+      const Vertex t{v[0] * std::cos(turn) - v[1] * std::sin(turn), v[0] * std::sin(turn) + v[1] * std::cos(turn),
+                     v[2]};
+      all.vertices.push_back({t[0], t[1] - tilt * t[2], t[2] + tilt * t[1]});
+    }
+    for (const Triangle& t : bar.triangles) all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return all;
+}
+
+/// What `combine` tells of a result against `measure` of its exact mesh. Returns how many vertices are rational.
+std::size_t check_measured(Operation operation, std::span<const Operand> operands) {
+  const BooleanResult exact = combine(operation, operands, {.input = InputClass::solid, .exact_vertices = true});
+  const ExactMesh mesh{exact.mesh, exact.exact};
+  const Measures expected = measure(mesh);
+  CHECK(expected.facets == canonical_form(mesh).facet_count());
+  for (const bool is_rounded : {false, true}) {
+    Options options{.input = InputClass::solid, .measure = true};
+    if (is_rounded) options.rounding = CoordinateGrid{CoordinateGrid::Format::float32};
+    const BooleanResult result = combine(operation, operands, options);
+    CHECK(result.exact.empty());
+    REQUIRE(result.measured.has_value());
+    CHECK(result.measured->vertices == mesh.mesh.vertices.size());
+    CHECK(result.measured->triangles == mesh.mesh.triangles.size());
+    const Measures& m = result.measured->measures;
+    CHECK(m.volume == expected.volume);
+    CHECK(m.exact_volume == expected.exact_volume);
+    CHECK(m.area == Approx(expected.area).epsilon(1e-15));
+    CHECK(m.facets == expected.facets);
+    CHECK(m.topology.components == expected.topology.components);
+    CHECK(m.topology.euler == expected.topology.euler);
+    CHECK(m.topology.non_manifold_edges == expected.topology.non_manifold_edges);
+    CHECK(m.topology.non_manifold_vertices == expected.topology.non_manifold_vertices);
+    CHECK(m.topology.open_edges == 0);
+  }
+  return mesh.exact.size();
 }
 
 }  // namespace
@@ -136,4 +184,34 @@ TEST_CASE("measures are the same for any number of threads", "[csg]") {
   CHECK(a.volume == b.volume);
   CHECK(a.facets == b.facets);
   CHECK(a.area == Approx(12.566370614).epsilon(0.01));
+}
+
+TEST_CASE("results are measured without their exact vertices", "[csg]") {
+  const Mesh flat = comb(13, 0, 0);
+  std::size_t most_rational = 0;
+  for (const auto& [turn, tilt] :
+       {std::pair(1.0, 0.01), {1.0, 0.0}, {1.5, 1e-12}, {1e-9, 0.0}, {std::acos(0.0), 0.0}, {0.0, 0.0}}) {
+    CAPTURE(turn, tilt);
+    const Mesh turned = comb(13, turn, tilt);
+    const Operand operands[] = {{flat, {}}, {turned, {}}};
+    for (const Operation operation : all_operations)
+      most_rational = std::max(most_rational, check_measured(operation, operands));
+  }
+  CHECK(most_rational > 2000);  // of few, fractions are computed
+}
+
+TEST_CASE("results of results are measured without their exact vertices", "[csg]") {
+  const Solid crossed = Solid(comb(9, 0.3, 0)) - Solid(comb(9, 1.7, 0.2));
+  const Mesh tool = comb(9, 1.1, 0.1);
+  const Operand operands[] = {{crossed.exact_mesh().mesh, crossed.exact_mesh().exact}, {tool, {}}};
+  for (const Operation operation : all_operations) CHECK(check_measured(operation, operands) > 1000);
+}
+
+TEST_CASE("solids thinner than their place is precise are measured", "[csg]") {
+  // Far from the origin, sums of two doubles do not decide about the volume.
+  Mesh near = comb(13, 0.7, 0), far = comb(13, 1.9, 0);
+  for (Mesh* m : {&near, &far})
+    for (Vertex& v : m->vertices) v = {v[0] + 1e6, v[1] - 1e6, std::ldexp(v[2], -90)};
+  const Operand operands[] = {{near, {}}, {far, {}}};
+  CHECK(check_measured(Operation::intersection, operands) > 1000);
 }

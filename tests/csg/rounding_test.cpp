@@ -38,7 +38,7 @@ bool is_on(const CoordinateGrid& grid, const Mesh& mesh) {
 
 /// What is promised of every result.
 RoundedMesh check_rounded(const ExactMesh& exact, const CoordinateGrid& grid) {
-  RoundedMesh r = round_to_solid(exact, grid);
+  RoundedMesh r = round_to_solid(exact, grid, {.measure = true});
   std::string errors;
   for (const Defect& d : check(r.mesh))
     if (d.severity == Severity::error) errors += describe(d) + "\n";
@@ -107,6 +107,7 @@ TEST_CASE("what is thinner than the grid vanishes, and the report says so", "[cs
   const RoundedMesh nothing = check_rounded(plate.exact_mesh(), steps(1));
   CHECK(nothing.mesh.triangles.empty());
   CHECK(nothing.report.vanished_faces == 12);
+  CHECK(nothing.report.vanished_components == 1);
   const Solid both = plate | box({20, 0, 0}, {21, 1, 1});
   const RoundedMesh one = check_rounded(both.exact_mesh(), steps(1));
   CHECK(one.mesh.triangles.size() == 12);
@@ -114,6 +115,17 @@ TEST_CASE("what is thinner than the grid vanishes, and the report says so", "[cs
   CHECK(one.report.exact->components == 2);
   CHECK(one.report.rounded->components == 1);
   CHECK(one.report.largest_movement <= 0.5);
+  CHECK(one.report.vanished_faces == 12);
+  CHECK(one.report.vanished_components == 1);
+  const RoundedMesh brief = round_to_solid(both.exact_mesh(), steps(1));
+  CHECK(brief.mesh == one.mesh);
+  CHECK(brief.report.vanished_components == 1);
+  CHECK_FALSE(brief.report.exact.has_value());
+  // A plate as thin that stands on a box shares vertices with faces of it.
+  const Solid fin = box({0, 0, 0}, {10, 10, 10}) | box({2, 2, 10}, {8, 2.25, 13});
+  const RoundedMesh box_alone = check_rounded(fin.exact_mesh(), steps(1));
+  CHECK(box_alone.report.vanished_faces > 0);
+  CHECK(box_alone.report.vanished_components == 0);
 }
 
 TEST_CASE("two solids that round onto each other become one, or keep their common face out", "[csg][rounding]") {
@@ -404,17 +416,19 @@ TEST_CASE("results rounded by combine are those of their exact vertices", "[csg]
     const MeshView views[] = {a, b};
     const auto operation = static_cast<Operation>(seed % 4);
     for (const CoordinateGrid& grid : {CoordinateGrid(), floats(), steps(Rational(1, 1000))}) {
-      const BooleanResult rounded = combine(operation, views, {.input = InputClass::overlapping, .rounding = grid});
+      const BooleanResult rounded =
+          combine(operation, views, {.input = InputClass::overlapping, .rounding = grid, .measure = true});
       const BooleanResult exact =
           combine(operation, views, {.input = InputClass::overlapping, .exact_vertices = true, .rounding = grid});
       CHECK_FALSE(exact.rounding.has_value());
-      const RoundedMesh expected = round_to_solid({exact.mesh, exact.exact}, grid);
+      const RoundedMesh expected = round_to_solid({exact.mesh, exact.exact}, grid, {.measure = true});
       REQUIRE(rounded.rounding.has_value());
       CHECK(rounded.mesh == expected.mesh);
       CHECK(rounded.exact.empty());
       CHECK(rounded.rounding->rounds == expected.report.rounds);
       CHECK(rounded.rounding->moved_vertices == expected.report.moved_vertices);
       CHECK(rounded.rounding->vanished_faces == expected.report.vanished_faces);
+      CHECK(rounded.rounding->vanished_components == expected.report.vanished_components);
       CHECK(rounded.rounding->exact.has_value() == expected.report.exact.has_value());
       if (rounded.rounding->exact && expected.report.exact)
         CHECK(rounded.rounding->exact->euler == expected.report.exact->euler);

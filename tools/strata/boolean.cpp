@@ -34,7 +34,8 @@ strata::BooleanResult evaluate(strata::Operation operation, std::span<const Load
   ProgressBar bar(settings.progress, settings.quiet);
   strata::Options options = watched_options(settings, bar, watch);
   options.rounding = settings.makes_solids() ? grid_of(format, settings) : std::nullopt;
-  options.exact_vertices = !settings.report.empty() || format == strata::Format::xoff || settings.touching != "shared";
+  options.exact_vertices = format == strata::Format::xoff || settings.touching != "shared";
+  options.measure = !settings.report.empty() && !options.exact_vertices;
   std::vector<strata::Operand> views;
   for (const LoadedMesh& operand : operands) views.push_back({operand.mesh.mesh, operand.mesh.exact});
   const std::optional<strata::Material> cut_material = put_attributes(operands, settings, views);
@@ -112,10 +113,6 @@ ExitCode run_boolean(strata::Operation operation, const char* name, const Settin
 
   watch.on_stop(OnStop::leave);
   add_profile(report, result.profile);
-  if (result.rounding)
-    return write_rounded_result(std::move(result.mesh), result.attributes, *result.rounding, format, settings, watch,
-                                name, question);
   if (!settings.report.empty()) report["operands"] = operand_reports(operands, result.notes, settings);
-  return write_result({std::move(result.mesh), std::move(result.exact)}, result.attributes, format, std::move(report),
-                      settings, watch, name, question);
+  return write_result(std::move(result), format, std::move(report), settings, watch, name, question);
 }

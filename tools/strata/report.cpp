@@ -22,15 +22,10 @@ bool is_measurable(const ExactMesh& mesh) {
 }
 
 /// Null for a mesh that cannot be measured.
-Json to_json(const ExactMesh& mesh, const std::optional<strata::Measures>& measures) {
-  Json facts = {{"vertices", mesh.mesh.vertices.size()},
-                {"triangles", mesh.mesh.triangles.size()},
-                {"volume", nullptr},
-                {"area", nullptr},
-                {"components", nullptr},
-                {"euler", nullptr},
-                {"closed", nullptr}};
-  if (!measures) return facts;
+Json to_json(std::uint64_t vertices, std::uint64_t triangles, const strata::Measures* measures) {
+  Json facts = {{"vertices", vertices},  {"triangles", triangles}, {"volume", nullptr}, {"area", nullptr},
+                {"components", nullptr}, {"euler", nullptr},       {"closed", nullptr}};
+  if (measures == nullptr) return facts;
   facts["area"] = measures->area;
   facts["components"] = measures->topology.components;
   facts["euler"] = measures->topology.euler;
@@ -43,14 +38,6 @@ strata::Measures measure(const ExactMesh& mesh, const Settings& settings, bool c
   strata::Options options;
   options.threads = settings.threads;
   return strata::measure(mesh, options, count_facets);
-}
-
-/// The fraction, which has about a hundred digits for each vertex that is no three doubles.
-Json exact_volume(const ExactMesh& mesh, const strata::Measures& measures) {
-  constexpr std::size_t most_rational_vertices = 1000;
-  if (measures.exact_volume) return measures.exact_volume->str();
-  if (!measures.volume || mesh.exact.size() > most_rational_vertices) return nullptr;
-  return strata::volume(mesh).str();
 }
 
 }  // namespace
@@ -77,7 +64,10 @@ Json to_json(std::span<const Defect> defects) {
 }
 
 Json measures(const ExactMesh& mesh, const Settings& settings) {
-  return is_measurable(mesh) ? to_json(mesh, measure(mesh, settings, false)) : to_json(mesh, std::nullopt);
+  const std::size_t vertices = mesh.mesh.vertices.size(), triangles = mesh.mesh.triangles.size();
+  if (!is_measurable(mesh)) return to_json(vertices, triangles, nullptr);
+  const strata::Measures measures = measure(mesh, settings, false);
+  return to_json(vertices, triangles, &measures);
 }
 
 Json operand_report(const LoadedMesh& operand, std::span<const Defect> defects, const Settings& settings) {
@@ -87,14 +77,18 @@ Json operand_report(const LoadedMesh& operand, std::span<const Defect> defects, 
   return report;
 }
 
-Json result_report(const ExactMesh& mesh, std::optional<bool> rounded_valid, const Settings& settings) {
-  const strata::Measures measures = measure(mesh, settings, true);
-  Json report = to_json(mesh, measures);
+strata::MeasuredBoundary measured(const ExactMesh& mesh, const Settings& settings) {
+  return {mesh.mesh.vertices.size(), mesh.mesh.triangles.size(), measure(mesh, settings, true)};
+}
+
+Json result_report(const strata::MeasuredBoundary& result, std::optional<bool> rounded_valid) {
+  const strata::Measures& measures = result.measures;
+  Json report = to_json(result.vertices, result.triangles, &measures);
   report["touching_edges"] = measures.topology.non_manifold_edges;
   report["touching_vertices"] = measures.topology.non_manifold_vertices;
   report["facets"] = measures.facets;
-  report["volume_exact"] = exact_volume(mesh, measures);
-  report["empty"] = mesh.mesh.triangles.empty();
+  report["volume_exact"] = measures.exact_volume ? Json(measures.exact_volume->str()) : Json(nullptr);
+  report["empty"] = result.triangles == 0;
   report["rounded_valid"] = rounded_valid ? Json(*rounded_valid) : Json(nullptr);
   return report;
 }

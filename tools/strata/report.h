@@ -26,10 +26,12 @@ void print_notes(std::span<const strata::Defect> notes, const Settings& settings
 [[nodiscard]] Json operand_report(const LoadedMesh& operand, std::span<const strata::Defect> defects,
                                   const Settings& settings);
 
+/// With facets.
+[[nodiscard]] strata::MeasuredBoundary measured(const strata::ExactMesh& mesh, const Settings& settings);
+
 /// {measures, touching_edges, touching_vertices, facets, volume_exact, empty, closed, rounded_valid}; `rounded_valid`
 /// is null where it was not checked, `volume_exact` where more than 1,000 vertices are not doubles.
-[[nodiscard]] Json result_report(const strata::ExactMesh& mesh, std::optional<bool> rounded_valid,
-                                 const Settings& settings);
+[[nodiscard]] Json result_report(const strata::MeasuredBoundary& result, std::optional<bool> rounded_valid);
 
 /// A report per operand, with what was resolved on the way in, as for this operand alone; errors too.
 [[nodiscard]] Json operand_reports(std::span<const LoadedMesh> operands, const Settings& settings);

@@ -55,9 +55,10 @@ std::string crossing_for_no_rounding(const char* verb, const Asked& asked, const
                      error, keep_reproduction(asked, verb, error, settings));
 }
 
-/// Writes what was rounded; `exact` is what it was rounded from, for the report.
-ExitCode write(const strata::ExactMesh& exact, RoundedOutput rounded, strata::Format format, Json report,
-               const Settings& settings, Watch& watch, Stopwatch& stopwatch, const char* verb, const Asked& asked) {
+/// Writes what was rounded. For the report: what it was rounded from, or facts about that.
+ExitCode write(const strata::ExactMesh& exact, const std::optional<strata::MeasuredBoundary>& known,
+               RoundedOutput rounded, strata::Format format, Json report, const Settings& settings, Watch& watch,
+               Stopwatch& stopwatch, const char* verb, const Asked& asked) {
   if (settings.touching == "separate" && !separate(rounded, exact, format, settings, watch)) {
     fmt::print(stderr,
                "strata: sheets that touch cannot be separated in the numbers of the format; nothing was written\n");
@@ -70,7 +71,7 @@ ExitCode write(const strata::ExactMesh& exact, RoundedOutput rounded, strata::Fo
     if (topology.non_manifold_edges + topology.non_manifold_vertices > 0) {
       fmt::print(stderr, "strata: the result touches itself in {} edges and {} vertices; nothing was written\n",
                  topology.non_manifold_edges, topology.non_manifold_vertices);
-      if (!settings.report.empty()) report["result"] = result_report(exact, {}, settings);
+      if (!settings.report.empty()) report["result"] = result_report(known ? *known : measured(exact, settings), {});
       if (!settings.report.empty()) write_report(settings.report, std::move(report));
       return ExitCode::not_certified;
     }
@@ -82,8 +83,8 @@ ExitCode write(const strata::ExactMesh& exact, RoundedOutput rounded, strata::Fo
   }
   watch.on_stop(OnStop::leave);
   if (!settings.report.empty()) {
-    report["result"] =
-        result_report(settings.touching == "separate" ? separated(exact) : exact, rounded_valid, settings);
+    report["result"] = result_report(
+        known ? *known : measured(settings.touching == "separate" ? separated(exact) : exact, settings), rounded_valid);
     report["result"]["rounding"] = std::move(rounded.report);
   }
   watch.on_stop(OnStop::finish);
@@ -105,17 +106,16 @@ ExitCode write_result(const strata::ExactMesh& exact, const strata::Attributes& 
                       Json report, const Settings& settings, Watch& watch, const char* verb, const Asked& asked) {
   Stopwatch stopwatch;
   RoundedOutput rounded = rounded_output(exact, attributes, format, settings, &watch.token());
-  return write(exact, std::move(rounded), format, std::move(report), settings, watch, stopwatch, verb, asked);
+  return write(exact, {}, std::move(rounded), format, std::move(report), settings, watch, stopwatch, verb, asked);
 }
 
-ExitCode write_rounded_result(strata::Mesh mesh, const strata::Attributes& attributes,
-                              const strata::RoundingReport& rounding, strata::Format format, const Settings& settings,
-                              Watch& watch, const char* verb, const Asked& asked) {
+ExitCode write_result(strata::BooleanResult result, strata::Format format, Json report, const Settings& settings,
+                      Watch& watch, const char* verb, const Asked& asked) {
   Stopwatch stopwatch;
-  print_rounding(rounding, settings);
-  const strata::ExactMesh written{std::move(mesh), {}};
-  RoundedOutput output;
-  output.attributes = attributes;
-  if (strays(rounding)) output.strays = rounding;
-  return write(written, std::move(output), format, Json(), settings, watch, stopwatch, verb, asked);
+  const strata::ExactMesh mesh{std::move(result.mesh), std::move(result.exact)};
+  RoundedOutput output = result.rounding
+                             ? rounded_output(*result.rounding, mesh.mesh, std::move(result.attributes), settings)
+                             : rounded_output(mesh, result.attributes, format, settings, &watch.token());
+  return write(mesh, result.measured, std::move(output), format, std::move(report), settings, watch, stopwatch, verb,
+               asked);
 }

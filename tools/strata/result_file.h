@@ -7,8 +7,8 @@
 #include "report.h"
 #include "reproduction.h"
 #include "settings.h"
+#include "strata/combine.h"
 #include "strata/mesh.h"
-#include "strata/rounding.h"
 
 /// What all verbs that make a mesh do with it: checks it where asked to, completes the report with the result and the
 /// times, writes both. Not certified: says so and tells by the exit code. If that was no matter
@@ -17,9 +17,6 @@
                                     strata::Format format, Json report, const Settings& settings, Watch& watch,
                                     const char* verb, const Asked& asked);
 
-/// The same for what was rounded to the format already, for which there is no report: a mesh of doubles, and what
-/// rounding did.
-[[nodiscard]] ExitCode write_rounded_result(strata::Mesh mesh, const strata::Attributes& attributes,
-                                            const strata::RoundingReport& rounding, strata::Format format,
-                                            const Settings& settings, Watch& watch, const char* verb,
-                                            const Asked& asked);
+/// The same for a result of `combine`, which may be measured already, and rounded to the format.
+[[nodiscard]] ExitCode write_result(strata::BooleanResult result, strata::Format format, Json report,
+                                    const Settings& settings, Watch& watch, const char* verb, const Asked& asked);

@@ -57,7 +57,7 @@ ExitCode run_round(const Settings& given) {
   const strata::ExactMesh mesh{std::move(rounded.mesh), {}};
   if (!settings.report.empty()) {
     report["operands"] = Json::array({operand_report(operands.front(), solid.notes(), settings)});
-    report["result"] = result_report(mesh, {}, settings);
+    report["result"] = result_report(measured(mesh, settings), {});
     report["result"]["rounding"] = to_json(rounded.report, mesh.mesh);
   }
   watch.on_stop(OnStop::finish);

@@ -76,7 +76,8 @@ Json to_json(const strata::RoundingReport& report, const strata::Mesh& mesh) {
                {"far_vertices", report.far_vertices},
                {"largest_movement", report.largest_movement},
                {"unit", report.unit},
-               {"vanished_faces", report.vanished_faces}};
+               {"vanished_faces", report.vanished_faces},
+               {"vanished_components", report.vanished_components}};
   if (report.exact && report.rounded)
     for (const auto& [key, topology] : {std::pair("exact", &*report.exact), std::pair("rounded", &*report.rounded)})
       json[key] = {{"components", topology->components}, {"euler", topology->euler}};
@@ -88,6 +89,7 @@ strata::RoundedMesh rounded_for_output(const strata::ExactMesh& exact, const Coo
   strata::Options options;
   options.threads = settings.threads;
   options.cancel = cancel;
+  options.measure = !settings.report.empty();
   try {
     return strata::round_to_solid(exact, grid, options);
   } catch (const std::invalid_argument& error) {
@@ -98,9 +100,8 @@ strata::RoundedMesh rounded_for_output(const strata::ExactMesh& exact, const Coo
 void print_rounding(const strata::RoundingReport& report, const Settings& settings) {
   if (settings.quiet || report.rounds == 0) return;
   std::string lost;
-  if (report.exact && report.rounded && report.exact->components != report.rounded->components)
-    lost = fmt::format("; {} components are now {}", report.exact->components, report.rounded->components);
   if (report.vanished_faces > 0) lost += fmt::format("; nothing is left of {} faces", report.vanished_faces);
+  if (report.vanished_components > 0) lost += fmt::format(", nor of {} connected parts", report.vanished_components);
   fmt::print(stderr,
              "strata: rounded faces would cross: rearranged in {} rounds; what is left moved by {:.3g} at most ({:.3g} "
              "units){}\n",
@@ -134,6 +135,14 @@ RoundedOutput rounded_output(const strata::ExactMesh& exact, const strata::Attri
   strata::Attributes of_rounded;
   if (!attributes.empty()) of_rounded = strata::carry_attributes({exact, &attributes}, rounded, *grid);
   return {std::move(of_rounded), strata::ExactMesh{std::move(rounded.mesh), {}}, std::move(report), straying};
+}
+
+RoundedOutput rounded_output(const strata::RoundingReport& report, const strata::Mesh& mesh,
+                             strata::Attributes attributes, const Settings& settings) {
+  print_rounding(report, settings);
+  RoundedOutput output{std::move(attributes), std::nullopt, to_json(report, mesh), std::nullopt};
+  if (strays(report)) output.strays = report;
+  return output;
 }
 
 void write_solid(const Settings& settings, Format format, const strata::ExactMesh& exact,

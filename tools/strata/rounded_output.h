@@ -39,6 +39,9 @@ struct RoundedOutput {
 [[nodiscard]] RoundedOutput rounded_output(const strata::ExactMesh& exact, const strata::Attributes& attributes,
                                            strata::Format format, const Settings& settings,
                                            const strata::CancelToken* cancel = nullptr);
+/// Of a mesh that is rounded already, as it is.
+[[nodiscard]] RoundedOutput rounded_output(const strata::RoundingReport& report, const strata::Mesh& mesh,
+                                           strata::Attributes attributes, const Settings& settings);
 
 /// Writes the boundary of a solid so, whole or not at all. Throws strata::IoError.
 void write_solid(const Settings& settings, strata::Format format, const strata::ExactMesh& exact,

@@ -1,5 +1,7 @@
 #include "core/csg/boolean.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -7,6 +9,7 @@
 #include <vector>
 
 #include "core/csg/broken_operands.h"
+#include "core/csg/measures.h"
 #include "core/csg/prepared_operands.h"
 #include "core/csg/round_to_solid.h"
 #include "core/csg/stopwatch.h"
@@ -72,6 +75,10 @@ void count_tiers(const TierCounts& before, Profile& profile) {
     if (now[i] != before[i]) profile.counts.emplace_back(tier_names[i], now[i] - before[i]);
 }
 
+void put_measures(Measures measures, BooleanResult& result) {
+  result.measured = {result.mesh.vertices.size(), result.mesh.triangles.size(), std::move(measures)};
+}
+
 /// The last stages.
 BooleanResult finished(const InputComplex& input, const std::vector<Verdict>& verdicts, Subdivision subdivision,
                        const Options& options, const Monitor& monitor, Stages& stages) {
@@ -83,10 +90,13 @@ BooleanResult finished(const InputComplex& input, const std::vector<Verdict>& ve
   if (options.exact_vertices) result.exact = exact_positions(input, boundary, result.mesh.vertices, monitor);
   result.mesh.triangles = std::move(boundary.triangles);
   result.sources = std::move(boundary.sources);
-  if (options.rounding && !options.exact_vertices) {
+  if (options.exact_vertices) {
+    if (options.measure) put_measures(measures_of({result.mesh, result.exact}, Facets::count, monitor), result);
+  } else if (options.rounding || options.measure) {
     const NearestMesh nearest{result.mesh, rounded_vertices(input, boundary, result.mesh.vertices, monitor),
                               [&](std::uint32_t a, std::uint32_t b) { return are_equal(input, boundary, a, b); }};
-    round_result(nearest, *options.rounding, monitor, result);
+    if (options.measure) put_measures(measures_of(input, boundary, nearest, result.sources, monitor), result);
+    if (options.rounding) round_result(nearest, options, monitor, result);
   }
   return result;
 }
@@ -124,15 +134,19 @@ BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, c
   count(intersections, stages.profile());
   stages.end("intersect", 0.55);
 
-  const RayWindings windings(input);
-  const Classifier classifier{rule, windings};
+  std::optional<RayWindings> windings;
+  Shells patches;
+  tbb::parallel_invoke([&] { windings.emplace(input); },
+                       [&] {
+                         std::vector<bool> crossing(input.face_count(), false);
+                         for (const SelfIntersection& p : pairs) crossing[p.face] = crossing[p.other] = true;
+                         patches = find_patches(input, stars, crossing);
+                       });
+  const Classifier classifier{rule, *windings};
   Subdivision subdivision = subdivide(input, std::move(intersections), classifier, monitor);
   count(subdivision, stages.profile());
   stages.end("subdivide", 0.8);
 
-  std::vector<bool> crossing(input.face_count(), false);
-  for (const SelfIntersection& p : pairs) crossing[p.face] = crossing[p.other] = true;
-  const Shells patches = find_patches(input, stars, crossing);
   const std::vector<Verdict> verdicts = label(input, subdivision, patches, classifier, monitor);
   stages.end("label", 0.85);
   return finished(input, verdicts, std::move(subdivision), options, monitor, stages);

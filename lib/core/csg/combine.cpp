@@ -10,6 +10,7 @@
 #include "core/csg/boolean.h"
 #include "core/csg/early_unions.h"
 #include "core/csg/found_class.h"
+#include "core/csg/measures.h"
 #include "core/csg/round_to_solid.h"
 #include "core/csg/stopwatch.h"
 
@@ -73,15 +74,25 @@ BooleanResult combine(const Rule& rule, std::span<const Operand> operands, const
   return result;
 }
 
-/// What another engine evaluates is rounded from exact vertices.
+/// What another engine evaluates is measured and rounded from exact vertices.
 template <class Evaluate>
-BooleanResult rounded_after(const Options& options, const Evaluate& evaluate) {
-  if (!options.rounding || options.exact_vertices) return evaluate(options);
+BooleanResult by_engine(const Options& options, const Evaluate& evaluate) {
   Options exact = options;
-  exact.exact_vertices = true;
+  exact.exact_vertices = options.exact_vertices || options.rounding || options.measure;
   BooleanResult result = evaluate(exact);
-  const ExactMesh mesh{std::move(result.mesh), std::move(result.exact)};
-  put_rounded(round_to_solid(mesh, *options.rounding, options), result);
+  const std::size_t vertices = result.mesh.vertices.size(), triangles = result.mesh.triangles.size();
+  if (options.measure) {
+    arena_for(options, triangles).execute([&] {
+      const Monitor monitor(options.cancel);
+      result.measured = {vertices, triangles, measures_of({result.mesh, result.exact}, Facets::count, monitor)};
+    });
+  }
+  if (options.exact_vertices) return result;
+  if (options.rounding) {
+    const ExactMesh mesh{std::move(result.mesh), std::move(result.exact)};
+    put_rounded(round_to_solid(mesh, *options.rounding, options), result);
+  }
+  result.exact.clear();
   return result;
 }
 
@@ -140,7 +151,7 @@ BooleanResult combine(Operation operation, std::span<const Operand> operands, co
   return with_attributes(operands, options, cut_faces_of(operation), [&](const Options& wanted) {
     return with_found_class(operands, wanted, [&](const Options& found) {
       if (found.engine != nullptr)
-        return rounded_after(found, [&](const Options& o) { return o.engine->combine(operation, operands, o); });
+        return by_engine(found, [&](const Options& o) { return o.engine->combine(operation, operands, o); });
       const Rule rule(operation, static_cast<std::uint32_t>(operands.size()));
       return combine(with_keepers(rule, operands, found, false), operands, found);
     });
@@ -157,7 +168,7 @@ BooleanResult combine(const Formula& formula, std::span<const Operand> operands,
   return with_attributes(operands, options, CutFaces::turned, [&](const Options& wanted) {
     return with_found_class(operands, wanted, [&](const Options& found) {
       if (found.engine != nullptr)
-        return rounded_after(found, [&](const Options& o) { return o.engine->evaluate(formula, operands, o); });
+        return by_engine(found, [&](const Options& o) { return o.engine->evaluate(formula, operands, o); });
       return combine(with_keepers(Rule(formula), operands, found, true), operands, found);
     });
   });

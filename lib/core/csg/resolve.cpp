@@ -36,6 +36,7 @@ Solid resolve(ExactMesh mesh, Inside inside, const Options& options) {
     Options now = options;
     now.input = found.input;
     now.exact_vertices = true;
+    now.measure = false;
     result = boolean(Rule::of_one(inside), {&operand, 1}, now);
     result.notes.insert(result.notes.begin(), found.notes.begin(), found.notes.end());
   });

@@ -8,6 +8,7 @@ BooleanResult resolved_operand(const Operand& operand, const Options& options, s
   Options alone = options;
   alone.engine = nullptr;
   alone.exact_vertices = true;
+  alone.measure = false;
   alone.progress = {};
   try {
     return combine(Operation::union_, std::span(&operand, 1), alone);

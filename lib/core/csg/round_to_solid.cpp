@@ -20,6 +20,7 @@
 #include "core/csg/inspection.h"
 #include "core/exact/finite.h"
 #include "core/exact/number_text.h"
+#include "core/kernel/disjoint_sets.h"
 #include "core/kernel/grid_rounding.h"
 #include "core/mesh/connections.h"
 #include "core/mesh/equal_vertices.h"
@@ -122,8 +123,8 @@ bool winds_like_a_solid(const MovingMesh& mesh, const ChangedRegion& region, con
 
 class SolidRounding {
  public:
-  SolidRounding(const NearestMesh& exact, const GridRounding& grid, const Monitor& monitor)
-      : exact_(exact), grid_(grid), monitor_(monitor) {}
+  SolidRounding(const NearestMesh& exact, const GridRounding& grid, bool compares_topology, const Monitor& monitor)
+      : exact_(exact), grid_(grid), compares_topology_(compares_topology), monitor_(monitor) {}
 
   struct Outcome {
     std::optional<MovingMesh::Parts> parts;  ///< none: those of the exact mesh, as they are
@@ -296,13 +297,40 @@ class SolidRounding {
   }
 
   void compare(const MovingMesh::Parts& rounded, RoundingReport& report) const {
-    std::vector<bool> is_left(exact_.mesh.triangles.size(), false);
-    for (const std::uint32_t f : rounded.source_face) is_left[f] = true;
-    report.vanished_faces = static_cast<std::uint64_t>(std::count(is_left.begin(), is_left.end(), false));
+    std::vector<char> is_left;
+    resize_fresh(is_left, exact_.mesh.triangles.size());
+    for (const std::uint32_t f : rounded.source_face) is_left[f] = 1;
+    const std::vector<std::uint32_t> vanished =
+        collect(is_left.size(), [&](std::uint32_t f) { return is_left[f] == 0; });
+    report.vanished_faces = vanished.size();
+    report.vanished_components = components_of(vanished, is_left);
+    if (!compares_topology_) return;
     tbb::parallel_invoke([&] { report.exact = topology_of(exact_); },
                          [&] {
                            report.rounded = topology_of({rounded.mesh, {}, {}});
                          });
+  }
+
+  /// Of exact faces: sets that are connected over vertices which no other face has.
+  [[nodiscard]] std::uint64_t components_of(const std::vector<std::uint32_t>& faces,
+                                            const std::vector<char>& is_other) const {
+    if (faces.empty()) return 0;
+    const std::span<const Triangle> triangles = exact_.mesh.triangles;
+    std::vector<char> is_of_others;  // per vertex
+    resize_fresh(is_of_others, exact_.mesh.vertices.size());
+    tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t f) {
+      if (is_other[f] != 0)
+        for (const std::uint32_t v : triangles[f]) std::atomic_ref(is_of_others[v]).store(1, std::memory_order_relaxed);
+    });
+    DisjointSets<std::uint32_t> connected(is_of_others.size());
+    for (const std::uint32_t f : faces)
+      for (const std::uint32_t v : triangles[f]) connected.unite(triangles[f][0], v);
+    for (const std::uint32_t f : faces)
+      for (const std::uint32_t v : triangles[f])
+        if (is_of_others[v] != 0) is_of_others[connected.find(v)] = 1;
+    std::uint64_t count = 0;
+    for (const std::uint32_t f : faces) count += std::exchange(is_of_others[connected.find(triangles[f][0])], 1) == 0;
+    return count;
   }
 
   /// A vertex is as near to the exact boundary as any of its triangles.
@@ -360,22 +388,16 @@ class SolidRounding {
 
   const NearestMesh& exact_;
   const GridRounding& grid_;
+  bool compares_topology_;
   const Monitor& monitor_;
   Reach reach_;
 };
 
 }  // namespace
 
-RoundedMesh round_to_solid(const NearestMesh& mesh, const CoordinateGrid& grid, const Monitor& monitor) {
-  const GridRounding rounding(grid);
-  auto [parts, report] = SolidRounding(mesh, rounding, monitor).run();
-  if (!parts) parts = MovingMesh(mesh.mesh).take();
-  return {std::move(parts->mesh), std::move(parts->source_face), report};
-}
-
-void round_result(const NearestMesh& mesh, const CoordinateGrid& grid, const Monitor& monitor, BooleanResult& result) {
-  const GridRounding rounding(grid);
-  auto [parts, report] = SolidRounding(mesh, rounding, monitor).run();
+void round_result(const NearestMesh& mesh, const Options& options, const Monitor& monitor, BooleanResult& result) {
+  const GridRounding rounding(*options.rounding);
+  auto [parts, report] = SolidRounding(mesh, rounding, options.measure, monitor).run();
   if (parts) return put_rounded({std::move(parts->mesh), std::move(parts->source_face), report}, result);
   result.exact.clear();
   result.rounding = report;
@@ -394,8 +416,11 @@ void put_rounded(RoundedMesh rounded, BooleanResult& result) {
 
 RoundedMesh round_to_solid(const ExactMesh& mesh, const CoordinateGrid& grid, const Options& options) {
   const Monitor monitor(options.cancel);
-  return arena_for(options, mesh.mesh.triangles.size()).execute([&] {
-    return round_to_solid(NearestMesh::of(mesh), grid, monitor);
+  return arena_for(options, mesh.mesh.triangles.size()).execute([&]() -> RoundedMesh {
+    const GridRounding rounding(grid);
+    auto [parts, report] = SolidRounding(NearestMesh::of(mesh), rounding, options.measure, monitor).run();
+    if (!parts) parts = MovingMesh(mesh.mesh).take();
+    return {std::move(parts->mesh), std::move(parts->source_face), report};
   });
 }
 

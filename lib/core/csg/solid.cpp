@@ -32,6 +32,7 @@ Solid::Data data_of(BooleanResult result) {
 /// The same with exact vertices in the result.
 Options exact(Options options) {
   options.exact_vertices = true;
+  options.measure = false;
   return options;
 }
 

@@ -43,15 +43,24 @@ struct Corner {
 /// Two triangles of one facet, with an edge in common.
 using FlatPair = std::pair<Index, Index>;
 
-/// A mesh whose facets are counted, and a filter in doubles for what is not flat.
+/// A triangle at an edge, and its third vertex.
+struct Wing {
+  Index triangle, tip;
+};
+
+/// Which triangles with a common edge are of one facet: a filter in doubles for edges that are bent, and what decides
+/// about the others.
 class Flatness {
  public:
-  Flatness(ExactMeshView mesh, std::span<const Triangle> triangles) : points_(mesh.mesh.vertices) {
-    complex_.add(points_, triangles, mesh.exact);
-    if (!mesh.exact.empty()) error_ = largest_coordinate(points_) * 0x1p-52 + 0x1p-1074;
+  /// Are two triangles of one facet? `a` has the side from v to w, `b` that from w to v.
+  using Decide = FunctionRef<bool(Index v, Index w, const Wing& a, const Wing& b)>;
+
+  /// `points`: the vertices, or their nearest doubles where `are_rounded`. These and `decide` must stay.
+  Flatness(std::span<const Vertex> points, bool are_rounded, Decide decide) : points_(points), decide_(decide) {
+    if (are_rounded) error_ = largest_coordinate(points_) * 0x1p-52 + 0x1p-1074;
   }
 
-  [[nodiscard]] const InputComplex& complex() const { return complex_; }
+  [[nodiscard]] bool are_flat(Index v, Index w, const Wing& a, const Wing& b) const { return decide_(v, w, a, b); }
 
   /// For an inner vertex and the others around it, in order: which edges to these are certain to be bent? A bit each.
   ///
@@ -82,7 +91,7 @@ class Flatness {
 
  private:
   std::span<const Vertex> points_;
-  InputComplex complex_;
+  Decide decide_;
   double error_ = 0;  ///< of a difference of two coordinates
 };
 
@@ -192,16 +201,8 @@ class StarCensus {
         if (a.leaves && !b.leaves) add_if_flat(v, a.other, {star[a.member], a.opposite}, {star[b.member], b.opposite});
   }
 
-  /// A triangle at an edge, and its third vertex.
-  struct Wing {
-    Index triangle, tip;
-  };
-
-  /// `a` has the side from v to w, `b` that from w to v.
   void add_if_flat(Index v, Index w, const Wing& a, const Wing& b) {
-    if (orient3d(flatness_->complex(), v, w, a.tip, b.tip) == Sign::zero &&
-        same_orientation(flatness_->complex(), a.triangle, b.triangle) == Sign::positive)
-      flat_pairs.emplace_back(a.triangle, b.triangle);
+    if (flatness_->are_flat(v, w, a, b)) flat_pairs.emplace_back(a.triangle, b.triangle);
   }
 
   /// Sets of a star's members.
@@ -277,9 +278,25 @@ Connections connections(std::span<const Triangle> triangles, std::size_t vertex_
 
 Connections connections(ExactMeshView mesh, Facets facets, const Monitor& monitor) {
   const OnFirstVertices welded(mesh, monitor);
-  std::optional<Flatness> flatness;
-  if (facets == Facets::count) flatness.emplace(mesh, welded.triangles());
-  return connections(welded.triangles(), mesh.mesh.vertices.size(), flatness ? &*flatness : nullptr, monitor);
+  const std::size_t vertices = mesh.mesh.vertices.size();
+  if (facets == Facets::skip) return connections(welded.triangles(), vertices, nullptr, monitor);
+  InputComplex complex;
+  complex.add(mesh.mesh.vertices, welded.triangles(), mesh.exact);
+  const auto are_flat = [&](Index v, Index w, const Wing& a, const Wing& b) {
+    return orient3d(complex, v, w, a.tip, b.tip) == Sign::zero &&
+           same_orientation(complex, a.triangle, b.triangle) == Sign::positive;
+  };
+  const Flatness flatness(mesh.mesh.vertices, !mesh.exact.empty(), are_flat);
+  return connections(welded.triangles(), vertices, &flatness, monitor);
+}
+
+Connections connections(const NearestMesh& mesh, FunctionRef<bool(Index, Index)> are_coplanar, const Monitor& monitor) {
+  const OnFirstVertices welded(mesh);
+  const auto are_flat = [&](Index, Index, const Wing& a, const Wing& b) {
+    return are_coplanar(a.triangle, b.triangle);
+  };
+  const Flatness flatness(mesh.mesh.vertices, !mesh.rounded.empty(), are_flat);
+  return connections(welded.triangles(), mesh.mesh.vertices.size(), &flatness, monitor);
 }
 
 Topology topology_of(const NearestMesh& mesh) {

@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "core/mesh/nearest_mesh.h"
+#include "strata/function.h"
 #include "strata/measure.h"
 #include "strata/mesh.h"
 
@@ -17,6 +18,12 @@ enum class Facets : bool { skip, count };
 
 /// Requires indices in range; to count facets, finite coordinates. O(n log d) for vertices of degree d, in parallel.
 [[nodiscard]] Connections connections(ExactMeshView mesh, Facets facets, const Monitor& monitor = {});
+
+/// The same, with facets. `are_coplanar`: of two triangles with a common edge, whose sides there have opposite
+/// directions. May be called from many threads.
+[[nodiscard]] Connections connections(const NearestMesh& mesh,
+                                      FunctionRef<bool(std::uint32_t, std::uint32_t)> are_coplanar,
+                                      const Monitor& monitor);
 
 /// As `topology` of the exact mesh.
 [[nodiscard]] Topology topology_of(const NearestMesh& mesh);

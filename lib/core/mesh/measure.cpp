@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -39,7 +40,7 @@ long double square_root(const Rational& q) {
   return std::ldexp(to_nearest_long_double(root), static_cast<int>(-k));
 }
 
-long double exact_double_area(const ExactMesh& mesh, const Triangle& t) {
+long double exact_double_area(ExactMeshView mesh, const Triangle& t) {
   const RationalPoint a = mesh.position(t[0]);
   const RationalPoint normal = cross(minus(mesh.position(t[1]), a), minus(mesh.position(t[2]), a));
   return square_root(dot(normal, normal));
@@ -233,24 +234,23 @@ struct CompensatedSum {
   }
 };
 
-/// How thin triangles are measured whose rational corners are too near each other for sums of two doubles.
-enum class ThinTriangles : bool { bounded, exact };
-
-/// Twice the area. Ranges are divided in the same places for any number of threads, so that roundings are the same.
-CompensatedSum double_area_of(const ExactMesh& mesh, const SplitVertices& split, ThinTriangles thin,
+/// Twice the area. Triangles whose rational corners are too near each other for sums of two doubles are measured in
+/// the exact mesh, if there is one. Ranges are divided in the same places for any number of threads, so that roundings
+/// are the same.
+CompensatedSum double_area_of(MeshView mesh, const SplitVertices& split, const ExactMeshView* exact,
                               const Monitor& monitor) {
-  const auto& v = mesh.mesh.vertices;
+  const std::span<const Vertex> v = mesh.vertices;
   const auto add = [&](const Range& range, CompensatedSum sum) {
     monitor.check();
     for (std::size_t f = range.begin(); f != range.end(); ++f) {
-      const Triangle& t = mesh.mesh.triangles[f];
+      const Triangle& t = mesh.triangles[f];
       long double term =
-          split.any_low(t) ? fast_double_area(mesh.mesh, split, t) : fast_double_area(v[t[0]], v[t[1]], v[t[2]]);
+          split.any_low(t) ? fast_double_area(mesh, split, t) : fast_double_area(v[t[0]], v[t[1]], v[t[2]]);
       if (term < 0) {
-        const BoundedArea bounded = bounded_double_area(mesh.mesh, split, t);
+        const BoundedArea bounded = bounded_double_area(mesh, split, t);
         const bool is_sure = bounded.error <= bounded.value * 0x1p-56L;
-        term = is_sure || thin == ThinTriangles::bounded ? bounded.value : exact_double_area(mesh, t);
-        if (!is_sure && thin == ThinTriangles::bounded) sum.error += bounded.error;
+        term = is_sure || exact == nullptr ? bounded.value : exact_double_area(*exact, t);
+        if (!is_sure && exact == nullptr) sum.error += bounded.error;
       }
       sum.add(term);
     }
@@ -262,8 +262,8 @@ CompensatedSum double_area_of(const ExactMesh& mesh, const SplitVertices& split,
     a.error += b.error;
     return a;
   };
-  return tbb::parallel_deterministic_reduce(Range(0, mesh.mesh.triangles.size(), triangles_at_once), CompensatedSum{},
-                                            add, join);
+  return tbb::parallel_deterministic_reduce(Range(0, mesh.triangles.size(), triangles_at_once), CompensatedSum{}, add,
+                                            join);
 }
 
 Rational volume_of(ExactMeshView mesh, const Monitor& monitor) {
@@ -274,28 +274,45 @@ Rational volume_of(ExactMeshView mesh, const Monitor& monitor) {
   return sum.value() / 6;
 }
 
+double nearest_volume_of(ExactMeshView mesh, const Monitor& monitor) {
+  if (const auto volume = decided_volume(mesh.mesh, SplitVertices(mesh), monitor)) return *volume;
+  return to_nearest_double(volume_of(mesh, monitor));
+}
+
+double area(const CompensatedSum& twice) { return static_cast<double>((twice.sum + twice.lost) / 2); }
+
+}  // namespace
+
 // If coordinates are below L in magnitude and change by at most e, a determinant, of six products, changes by at most
 // 6 ((L + e)^3 - L^3) <= 18 (L + e)^2 e.
-double nearest_volume_of(ExactMeshView mesh, const Monitor& monitor) {
-  const SplitVertices split(mesh);
-  const double largest = largest_coordinate(mesh.mesh.vertices);
-  SplitVolumeSum sum(mesh.mesh, split, largest, monitor);
-  tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), triangles_at_once), sum);
+std::optional<double> decided_volume(MeshView mesh, const SplitVertices& split, const Monitor& monitor) {
+  const double largest = largest_coordinate(mesh.vertices);
+  SplitVolumeSum sum(mesh, split, largest, monitor);
+  tbb::parallel_reduce(Range(0, mesh.triangles.size(), triangles_at_once), sum);
   const Rational error = to_rational(split.error()), size = 2 * to_rational(largest) + 2 * error;
   const Rational bound = 18 * Rational(sum.rounded_triangles()) * size * size * error;
   const double lower = to_nearest_double(Rational((sum.value() - bound) / 6));
   const double upper = to_nearest_double(Rational((sum.value() + bound) / 6));
-  return lower == upper ? lower : to_nearest_double(volume_of(mesh, monitor));
+  return lower == upper ? std::optional(lower) : std::nullopt;
 }
 
-}  // namespace
+// The errors of triangles that are thinner than two doubles tell matter only where nearly all are so thin.
+std::optional<double> decided_area(MeshView mesh, const SplitVertices& split, const Monitor& monitor) {
+  const CompensatedSum total = double_area_of(mesh, split, nullptr, monitor);
+  return total.error <= total.sum * 0x1p-56L ? std::optional(area(total)) : std::nullopt;
+}
 
 Rational volume(ExactMeshView mesh) { return volume_of(mesh, {}); }
 double nearest_volume(ExactMeshView mesh) { return nearest_volume_of(mesh, {}); }
 double area(const ExactMesh& mesh) { return area_of(mesh, {}); }
 
 ClosedVolume volume_of_closed(ExactMeshView mesh, const Monitor& monitor) {
-  if (!mesh.exact.empty()) return {nearest_volume_of(mesh, monitor), std::nullopt};
+  if (mesh.exact.size() > most_rational_vertices) return {nearest_volume_of(mesh, monitor), std::nullopt};
+  if (!mesh.exact.empty()) {
+    Rational exact = volume_of(mesh, monitor);
+    const double nearest = to_nearest_double(exact);
+    return {nearest, std::move(exact)};
+  }
   PrismSum prisms(mesh.mesh, largest_coordinate(mesh.mesh.vertices), monitor);
   tbb::parallel_reduce(Range(0, mesh.mesh.triangles.size(), triangles_at_once), prisms);
   Rational exact = prisms.is_complete() ? Rational(prisms.value() / 6) : volume_of(mesh, monitor);
@@ -303,12 +320,10 @@ ClosedVolume volume_of_closed(ExactMeshView mesh, const Monitor& monitor) {
   return {nearest, std::move(exact)};
 }
 
-// The errors of triangles that are thinner than two doubles tell matter only where nearly all are so thin.
-double area_of(const ExactMesh& mesh, const Monitor& monitor) {
+double area_of(ExactMeshView mesh, const Monitor& monitor) {
   const SplitVertices split(mesh);
-  CompensatedSum total = double_area_of(mesh, split, ThinTriangles::bounded, monitor);
-  if (!(total.error <= total.sum * 0x1p-56L)) total = double_area_of(mesh, split, ThinTriangles::exact, monitor);
-  return static_cast<double>((total.sum + total.lost) / 2);
+  if (const auto decided = decided_area(mesh.mesh, split, monitor)) return *decided;
+  return area(double_area_of(mesh.mesh, split, &mesh, monitor));
 }
 
 }  // namespace strata

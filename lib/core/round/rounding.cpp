@@ -76,7 +76,7 @@ std::vector<std::uint32_t> rounded_vertices(const InputComplex& input, const Bou
 }
 
 std::vector<ExactVertex> exact_positions(const InputComplex& input, const Boundary& boundary,
-                                         const std::vector<Vertex>& rounded, const Monitor& monitor) {
+                                         std::span<const Vertex> rounded, const Monitor& monitor) {
   const std::vector<std::uint32_t> candidates = candidates_for_rounding(input, boundary);
   std::vector<std::optional<RationalPoint>> positions(candidates.size());
   for_each_index(candidates.size(), 64, monitor, [&](std::size_t n) {

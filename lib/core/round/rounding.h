@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/kernel/input_complex.h"
@@ -23,6 +24,6 @@ namespace strata {
 
 /// The exact positions of those vertices that differ from `rounded`.
 [[nodiscard]] std::vector<ExactVertex> exact_positions(const InputComplex& input, const Boundary& boundary,
-                                                       const std::vector<Vertex>& rounded, const Monitor& monitor);
+                                                       std::span<const Vertex> rounded, const Monitor& monitor);
 
 }  // namespace strata
