@@ -21,6 +21,7 @@ namespace strata {
 struct RoundingReport {
   /// How often faces were repaired or resolved. 0: the vertices, each rounded to the nearest numbers, bound a solid.
   std::uint64_t rounds = 0;
+  bool is_rearranged = false;  ///< in rounds, or since vertices met: triangles are not those of the exact boundary
   std::uint64_t moved_vertices = 0;  ///< vertices of the mesh that may be off the exact boundary
   /// The largest distance from a point of the mesh to the exact boundary: a bound. It is the sum of what each round
   /// moved, or measured where that would be more than four units.

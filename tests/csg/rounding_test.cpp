@@ -121,6 +121,8 @@ TEST_CASE("what is thinner than the grid vanishes, and the report says so", "[cs
   CHECK(brief.mesh == one.mesh);
   CHECK(brief.report.vanished_components == 1);
   CHECK_FALSE(brief.report.exact.has_value());
+  CHECK(brief.report.is_rearranged);
+  CHECK_FALSE(round_to_solid(both.exact_mesh()).report.is_rearranged);
   // A plate as thin that stands on a box shares vertices with faces of it.
   const Solid fin = box({0, 0, 0}, {10, 10, 10}) | box({2, 2, 10}, {8, 2.25, 13});
   const RoundedMesh box_alone = check_rounded(fin.exact_mesh(), steps(1));
@@ -426,6 +428,7 @@ TEST_CASE("results rounded by combine are those of their exact vertices", "[csg]
       CHECK(rounded.mesh == expected.mesh);
       CHECK(rounded.exact.empty());
       CHECK(rounded.rounding->rounds == expected.report.rounds);
+      CHECK(rounded.rounding->is_rearranged == expected.report.exact.has_value());
       CHECK(rounded.rounding->moved_vertices == expected.report.moved_vertices);
       CHECK(rounded.rounding->vanished_faces == expected.report.vanished_faces);
       CHECK(rounded.rounding->vanished_components == expected.report.vanished_components);

@@ -128,7 +128,8 @@ RoundedOutput rounded_output(const strata::ExactMesh& exact, const strata::Attri
   strata::RoundedMesh rounded = rounded_for_output(exact, *grid, settings, cancel);
   print_rounding(rounded.report, settings);
   Json report = to_json(rounded.report, rounded.mesh);
-  const bool is_rounded_by_writer = !strata::holds_floats(format) && !rounded.report.rounded && settings.grid.empty();
+  const bool is_rounded_by_writer =
+      !strata::holds_floats(format) && !rounded.report.is_rearranged && settings.grid.empty();
   std::optional<strata::RoundingReport> straying;
   if (strays(rounded.report)) straying = rounded.report;
   if (is_rounded_by_writer) return {attributes, std::nullopt, std::move(report), straying};

@@ -33,7 +33,7 @@ Written rounded_for(Format format, const Solid& solid) {
   CoordinateGrid grid;
   if (holds_floats(format)) grid.format = CoordinateGrid::Format::float32;
   RoundedMesh rounded = round_to_solid(exact.mesh, grid, watched());
-  if (!holds_floats(format) && !rounded.report.rounded) return exact;
+  if (!holds_floats(format) && !rounded.report.is_rearranged) return exact;
   Attributes attributes;
   if (!exact.attributes.empty())
     attributes = carry_attributes({exact.mesh, &exact.attributes}, rounded, grid, watched());

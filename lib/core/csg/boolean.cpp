@@ -1,7 +1,5 @@
 #include "core/csg/boolean.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <memory>
 #include <optional>
 #include <string>
@@ -125,6 +123,14 @@ BooleanResult evaluate_in_cells(const Rule& rule, InputComplex complex, const Op
   return finished(*kept, verdicts, std::move(subdivision), options, monitor, stages);
 }
 
+/// One face of each patch. Faces that cross others are patches of their own.
+std::vector<std::uint32_t> first_faces(const Shells& patches) {
+  std::vector<std::uint32_t> first;
+  for (std::uint32_t f = 0; f < patches.of_face.size(); ++f)
+    if (patches.of_face[f] == first.size()) first.push_back(f);  // they are numbered by their first faces
+  return first;
+}
+
 /// The stages after `prepare` for one mesh of which few faces cross: no cells are made, and points are decided for
 /// whole patches.
 BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, const EmbeddedStars& stars,
@@ -134,15 +140,11 @@ BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, c
   count(intersections, stages.profile());
   stages.end("intersect", 0.55);
 
-  std::optional<RayWindings> windings;
-  Shells patches;
-  tbb::parallel_invoke([&] { windings.emplace(input); },
-                       [&] {
-                         std::vector<bool> crossing(input.face_count(), false);
-                         for (const SelfIntersection& p : pairs) crossing[p.face] = crossing[p.other] = true;
-                         patches = find_patches(input, stars, crossing);
-                       });
-  const Classifier classifier{rule, *windings};
+  std::vector<bool> crossing(input.face_count(), false);
+  for (const SelfIntersection& p : pairs) crossing[p.face] = crossing[p.other] = true;
+  const Shells patches = find_patches(input, stars, crossing);
+  const RayWindings windings(input, first_faces(patches));
+  const Classifier classifier{rule, windings};
   Subdivision subdivision = subdivide(input, std::move(intersections), classifier, monitor);
   count(subdivision, stages.profile());
   stages.end("subdivide", 0.8);

@@ -261,9 +261,11 @@ class SolidRounding {
   /// becomes coarser; without any bits, all vertices are.
   [[nodiscard]] std::vector<VertexMove> moves_of_new_vertices(const BooleanResult& result, int bits_less) const {
     const std::vector<Vertex>& points = result.mesh.vertices;
-    std::vector<bool> is_new(points.size()), is_exact(points.size(), false);
+    std::vector<bool> is_exact(points.size(), false);
     for (const ExactVertex& e : result.exact) is_exact[e.vertex] = true;
-    for (std::size_t v = 0; v < is_new.size(); ++v) is_new[v] = is_exact[v] || !grid_.holds(points[v]);
+    std::vector<bool> is_new = is_exact;
+    if (!grid_.holds_all_doubles())
+      for (std::size_t v = 0; v < is_new.size(); ++v) is_new[v] = is_exact[v] || !grid_.holds(points[v]);
     std::vector<VertexMove> moves;
     if (std::none_of(is_new.begin(), is_new.end(), [](bool x) { return x; })) return moves;
     std::vector<bool> is_rounded = is_new;
@@ -289,7 +291,8 @@ class SolidRounding {
       return {std::nullopt, report};
     }
     MovingMesh::Parts parts = std::move(moving).take();
-    if (report.rounds > 0 || have_vertices_met) compare(parts, report);
+    report.is_rearranged = report.rounds > 0 || have_vertices_met;
+    if (report.is_rearranged) compare(parts, report);
     tighten_distances(exact_, parts.mesh, far_units * report.unit, monitor_, parts.moved);
     count_moved_vertices(parts, report);
     for (const double moved : parts.moved) report.largest_movement = std::max(report.largest_movement, moved);
@@ -336,34 +339,33 @@ class SolidRounding {
   /// A vertex is as near to the exact boundary as any of its triangles.
   class VertexMovements {
    public:
-    explicit VertexMovements(std::size_t vertices) {
-      resize_fresh(of_vertex_, vertices, std::numeric_limits<double>::infinity());
+    VertexMovements(std::size_t vertices, double far) : far_(far) {
+      for (std::vector<char>* marks : {&is_used_, &is_unmoved_, &is_near_}) resize_fresh(*marks, vertices);
     }
     /// From many threads.
     void add(const Triangle& t, double way) {
-      for (const std::uint32_t v : t) {
-        const std::atomic_ref<double> least(of_vertex_[v]);
-        double before = least.load(std::memory_order_relaxed);
-        while (way < before && !least.compare_exchange_weak(before, way, std::memory_order_relaxed)) {
-        }
-      }
+      mark(t, is_used_);
+      if (way == 0) mark(t, is_unmoved_);
+      if (way <= far_) mark(t, is_near_);
     }
     void count(RoundingReport& report) const {
-      const auto is_between = [&](double low, std::uint32_t v) {
-        return of_vertex_[v] > low && !std::isinf(of_vertex_[v]);
+      const auto count_without = [&](const std::vector<char>& marks) {
+        return collect(is_used_.size(), [&](std::uint32_t v) { return is_used_[v] != 0 && marks[v] == 0; }).size();
       };
-      const std::vector<std::uint32_t> moved =
-          collect(of_vertex_.size(), [&](std::uint32_t v) { return is_between(0, v); });
-      report.moved_vertices += moved.size();
-      report.far_vertices += static_cast<std::size_t>(std::count_if(
-          moved.begin(), moved.end(), [&](std::uint32_t v) { return is_between(far_units * report.unit, v); }));
+      report.moved_vertices += count_without(is_unmoved_);
+      report.far_vertices += count_without(is_near_);
     }
 
    private:
-    std::vector<double> of_vertex_;
+    static void mark(const Triangle& t, std::vector<char>& marks) {
+      for (const std::uint32_t v : t) std::atomic_ref(marks[v]).store(1, std::memory_order_relaxed);
+    }
+
+    double far_;
+    std::vector<char> is_used_, is_unmoved_, is_near_;
   };
   static void count_moved_vertices(const MovingMesh::Parts& rounded, RoundingReport& report) {
-    VertexMovements movements(rounded.mesh.vertices.size());
+    VertexMovements movements(rounded.mesh.vertices.size(), far_units * report.unit);
     tbb::parallel_for(std::size_t{0}, rounded.moved.size(),
                       [&](std::size_t t) { movements.add(rounded.mesh.triangles[t], rounded.moved[t]); });
     movements.count(report);
@@ -376,7 +378,7 @@ class SolidRounding {
     const auto position_in = [](const std::vector<std::uint32_t>& sorted, std::uint32_t number) {
       return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), number) - sorted.begin());
     };
-    VertexMovements movements(region.vertices().size());
+    VertexMovements movements(region.vertices().size(), far_units * report.unit);
     tbb::parallel_for(std::size_t{0}, region.faces().size(), [&](std::size_t n) {
       const std::uint32_t f = region.faces()[n], at = position_in(changed, f);
       Triangle t = mesh.triangles[f];

@@ -38,8 +38,6 @@ bool are_same(const Vertex& a, const Vertex& b) {
   });
 }
 
-std::pair<std::uint32_t, std::uint32_t> side(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
-
 void drop_unused_vertices(Mesh& mesh) {
   std::vector<std::uint32_t> number(mesh.vertices.size(), none);
   for (const Triangle& t : mesh.triangles)
@@ -141,7 +139,7 @@ void MovingMesh::flip(std::span<const FlatFlip> flips) {
     source_face_[cap] = source_face_[base];
     moved_[base] += way;
     moved_[cap] = moved_[base];
-    lost_sides_.insert(side(a, b));
+    lose_side(a, b);
     touched.insert(touched.end(), {cap, base});
   }
   add_changed(std::move(touched));
@@ -151,7 +149,7 @@ void MovingMesh::cancel(std::span<const std::pair<std::uint32_t, std::uint32_t>>
   copy_given();
   for (const auto& [face, opposite] : opposites) {
     const Triangle t = mesh_.triangles[face];
-    for (std::size_t i = 0; i < 3; ++i) lost_sides_.insert(side(t[i], t[(i + 1) % 3]));
+    for (std::size_t i = 0; i < 3; ++i) lose_side(t[i], t[(i + 1) % 3]);
     mesh_.triangles[face] = mesh_.triangles[opposite] = {t[0], t[0], t[0]};
   }
   has_unused_ = has_unused_ || !opposites.empty();
@@ -165,7 +163,7 @@ void MovingMesh::replace(std::span<const std::uint32_t> faces, std::span<const T
     const Triangle t = mesh_.triangles[f];
     passed.include(box(f));
     moved = std::max(moved, moved_[f]);
-    for (std::size_t i = 0; i < 3; ++i) lost_sides_.insert(side(t[i], t[(i + 1) % 3]));
+    for (std::size_t i = 0; i < 3; ++i) lose_side(t[i], t[(i + 1) % 3]);
     mesh_.triangles[f] = {t[0], t[0], t[0]};
   }
   for (const Triangle& t : by)
@@ -186,6 +184,10 @@ std::uint32_t MovingMesh::add_vertex(const Vertex& at) {
   copy_given();
   mesh_.vertices.push_back(at);
   return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
+}
+
+void MovingMesh::lose_side(std::uint32_t a, std::uint32_t b) {
+  if (swept_) lost_sides_.insert(std::minmax(a, b));
 }
 
 void MovingMesh::set_searched(const std::vector<std::uint32_t>& wrong) {

@@ -69,7 +69,8 @@ class MovingMesh {
   [[nodiscard]] const std::vector<std::uint32_t>& changed() const { return changed_; }
   /// Boxes of all that the surface passed; none if that is everywhere.
   [[nodiscard]] const std::optional<std::vector<Box>>& swept() const { return swept_; }
-  /// Edges, from the lower to the higher vertex, that triangles no longer have without a move of a vertex.
+  /// Edges, from the lower to the higher vertex, that triangles no longer have without a move of a vertex, as long as
+  /// boxes are kept.
   [[nodiscard]] const std::set<std::pair<std::uint32_t, std::uint32_t>>& lost_sides() const { return lost_sides_; }
   /// How far changed triangles are from the exact boundary at most; of a mesh as it was given.
   [[nodiscard]] const std::vector<double>& moved_of_changed() const { return moved_; }
@@ -88,6 +89,7 @@ class MovingMesh {
  private:
   void copy_given();
   void add_changed(std::vector<std::uint32_t> faces);
+  void lose_side(std::uint32_t a, std::uint32_t b);
 
   std::optional<MeshView> boundary_;  ///< in place of `mesh_` and `source_face_`, as long as nothing changed
   Mesh mesh_;

@@ -21,19 +21,20 @@ namespace {
 
 using Index = std::uint32_t;
 
-bool identify_equal_vertices(MovingMesh& mesh, const ChangedRegion& region) {
-  std::vector<VertexMove> moves;
-  for (const auto& [vertex, first] : region.equal_vertices())
-    moves.push_back({vertex, first, mesh.mesh().vertices[vertex], 0});
-  mesh.move(moves);
-  return !moves.empty();
+/// Vertices that are where one with a lower number is, by increasing number, and that one.
+using PlacesInCommon = std::vector<std::pair<Index, Index>>;
+
+/// The first of the vertices in one place.
+Index first_in_place(const PlacesInCommon& equal, Index vertex) {
+  const auto found = std::lower_bound(equal.begin(), equal.end(), std::pair(vertex, Index{0}));
+  return found != equal.end() && found->first == vertex ? found->second : vertex;
 }
 
-/// The vertices of some faces, by increasing number.
-std::vector<Index> vertices_of(const MovingMesh& mesh, std::span<const Index> faces) {
+/// The vertices of some faces, equal ones once, by increasing number.
+std::vector<Index> vertices_of(const MovingMesh& mesh, std::span<const Index> faces, const PlacesInCommon& equal) {
   std::vector<Index> vertices;
   for (const Index f : faces)
-    vertices.insert(vertices.end(), mesh.mesh().triangles[f].begin(), mesh.mesh().triangles[f].end());
+    for (const Index v : mesh.mesh().triangles[f]) vertices.push_back(first_in_place(equal, v));
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
@@ -66,7 +67,7 @@ class Staying {
   }
 
  private:
-  /// Places in cells of 2^(exponent + 1), which are wider than the reach of their vertices.
+  /// Places in cells of 2^(exponent + 3), four times as wide at least as the reach of their vertices.
   struct Cell {
     int exponent = 0;
     Vertex place{};
@@ -87,14 +88,18 @@ class Staying {
     return {std::max(lowest_exponent_, exponent(reach_ * grid_.unit_at(size(p) / 2))),
             std::min(highest_exponent_, exponent(reach_ * grid_.unit_at(size(p) + 2 * reach_of(p))))};
   }
-  static double cell_of(double x, int e) { return std::floor(std::ldexp(x, -(e + 1))); }
+  static double cell_of(double x, int e) { return std::floor(std::ldexp(x, -(e + 3))); }
   static Cell cell_at(const Vertex& p, int e) { return {e, {cell_of(p[0], e), cell_of(p[1], e), cell_of(p[2], e)}}; }
+  /// Those of places that p is in the reach of, at most two in each direction.
   template <class Visit>
   static void for_each_cell(const Vertex& p, int e, const Visit& visit) {
-    const Vertex middle = cell_at(p, e).place;
-    for (const double x : {-1.0, 0.0, 1.0})
-      for (const double y : {-1.0, 0.0, 1.0})
-        for (const double z : {-1.0, 0.0, 1.0}) visit(Cell{e, {middle[0] + x, middle[1] + y, middle[2] + z}});
+    const double reach = std::ldexp(1.0, e + 1);
+    const std::array<Vertex, 2> ends{cell_at({p[0] - reach, p[1] - reach, p[2] - reach}, e).place,
+                                     cell_at({p[0] + reach, p[1] + reach, p[2] + reach}, e).place};
+    const auto count = [&](std::size_t i) { return ends[0][i] == ends[1][i] ? 1U : 2U; };
+    for (unsigned x = 0; x < count(0); ++x)
+      for (unsigned y = 0; y < count(1); ++y)
+        for (unsigned z = 0; z < count(2); ++z) visit(Cell{e, {ends[x][0], ends[y][1], ends[z][2]}});
   }
 
   std::span<const Vertex> points_;
@@ -104,17 +109,37 @@ class Staying {
   std::unordered_map<Cell, std::vector<Index>, CellHash> cells_;
 };
 
-bool join_near_vertices(MovingMesh& mesh, std::span<const Index> wrong, const GridRounding& grid, double reach) {
+/// Vertices of wrong faces that go to near ones; of those in one place, the first. By increasing number.
+std::vector<VertexMove> moves_to_near(const MovingMesh& mesh, std::span<const Index> wrong, const PlacesInCommon& equal,
+                                      const GridRounding& grid, double reach) {
   const std::span<const Vertex> points = mesh.mesh().vertices;
   Staying staying(points, grid, reach);
   std::vector<VertexMove> moves;
-  for (const Index v : vertices_of(mesh, wrong)) {
+  for (const Index v : vertices_of(mesh, wrong, equal)) {
     if (const auto stays = staying.near(points[v])) {
       moves.push_back({v, *stays, points[*stays], distance(points[*stays], points[v])});
     } else {
       staying.add(v);
     }
   }
+  return moves;
+}
+
+/// Vertices in one place become one, and those of wrong faces go to near ones.
+bool join_vertices(MovingMesh& mesh, const PlacesInCommon& equal, std::span<const Index> wrong,
+                   const GridRounding& grid, double reach) {
+  const std::vector<VertexMove> firsts = moves_to_near(mesh, wrong, equal, grid, reach);
+  const auto is_before = [](const VertexMove& a, const VertexMove& b) { return a.vertex < b.vertex; };
+  std::vector<VertexMove> others;
+  others.reserve(equal.size());
+  for (const auto& [vertex, first] : equal) {
+    const auto move = std::lower_bound(firsts.begin(), firsts.end(), VertexMove{first, first, {}, 0}, is_before);
+    others.push_back(move != firsts.end() && move->vertex == first
+                         ? VertexMove{vertex, move->becomes, move->to, move->way}
+                         : VertexMove{vertex, first, mesh.mesh().vertices[vertex], 0});
+  }
+  std::vector<VertexMove> moves(firsts.size() + others.size());
+  std::merge(firsts.begin(), firsts.end(), others.begin(), others.end(), moves.begin(), is_before);
   mesh.move(moves);
   return !moves.empty();
 }
@@ -219,8 +244,7 @@ bool flip_caps(MovingMesh& mesh, std::span<const Index> wrong, const GridRoundin
 
 bool repair(MovingMesh& mesh, const ChangedRegion& region, const std::vector<std::uint32_t>& wrong,
             const GridRounding& grid, double reach) {
-  bool is_changed = identify_equal_vertices(mesh, region);
-  is_changed |= join_near_vertices(mesh, wrong, grid, reach);
+  bool is_changed = join_vertices(mesh, region.equal_vertices(), wrong, grid, reach);
   is_changed |= cancel_opposite_faces(mesh);
   constexpr int passes = 3;  // a flip can make another cap
   for (int n = 0; n < passes && flip_caps(mesh, wrong, grid, reach); ++n) is_changed = true;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/containers/collect.h"
 #include "core/containers/huge_pages.h"
 #include "core/containers/point_bounds.h"
 #include "core/kernel/face_box.h"
@@ -25,7 +26,7 @@ Sign side_of_ray(const InputComplex& input, std::uint32_t face) {
 
 }  // namespace
 
-RayWindings::RayWindings(const InputComplex& input) : input_(input) {
+RayWindings::RayWindings(const InputComplex& input, std::span<const std::uint32_t> asked) : input_(input) {
   const std::uint32_t count = input.face_count();
   const Box bounds = bounds_of_finite(input.points(0));
   width_ = std::clamp<std::uint32_t>(static_cast<std::uint32_t>(std::sqrt(count) / 2), 1, most_columns);
@@ -34,27 +35,42 @@ RayWindings::RayWindings(const InputComplex& input) : input_(input) {
     const double cells = width_ / 2.0 / (bounds.upper[i + 1] / 2 - bounds.lower[i + 1] / 2);
     per_cell_[i] = cells > 0 && cells < Box::infinity ? cells : 0;
   }
-  std::vector<Cells> cells;  // of each face
-  resize_fresh(cells, count);
-  tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t f) {
-    const Box box = face_box(input, f);
-    cells[f] = cells_of(box.lower[1], box.upper[1], box.lower[2], box.upper[2]);
+  is_made_.resize(std::size_t{width_} * width_);
+  for (const std::uint32_t f : asked)
+    for_each_column_of(cells_of(f), [&](std::uint32_t column) { is_made_[column] = true; });
+
+  const std::vector<std::uint32_t> listed = collect(count, [&](std::uint32_t f) {
+    bool is_listed = false;
+    return !for_each_column(cells_of(f), [&](std::uint32_t column) { is_listed = is_listed || is_made_[column]; }) ||
+           is_listed;
   });
-  const auto for_each_column = [&](std::uint32_t face, const auto& visit) {
-    const auto& [lower, upper] = cells[face];
-    if ((upper[0] - lower[0] + 1) * (upper[1] - lower[1] + 1) > many_cells) return false;
-    for (std::uint32_t z = lower[1]; z <= upper[1]; ++z)
-      for (std::uint32_t y = lower[0]; y <= upper[0]; ++y) visit(z * width_ + y);
-    return true;
-  };
-  first_.assign(std::size_t{width_} * width_ + 1, 0);
-  for (std::uint32_t f = 0; f < count; ++f)
-    if (!for_each_column(f, [&](std::uint32_t column) { ++first_[column + 1]; })) wide_.push_back(f);
+  first_.assign(is_made_.size() + 1, 0);
+  for (const std::uint32_t f : listed)
+    if (!for_each_column(cells_of(f), [&](std::uint32_t column) { ++first_[column + 1]; })) wide_.push_back(f);
   for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
   resize_fresh(faces_, first_.back());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::uint32_t f = 0; f < count; ++f)
-    for_each_column(f, [&](std::uint32_t column) { faces_[next[column]++] = f; });
+  for (const std::uint32_t f : listed)
+    for_each_column(cells_of(f), [&](std::uint32_t column) { faces_[next[column]++] = f; });
+}
+
+RayWindings::Cells RayWindings::cells_of(std::uint32_t face) const {
+  const Box box = face_box(input_, face);
+  return cells_of(box.lower[1], box.upper[1], box.lower[2], box.upper[2]);
+}
+
+template <class Visit>
+bool RayWindings::for_each_column(const Cells& cells, const Visit& visit) const {
+  const auto& [lower, upper] = cells;
+  if ((upper[0] - lower[0] + 1) * (upper[1] - lower[1] + 1) > many_cells) return false;
+  for_each_column_of(cells, visit);
+  return true;
+}
+
+template <class Visit>
+void RayWindings::for_each_column_of(const Cells& cells, const Visit& visit) const {
+  for (std::uint32_t z = cells.lower[1]; z <= cells.upper[1]; ++z)
+    for (std::uint32_t y = cells.lower[0]; y <= cells.upper[0]; ++y) visit(z * width_ + y);
 }
 
 /// Monotone, so boxes that meet have a column in common.
@@ -83,18 +99,18 @@ std::int32_t RayWindings::crossings(const Point& q) const {
     for (std::size_t i = 0; i < 3; ++i) corners[i] = make_point(input_, SymbolicPoint::input(vertices[i]));
     sum += crossing_along_x(input_, face, corners, q);
   };
-  for (const std::uint32_t f : wide_) count(f);
-  const auto [lower, upper] = cells_of(at.lower[1], at.upper[1], at.lower[2], at.upper[2]);
-  if (lower == upper) {
-    const std::uint32_t column = lower[1] * width_ + lower[0];
-    for (std::uint32_t k = first_[column]; k < first_[column + 1]; ++k) count(faces_[k]);
+  std::vector<std::uint32_t> columns;
+  for_each_column_of(cells_of(at.lower[1], at.upper[1], at.lower[2], at.upper[2]),
+                     [&](std::uint32_t column) { columns.push_back(column); });
+  if (!std::all_of(columns.begin(), columns.end(), [&](std::uint32_t column) { return is_made_[column]; })) {
+    for (std::uint32_t f = 0; f < input_.face_count(); ++f) count(f);
     return sum;
   }
-  std::vector<std::uint32_t> near;  // a face may be in several columns
-  for (std::uint32_t z = lower[1]; z <= upper[1]; ++z)
-    for (std::uint32_t y = lower[0]; y <= upper[0]; ++y)
-      near.insert(near.end(), faces_.begin() + first_[z * width_ + y], faces_.begin() + first_[z * width_ + y + 1]);
-  std::sort(near.begin(), near.end());
+  for (const std::uint32_t f : wide_) count(f);
+  std::vector<std::uint32_t> near;
+  for (const std::uint32_t column : columns)
+    near.insert(near.end(), faces_.begin() + first_[column], faces_.begin() + first_[column + 1]);
+  if (columns.size() > 1) std::sort(near.begin(), near.end());  // a face may be in several columns
   near.erase(std::unique(near.begin(), near.end()), near.end());
   for (const std::uint32_t f : near) count(f);
   return sum;

@@ -10,11 +10,13 @@
 namespace strata {
 
 /// Winding numbers about one operand, by rays in the direction of x: for few points of large meshes, where cells are
-/// not worth making. Faces are listed in columns along x. O(n) to make; O(faces in the point's column) per point.
+/// not worth making. Faces are listed in columns along x. O(n) to make, in parallel but for what is listed; O(faces in
+/// the point's column) per point.
 class RayWindings final : public WindingOracle {
  public:
-  /// Requires one operand. The input must outlive it.
-  explicit RayWindings(const InputComplex& input);
+  /// `asked`: faces that contain the points about which it will be asked; points elsewhere take O(n). Only columns of
+  /// these faces are made. Requires one operand. The input must outlive it.
+  RayWindings(const InputComplex& input, std::span<const std::uint32_t> asked);
 
   [[nodiscard]] Windings around(const Point& q, std::uint32_t own) const override;
   [[nodiscard]] Windings above(std::uint32_t face, const Point& q,
@@ -26,13 +28,20 @@ class RayWindings final : public WindingOracle {
     std::array<std::uint16_t, 2> lower, upper;
   };
   [[nodiscard]] Cells cells_of(double low_y, double high_y, double low_z, double high_z) const;
+  [[nodiscard]] Cells cells_of(std::uint32_t face) const;
+  /// Calls `visit(column)` for the columns of a face, unless they are many: then it returns false.
+  template <class Visit>
+  bool for_each_column(const Cells& cells, const Visit& visit) const;
+  template <class Visit>
+  void for_each_column_of(const Cells& cells, const Visit& visit) const;  ///< however many there are
   /// The sum over all faces that the ray from q crosses. Faces whose plane contains q count as not crossed.
   [[nodiscard]] std::int32_t crossings(const Point& q) const;
 
   const InputComplex& input_;
   std::uint32_t width_ = 1;
   std::array<double, 2> origin_{}, per_cell_{};
-  std::vector<std::uint32_t> first_, faces_;  ///< faces of each column
+  std::vector<bool> is_made_;                 ///< per column
+  std::vector<std::uint32_t> first_, faces_;  ///< faces of each column that is made
   std::vector<std::uint32_t> wide_;           ///< those in many columns
 };
 
