@@ -114,6 +114,7 @@ struct Options {
   std::optional<CoordinateGrid> rounding = {};
   /// Fill BooleanResult::measured with facts about the exact result, and, where rounding had to rearrange faces,
   /// RoundingReport::exact and rounded. Takes a few passes over the result; exact vertices need not be asked for.
+  /// Functions of Solid do not look at it.
   bool measure = false;
   /// Where attributes are carried (carry_attributes.h): what cut faces are made of that have no material. Null:
   /// nothing.

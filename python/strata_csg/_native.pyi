@@ -318,7 +318,7 @@ class Mesh:
     @property
     def rounding(self) -> dict[str, int | float] | None:
         """
-        Of a rounded result: rounds, moved_vertices, largest_movement, unit, far_vertices, vanished_faces.
+        Of a rounded result: rounds, moved_vertices, largest_movement, unit, far_vertices, vanished_faces, vanished_components.
         """
 
     @property

@@ -92,6 +92,41 @@ TEST_CASE("a boundary that crosses itself as it is seen is divided at vertices o
   CHECK(chain_is_closed(parts.mesh));
 }
 
+TEST_CASE("a corner inside of a pile may be seen where sides of its boundary cross", "[round][regression]") {
+  // From a union rounded to hundredths. The corner 5, at (30, -78), was taken for the crossing there.
+  Mesh mesh{
+      {{45, -84, 70},
+       {31, -78, 62},
+       {31, -76, 61},
+       {29, -78, 61},
+       {32, -78, 61},
+       {30, -78, 60},
+       {30, -79, 61},
+       {31, -77, 60},
+       {30, -77, 60}},
+      {{0, 2, 1}, {3, 1, 2}, {7, 4, 5}, {3, 2, 5}, {2, 7, 5}, {6, 8, 3}, {3, 5, 1}, {4, 1, 5}, {1, 4, 3}, {6, 3, 4}}};
+  const std::vector<std::uint32_t> pile = all_of(mesh);
+  // A cone closes it.
+  const auto apex = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.push_back({35, -80, 10000});
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      sides[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  for (const auto& [side, count] : sides)
+    for (int n = 0; n < std::abs(count); ++n)
+      mesh.triangles.push_back(count > 0 ? Triangle{side.second, side.first, apex}
+                                         : Triangle{side.first, side.second, apex});
+  REQUIRE(chain_is_closed(mesh));
+  MovingMesh all = changed(mesh);
+  ChangedRegion region(all, {});
+  CHECK_FALSE(region.wrong_faces({}).empty());
+  REQUIRE(flatten(all, region, pile, GridRounding({CoordinateGrid::Format::float64, 1}), 2));
+  CHECK(chain_is_closed(std::move(all).take().mesh));
+}
+
 TEST_CASE("a search that ends early says so", "[round]") {
   Mesh two = test::box({0, 0, 0}, {2, 2, 2});
   const Mesh other = test::box({1, 1, 1}, {3, 3, 3});

@@ -142,6 +142,26 @@ TEST_CASE("no point of a triangle is farther from a surface than its bound", "[r
   }
 }
 
+TEST_CASE("what would take too long is measured from one face", "[round][distance]") {
+  test::Random random(5);
+  Mesh spread;  // faces of all sizes, everywhere
+  for (std::uint32_t f = 0; f < 400; ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const double size = std::ldexp(1.0, random.between(-60, 0));
+      spread.vertices.push_back({size * random.unit(), size * random.unit(), size * random.unit()});
+    }
+    spread.triangles.push_back({3 * f, 3 * f + 1, 3 * f + 2});
+  }
+  CHECK(distance_of_one({spread, {}}, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}}}) < 2);
+}
+
+TEST_CASE("a surface of numbers that overflow is measured from one face", "[round][distance]") {
+  const Mesh surface{{{0, 0, 0}, {0x1p1023, 0, 0}, {0, 0x1p1023, 0x1p1020}}, {{0, 1, 2}}};
+  const double d = distance_of_one({surface, {}}, {{{0, 0, 0}, {0x1p-1000, 0, 0}, {0, 0x1p-1000, 0}}}, 1);
+  CHECK(d >= 0x1p-1004);
+  CHECK(d <= 1);
+}
+
 TEST_CASE("bounds that are enough stay as they are", "[round][distance]") {
   std::vector<double> known{0.5, 2};
   const Mesh mesh{{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, {{0, 1, 2}, {0, 1, 2}}};

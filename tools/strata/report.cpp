@@ -14,11 +14,15 @@ using strata::ExactMesh;
 namespace {
 
 bool is_measurable(const ExactMesh& mesh) {
-  const auto is_finite = [](double x) { return std::isfinite(x); };
-  for (const strata::Triangle& t : mesh.mesh.triangles)
-    for (const std::uint32_t v : t)
-      if (v >= mesh.mesh.vertices.size() || !std::ranges::all_of(mesh.mesh.vertices[v], is_finite)) return false;
-  return true;
+  const std::vector<strata::Vertex>& vertices = mesh.mesh.vertices;
+  const auto is_finite = [](const strata::Vertex& v) {
+    return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+  };
+  const bool are_all_finite = std::ranges::all_of(vertices, is_finite);
+  return std::ranges::all_of(mesh.mesh.triangles, [&](const strata::Triangle& t) {
+    return std::ranges::all_of(
+        t, [&](std::uint32_t v) { return v < vertices.size() && (are_all_finite || is_finite(vertices[v])); });
+  });
 }
 
 /// Null for a mesh that cannot be measured.

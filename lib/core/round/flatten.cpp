@@ -276,7 +276,8 @@ class View {
     }
   }
 
-  /// The points at which the boundary is divided, by place, each once: ends of its sides, and where these cross.
+  /// The points at which the boundary is divided, by place, each once: ends of its sides, and where these cross. A
+  /// corner inside of the pile may be seen where they cross, and is none.
   [[nodiscard]] std::vector<Index> division_points(std::size_t corner_count) const {
     std::vector<bool> divides(points_->size(), false);
     for (const facets::NetEdge& e : boundary_) divides[e.low] = divides[e.high] = true;
@@ -289,10 +290,10 @@ class View {
     });
     std::vector<Index> found;
     for (std::size_t begin = 0, end = 0; begin < by_place.size(); begin = end) {
-      bool is_wanted = false;
-      for (; end < by_place.size() && points_->compare(by_place[begin], by_place[end]) == 0; ++end)
-        is_wanted = is_wanted || divides[by_place[end]];
-      if (is_wanted) found.push_back(by_place[begin]);  // the lowest name of the place
+      while (end < by_place.size() && points_->compare(by_place[begin], by_place[end]) == 0) ++end;
+      const auto lowest =
+          std::find_if(by_place.begin() + begin, by_place.begin() + end, [&](Index n) { return divides[n]; });
+      if (lowest != by_place.begin() + end) found.push_back(*lowest);
     }
     return found;
   }

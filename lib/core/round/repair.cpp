@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -145,19 +146,32 @@ bool join_vertices(MovingMesh& mesh, const PlacesInCommon& equal, std::span<cons
 }
 
 bool cancel_opposite_faces(MovingMesh& mesh) {
-  std::map<Triangle, std::array<std::vector<Index>, 2>> by_vertices;  // that order, and the reverse
+  /// A changed face by its vertices, from the lowest on, in the order in which the second is lower than the third.
+  struct Named {
+    Triangle vertices;
+    bool is_reverse = false;
+    Index face = 0;
+  };
+  std::vector<Named> named;
+  named.reserve(mesh.changed().size());
   for (const Index f : mesh.changed()) {
     if (!mesh.is_left(f)) continue;
     Triangle t = mesh.mesh().triangles[f];
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     const bool is_reverse = t[1] > t[2];
     if (is_reverse) std::swap(t[1], t[2]);
-    by_vertices[t][is_reverse ? 1 : 0].push_back(f);
+    named.push_back({t, is_reverse, f});
   }
+  std::sort(named.begin(), named.end(), [](const Named& a, const Named& b) {
+    return std::tie(a.vertices, a.is_reverse, a.face) < std::tie(b.vertices, b.is_reverse, b.face);
+  });
   std::vector<std::pair<Index, Index>> opposites;
-  for (const auto& [vertices, faces] : by_vertices)
-    for (std::size_t i = 0; i < std::min(faces[0].size(), faces[1].size()); ++i)
-      opposites.emplace_back(faces[0][i], faces[1][i]);
+  for (std::size_t begin = 0, end = 0; begin < named.size(); begin = end) {
+    std::size_t reverse = begin;  // the first of those that are reversed
+    for (; end < named.size() && named[end].vertices == named[begin].vertices; ++end) reverse += !named[end].is_reverse;
+    for (std::size_t i = 0; i < std::min(reverse - begin, end - reverse); ++i)
+      opposites.emplace_back(named[begin + i].face, named[reverse + i].face);
+  }
   mesh.cancel(opposites);
   return !opposites.empty();
 }

@@ -188,6 +188,10 @@ Piece over(const Face& face, const Piece& piece, std::size_t axis, std::vector<P
       const DoubleDouble left = face.left_of_side(side, p, axis);
       inside.push_back(area > 0 ? left : -left);
     }
+    if (!std::ranges::all_of(inside, [](const DoubleDouble& d) { return std::isfinite(d.value); })) {
+      rest.clear();  // numbers overflow
+      break;
+    }
     auto [in, out] = divided(rest, inside);
     rest = std::move(in);
     if (!out.empty()) beside.push_back(std::move(out));
@@ -271,17 +275,32 @@ class TriangleDistance {
         axis_(axis_of(triangle)),
         whole_{place_of(triangle[0]), place_of(triangle[1]), place_of(triangle[2])} {}
 
-  /// At least the distance of any point of it; infinity where it would take too long. Faces take what lies over them,
-  /// those first over which it is nearest. Beyond `enough`, a piece may be nearer to faces that it is not over: where
-  /// it sticks out beyond the surface, or lies between faces.
+  /// At least the distance of any point of it, as near as can be found in so many steps, or `enough`.
   [[nodiscard]] double measure(double enough) {
+    const double from_one = from_one_face(whole_);
+    if (from_one <= enough) return from_one;
     steps_ = 0;
+    const double by_pieces = measure_pieces(enough);
+    return is_too_long() ? from_one : std::min(from_one, by_pieces);
+  }
+
+ private:
+  static constexpr std::size_t most_steps = 1 << 15;
+  static constexpr int most_halvings = 40;
+
+  [[nodiscard]] bool is_too_long() const { return steps_ > most_steps; }
+
+  /// Faces take what lies over them, those first over which it is nearest. Beyond `enough`, a piece may be nearer to
+  /// faces that it is not over: where it sticks out beyond the surface, or lies between faces. Without meaning once it
+  /// takes too long.
+  [[nodiscard]] double measure_pieces(double enough) {
     double largest = 0;
     std::vector<Piece> left{whole_};
     for (const auto& [far, face] : by_distance()) {
       std::vector<Piece> still_left;
       for (const Piece& piece : left) {
-        if (++steps_ > most_steps) return infinity;
+        ++steps_;
+        if (is_too_long()) return infinity;
         const double good = std::max(largest, enough);
         if (far > good) {
           if (const double beside = distance(piece, good, far); beside <= far) {
@@ -294,13 +313,12 @@ class TriangleDistance {
       }
       left = std::move(still_left);
     }
-    for (const Piece& piece : left) largest = std::max(largest, distance(piece, std::max(largest, enough), infinity));
+    for (const Piece& piece : left) {
+      if (is_too_long()) return infinity;
+      largest = std::max(largest, distance(piece, std::max(largest, enough), infinity));
+    }
     return largest;
   }
-
- private:
-  static constexpr std::size_t most_steps = 1 << 15;
-  static constexpr int most_halvings = 40;
 
   /// The faces, and how far the part of the triangle over each is from it.
   [[nodiscard]] std::vector<std::pair<double, const Face*>> by_distance() const {
@@ -314,12 +332,14 @@ class TriangleDistance {
   }
 
   /// At least that of any point of a piece, of which each part has the face that is nearest to all of it. Parts are
-  /// halved until that is `good`, or about as near as their corners are. Infinity where it is above `most`.
+  /// halved until that is `good`, or about as near as their corners are. Infinity where it is above `most`, and once it
+  /// takes too long.
   [[nodiscard]] double distance(const Piece& piece, double good, double most, int halvings = most_halvings) {
     constexpr double about = 1.25;
     steps_ += faces_.size();
+    if (is_too_long()) return infinity;
     const double least = from_one_face(piece);
-    if (least <= good || halvings == 0 || steps_ > most_steps) return least;
+    if (least <= good || halvings == 0) return least;
     double of_corners = 0;
     for (const Place& p : piece) of_corners = std::max(of_corners, from_one_face({p}));
     if (of_corners > most) return infinity;
