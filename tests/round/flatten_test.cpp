@@ -124,7 +124,8 @@ TEST_CASE("a corner inside of a pile may be seen where sides of its boundary cro
   ChangedRegion region(all, {});
   CHECK_FALSE(region.wrong_faces({}).empty());
   REQUIRE(flatten(all, region, pile, GridRounding({CoordinateGrid::Format::float64, 1}), 2));
-  CHECK(chain_is_closed(std::move(all).take().mesh));
+  const MovingMesh::Parts parts = std::move(all).take();
+  CHECK(chain_is_closed(parts.mesh));
 }
 
 TEST_CASE("a search that ends early says so", "[round]") {
