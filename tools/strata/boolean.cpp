@@ -22,7 +22,7 @@ std::optional<strata::Material> put_attributes(std::span<const LoadedMesh> opera
                                                std::vector<strata::Operand>& views) {
   std::vector<const strata::Attributes*> lists;
   for (const LoadedMesh& operand : operands) lists.push_back(&operand.attributes);
-  const std::optional<strata::Material> material = settings.attributes.material_among(lists);
+  std::optional<strata::Material> material = settings.attributes.material_among(lists);
   if (!carries_attributes(settings.engine, lists, material, settings)) return std::nullopt;
   for (std::size_t n = 0; n < views.size(); ++n)
     if (!operands[n].attributes.empty()) views[n].attributes = &operands[n].attributes;
