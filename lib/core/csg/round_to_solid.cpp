@@ -123,8 +123,10 @@ bool winds_like_a_solid(const MovingMesh& mesh, const ChangedRegion& region, con
 
 class SolidRounding {
  public:
-  SolidRounding(const NearestMesh& exact, const GridRounding& grid, bool compares_topology, const Monitor& monitor)
-      : exact_(exact), grid_(grid), compares_topology_(compares_topology), monitor_(monitor) {}
+  /// With `compares_topology`, that of the exact mesh is found, unless it is known.
+  SolidRounding(const NearestMesh& exact, const GridRounding& grid, bool compares_topology,
+                const std::optional<Topology>& known, const Monitor& monitor)
+      : exact_(exact), grid_(grid), compares_topology_(compares_topology), known_topology_(known), monitor_(monitor) {}
 
   struct Outcome {
     std::optional<MovingMesh::Parts> parts;  ///< none: those of the exact mesh, as they are
@@ -308,7 +310,7 @@ class SolidRounding {
     report.vanished_faces = vanished.size();
     report.vanished_components = components_of(vanished, is_left);
     if (!compares_topology_) return;
-    tbb::parallel_invoke([&] { report.exact = topology_of(exact_); },
+    tbb::parallel_invoke([&] { report.exact = known_topology_ ? *known_topology_ : topology_of(exact_); },
                          [&] {
                            report.rounded = topology_of({rounded.mesh, {}, {}});
                          });
@@ -391,6 +393,7 @@ class SolidRounding {
   const NearestMesh& exact_;
   const GridRounding& grid_;
   bool compares_topology_;
+  std::optional<Topology> known_topology_;
   const Monitor& monitor_;
   Reach reach_;
 };
@@ -399,7 +402,9 @@ class SolidRounding {
 
 void round_result(const NearestMesh& mesh, const Options& options, const Monitor& monitor, BooleanResult& result) {
   const GridRounding rounding(*options.rounding);
-  auto [parts, report] = SolidRounding(mesh, rounding, options.measure, monitor).run();
+  std::optional<Topology> known;
+  if (result.measured) known = result.measured->measures.topology;
+  auto [parts, report] = SolidRounding(mesh, rounding, options.measure, known, monitor).run();
   if (parts) return put_rounded({std::move(parts->mesh), std::move(parts->source_face), report}, result);
   result.exact.clear();
   result.rounding = report;
@@ -420,7 +425,7 @@ RoundedMesh round_to_solid(const ExactMesh& mesh, const CoordinateGrid& grid, co
   const Monitor monitor(options.cancel);
   return arena_for(options, mesh.mesh.triangles.size()).execute([&]() -> RoundedMesh {
     const GridRounding rounding(grid);
-    auto [parts, report] = SolidRounding(NearestMesh::of(mesh), rounding, options.measure, monitor).run();
+    auto [parts, report] = SolidRounding(NearestMesh::of(mesh), rounding, options.measure, {}, monitor).run();
     if (!parts) parts = MovingMesh(mesh.mesh).take();
     return {std::move(parts->mesh), std::move(parts->source_face), report};
   });
