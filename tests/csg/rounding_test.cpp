@@ -123,6 +123,15 @@ TEST_CASE("what is thinner than the grid vanishes, and the report says so", "[cs
   CHECK_FALSE(brief.report.exact.has_value());
   CHECK(brief.report.is_rearranged);
   CHECK_FALSE(round_to_solid(both.exact_mesh()).report.is_rearranged);
+  // `combine` has measured the exact result when it is rounded.
+  const Mesh other = test::box({20, 0, 0}, {21, 1, 1});
+  const MeshView views[] = {plate.mesh(), other};
+  const BooleanResult measured = combine(Operation::union_, views, {.rounding = steps(1), .measure = true});
+  REQUIRE(measured.rounding.has_value());
+  REQUIRE(measured.rounding->exact.has_value());
+  CHECK(measured.measured->measures.topology.components == 2);
+  CHECK(measured.rounding->exact->components == 2);
+  CHECK(measured.rounding->rounded->components == 1);
   // A plate as thin that stands on a box shares vertices with faces of it.
   const Solid fin = box({0, 0, 0}, {10, 10, 10}) | box({2, 2, 10}, {8, 2.25, 13});
   const RoundedMesh box_alone = check_rounded(fin.exact_mesh(), steps(1));
