@@ -26,10 +26,12 @@
 #include "core/mesh/equal_vertices.h"
 #include "core/mesh/lattice_sum.h"
 #include "core/mesh/prepare.h"
+#include "core/overlap/shells.h"
 #include "core/round/distances.h"
 #include "core/round/flatten.h"
 #include "core/round/moving_mesh.h"
 #include "core/round/repair.h"
+#include "core/round/resolve_in_place.h"
 #include "core/round/surface_distance.h"
 #include "core/round/wrong_faces.h"
 #include "strata/rounding.h"
@@ -155,7 +157,7 @@ class SolidRounding {
       }
       repairs = 0;
       if (!wrong.empty() && !reach_.is_time_to_resolve(wrong.size())) continue;
-      if (!resolve_again(moving, region, ++resolves)) return finished(std::move(moving), nullptr, report, false);
+      if (!resolve_again(moving, region, wrong, ++resolves)) return finished(std::move(moving), nullptr, report, false);
     }
   }
 
@@ -218,7 +220,9 @@ class SolidRounding {
 
   /// The mesh becomes the regular set of points with a positive winding number, its new vertices rounded. Returns false
   /// if there are none: then it is a solid on the grid. `region`: what was searched last; nothing has changed since.
-  bool resolve_again(MovingMesh& moving, const ChangedRegion& region, int resolves) const {
+  bool resolve_again(MovingMesh& moving, const ChangedRegion& region, const std::vector<std::uint32_t>& wrong,
+                     int resolves) const {
+    if (are_few(moving, region) && bits_less_in(resolves) == 0) return resolve_few(moving, region, wrong);
     const std::optional<FacePairs> crossings = crossings_when_taken(moving, region);
     MovingMesh::Parts from = std::move(moving).take();
     const Prepared prepared = crossings ? Prepared{} : without_degenerate_faces(from.mesh);
@@ -243,6 +247,47 @@ class SolidRounding {
     moving = MovingMesh(std::move(result.mesh), std::move(source_face), std::move(moved));
     moving.move(moves);
     return !moves.empty();
+  }
+
+  /// Are pairs of faces that cross known, and few beside all faces?
+  [[nodiscard]] static bool are_few(const MovingMesh& moving, const ChangedRegion& region) {
+    constexpr std::size_t part = 8;
+    return region.is_complete() && region.has_area_everywhere() &&
+           region.wrong_pairs().size() <= moving.mesh().triangles.size() / part;
+  }
+
+  /// The same in place.
+  bool resolve_few(MovingMesh& moving, const ChangedRegion& region, const std::vector<std::uint32_t>& wrong) const {
+    FacePairs crossings = region.wrong_pairs();
+    const bool is_local = moving.swept().has_value();
+    FacePatches patches;
+    if (is_local) patches = region.patches(wrong);
+    moving.move(vertices_that_met(moving, region, false));
+    if (!is_local) {
+      crossings = *crossings_when_taken(moving, region);
+      MovingMesh::Parts parts = std::move(moving).take();
+      moving = MovingMesh(std::move(parts.mesh), std::move(parts.source_face), std::move(parts.moved));
+      patches = patches_of(moving.mesh(), crossings);
+    }
+    const std::vector<VertexMove> moves = resolve_in_place(moving, crossings, patches, grid_, monitor_);
+    moving.move(moves);
+    return !moves.empty();
+  }
+
+  /// Of a whole mesh but for the faces that cross.
+  [[nodiscard]] FacePatches patches_of(MeshView mesh, const FacePairs& crossings) const {
+    InputComplex complex(SelfIntersections::possible);
+    complex.add(mesh.vertices, mesh.triangles);
+    std::vector<bool> crosses(mesh.triangles.size(), false);
+    for (const auto& [face, other] : crossings) crosses[face] = crosses[other] = true;
+    const Shells shells = find_patches(complex, EmbeddedStars(complex, monitor_), crosses);
+    FacePatches patches{{}, {}, std::vector<bool>(shells.count, false)};
+    for (std::uint32_t f = 0; f < crosses.size(); ++f) {
+      if (crosses[f]) continue;
+      patches.faces.push_back(f);
+      patches.patch.push_back(shells.of_face[f]);
+    }
+    return patches;
   }
 
   /// All pairs of faces that cross, by their numbers when the mesh is taken; none where they are not known, or where

@@ -180,6 +180,20 @@ void MovingMesh::replace(std::span<const std::uint32_t> faces, std::span<const T
   add_changed(std::move(added));
 }
 
+void MovingMesh::resolve(std::span<const std::uint32_t> gone, std::span<const PartOfTriangle> parts) {
+  copy_given();
+  for (const PartOfTriangle& part : parts) {
+    mesh_.triangles.push_back(part.corners);
+    source_face_.push_back(source_face_[part.of]);
+    moved_.push_back(moved_[part.of]);
+  }
+  for (const std::uint32_t f : gone) mesh_.triangles[f].fill(mesh_.triangles[f][0]);
+  has_unused_ = true;
+  changed_.clear();
+  swept_.emplace();
+  lost_sides_.clear();
+}
+
 std::uint32_t MovingMesh::add_vertex(const Vertex& at) {
   copy_given();
   mesh_.vertices.push_back(at);

@@ -27,6 +27,12 @@ struct FlatFlip {
   double way = 0;                   ///< at least the distance from c to the segment a b
 };
 
+/// A triangle that is part of another.
+struct PartOfTriangle {
+  Triangle corners{};
+  std::uint32_t of = 0;
+};
+
 /// The box of a triangle.
 [[nodiscard]] inline Box box_of(MeshView mesh, std::uint32_t triangle) {
   Box box;
@@ -62,6 +68,9 @@ class MovingMesh {
   /// Replaces some triangles by others with the same boundary, such that a box around all of them contains what is
   /// between. `way`: at least the distance of any point of the new ones from the former.
   void replace(std::span<const std::uint32_t> faces, std::span<const Triangle> by, double way);
+  /// Some triangles are taken out, and parts of some of them are put in, such that the mesh bounds a solid. As far as
+  /// vertices are where they should be: from here on, winding numbers are compared with those of this solid.
+  void resolve(std::span<const std::uint32_t> gone, std::span<const PartOfTriangle> parts);
   /// A vertex that no triangle has yet.
   std::uint32_t add_vertex(const Vertex& at);
 

@@ -124,32 +124,57 @@ std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor, st
   return wrong;
 }
 
-bool ChangedRegion::keeps_windings() const {
-  if (!mesh_.swept()) return false;
-  std::vector<bool> is_changed(faces_.size());
-  for (std::uint32_t f = 0; f < faces_.size(); ++f)
-    is_changed[f] = std::binary_search(mesh_.changed().begin(), mesh_.changed().end(), faces_[f]);
+FacePatches ChangedRegion::patches(std::span<const std::uint32_t> wrong) const {
+  const auto contains = [](std::span<const std::uint32_t> sorted, std::uint32_t face) {
+    return std::binary_search(sorted.begin(), sorted.end(), face);
+  };
+  std::vector<bool> is_changed(faces_.size()), is_wrong(faces_.size());
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+    is_changed[f] = contains(mesh_.changed(), faces_[f]);
+    is_wrong[f] = contains(wrong, faces_[f]);
+  }
   const auto had_collapsed = [&](const EdgeUse& use) {
     return has_collapsed() && (collapsed_at_[use.low] || collapsed_at_[use.high]);
   };
   const auto is_lost = [&](const EdgeUse& use) {
     return mesh_.lost_sides().contains({vertices_[use.low], vertices_[use.high]});
   };
-  DisjointSets<std::uint32_t> patches(faces_.size());
+  DisjointSets<std::uint32_t> sets(faces_.size());
   std::vector<std::uint32_t> beside_known;  // faces with a side that a face outside the region has, too
   for_each_edge(edge_table(part_.triangles, part_.vertices.size()), [&](std::span<const EdgeUse> uses) {
     const bool changed = had_collapsed(uses[0]) || std::any_of(uses.begin(), uses.end(), [&](const EdgeUse& u) {
                            return is_changed[u.triangle];
                          });
     if (changed ? uses.size() != 2 || net_uses(uses) != 0 : is_lost(uses[0])) return;
-    for (const EdgeUse& use : uses) patches.unite(uses[0].triangle, use.triangle);
-    if (net_uses(uses) != 0) beside_known.push_back(uses[0].triangle);
+    std::optional<std::uint32_t> first;
+    for (const EdgeUse& use : uses) {
+      if (is_wrong[use.triangle]) continue;
+      if (first) sets.unite(*first, use.triangle);
+      first = use.triangle;
+    }
+    if (first && net_uses(uses) != 0) beside_known.push_back(*first);
   });
-  std::vector<bool> is_known(faces_.size(), false);
-  for (const std::uint32_t f : beside_known) is_known[patches.find(f)] = true;
-  for (std::uint32_t f = 0; f < faces_.size(); ++f)
-    if (!is_known[patches.find(f)]) return false;
-  return true;
+
+  FacePatches result;
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> number(faces_.size(), none);  // of sets, by their representatives
+  std::uint32_t count = 0;
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+    if (is_wrong[f]) continue;
+    std::uint32_t& patch = number[sets.find(f)];
+    if (patch == none) patch = count++;
+    result.faces.push_back(faces_[f]);
+    result.patch.push_back(patch);
+  }
+  result.is_known.resize(count, false);
+  for (const std::uint32_t f : beside_known) result.is_known[number[sets.find(f)]] = true;
+  return result;
+}
+
+bool ChangedRegion::keeps_windings() const {
+  if (!mesh_.swept()) return false;
+  const std::vector<bool> is_known = patches({}).is_known;
+  return std::all_of(is_known.begin(), is_known.end(), [](bool known) { return known; });
 }
 
 }  // namespace strata

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,13 @@
 #include "strata/monitor.h"
 
 namespace strata {
+
+/// Faces of a mesh, in patches on each of which winding numbers are the same.
+struct FacePatches {
+  std::vector<std::uint32_t> faces;  ///< by increasing number
+  std::vector<std::uint32_t> patch;  ///< of each
+  std::vector<bool> is_known;        ///< per patch: the winding numbers on its sides are certain to be 0 and 1
+};
 
 /// The faces near those that changed: all of a closed mesh that rounding can have made wrong. Vertices with equal
 /// coordinates are one here, and faces that have two of them are not there.
@@ -29,8 +37,11 @@ class ChangedRegion {
   /// Of these, the pairs that meet, if it was called.
   [[nodiscard]] const std::vector<std::pair<std::uint32_t, std::uint32_t>>& wrong_pairs() const { return pairs_; }
 
+  /// Its faces but for those of `wrong`, which are all that are wrong, in patches. Requires that `swept` is not
+  /// everything. See round/theory.md.
+  [[nodiscard]] FacePatches patches(std::span<const std::uint32_t> wrong) const;
   /// True where it is certain that winding numbers are 0 and 1 everywhere, as they were at the start. Requires that no
-  /// faces are wrong. See round/theory.md.
+  /// faces are wrong.
   [[nodiscard]] bool keeps_windings() const;
 
   /// True when the region is the whole mesh.

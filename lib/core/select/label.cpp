@@ -27,6 +27,14 @@ Windings windings_above(const InputComplex& input, const WindingOracle& oracle, 
   return oracle.above(face, make_point(input, SymbolicPoint::weighted(face, 1)), {&face, 1});
 }
 
+}  // namespace
+
+Verdict label(const InputComplex& input, std::uint32_t face, const Classifier& classifier) {
+  return verdict_from(classifier.rule, input.operand_of_face(face), windings_above(input, classifier.oracle, face));
+}
+
+namespace {
+
 /// Labels the faces of one operand in order; faces with near numbers are often near in space.
 class FaceJudge {
  public:
@@ -140,8 +148,7 @@ std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivi
   std::vector<Verdict> of_patch(patches.count, Verdict::drop);
   tbb::parallel_for(std::uint32_t{0}, patches.count, [&](std::uint32_t p) {
     monitor.check();
-    if (first[p] != nothing)
-      of_patch[p] = verdict_from(classifier.rule, 0, windings_above(input, classifier.oracle, first[p]));
+    if (first[p] != nothing) of_patch[p] = label(input, first[p], classifier);
   });
   for (std::uint32_t f = 0; f < verdicts.size(); ++f)
     if (!is_subdivided[f]) verdicts[f] = of_patch[patches.of_face[f]];

@@ -16,6 +16,9 @@ namespace strata {
 [[nodiscard]] std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivision,
                                          const Classifier& classifier, const Monitor& monitor);
 
+/// The same for one face.
+[[nodiscard]] Verdict label(const InputComplex& input, std::uint32_t face, const Classifier& classifier);
+
 /// The same for one operand whose faces meet no others along patches, on each of which the winding numbers are the
 /// same: one point decides for a patch.
 [[nodiscard]] std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivision,
