@@ -3,7 +3,7 @@ import json
 import math
 import unittest
 
-from tool import CUBE_FACES, DATA, FILE, NOT_CERTIFIED, USAGE, ToolTest, cube, off
+from tool import CUBE_FACES, DATA, FILE, INVALID, NOT_CERTIFIED, USAGE, ToolTest, cube, off
 
 
 def thin_box(height):
@@ -46,6 +46,19 @@ class Rounding(ToolTest):
         for bad in ("0", "-1", "x", "1e-999", "1/0", "1/1152921504606846977"):
             said = self.run_tool("union", DATA / "gear.off", "-o", "o.off", "--grid", bad, expect=USAGE).stderr
             self.assertIn(b"--grid", said)
+
+    def test_a_broken_promise_is_told_and_no_error_of_the_program(self):
+        """Where the operand crosses itself, the exact boundary is open; rounding must not be the first to meet that."""
+        points, faces = [], []
+        for low, high in ((0, 4), (2, 6)):
+            faces += [[v + len(points) for v in face] for face in CUBE_FACES]
+            points += [(i, j, k) for k in (low, high) for i, j in ((low, low), (high, low), (high, high), (low, high))]
+        tetrahedron = [(5.3, 5, 2.4), (5.3, 1.8, -0.8), (2.1, 5, -0.8), (2.1, 1.8, 2.4)]
+        a = self.file("a.off", off(points, faces))
+        b = self.file("b.off", off(tetrahedron, [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)]))
+        said = self.run_tool("union", a, b, "-o", "o.off", "--input", "solid", "--grid", "1", expect=INVALID).stderr
+        self.assertIn(b"a.off is not what was declared", said)
+        self.assertIn(b"self-intersection", said)
 
     def test_round_to_floats_and_back(self):
         self.run_tool("round", DATA / "sphere.off", "--to", "float32", "-o", "a.off")

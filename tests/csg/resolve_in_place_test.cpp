@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "core/csg/boolean.h"
+#include "core/overlap/self_intersections.h"
 #include "support/random.h"
 #include "support/shapes.h"
 
@@ -57,12 +59,10 @@ std::optional<std::size_t> check_against_whole(const Mesh& mesh, std::span<const
   if (!region.has_area_everywhere() || !region.equal_vertices().empty()) return std::nullopt;
   const FacePatches patches = region.patches(wrong);
   const GridRounding grid({CoordinateGrid::Format::float64});
-  (void)resolve_in_place(changed, region.wrong_pairs(), patches, grid, {});
+  REQUIRE(resolve_in_place(changed, region.wrong_pairs(), patches, grid, {}));
   const Mesh in_place = std::move(changed).take().mesh;
 
-  InputComplex complex(SelfIntersections::possible);
-  complex.add(crossed.vertices, crossed.triangles);
-  const BooleanResult whole = resolved(std::move(complex), Inside::winding, {});
+  const BooleanResult whole = resolved(complex_of(crossed), Inside::winding, {});
   CHECK(in_place.triangles.size() == whole.mesh.triangles.size());
   CHECK(std::abs(volume(in_place) - volume(whole.mesh)) < 1e-9);
   std::size_t known = 0;

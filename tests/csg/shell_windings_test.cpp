@@ -7,7 +7,6 @@
 #include "core/overlap/candidates.h"
 #include "core/overlap/self_intersections.h"
 #include "core/winding/local_windings.h"
-#include "csg/complex_of.h"
 #include "support/shapes.h"
 
 using namespace strata;
@@ -16,7 +15,7 @@ namespace {
 
 /// Just above every face, from the cells of the whole mesh.
 std::vector<std::int32_t> above_each_face(const Mesh& mesh) {
-  const Candidates candidates = find_candidates(test::complex_of(mesh), {});
+  const Candidates candidates = find_candidates(complex_of(mesh), {});
   const InputComplex& input = candidates.input();
   const LocalWindings windings(input, candidates.cells());
   std::vector<std::int32_t> above;
@@ -56,7 +55,7 @@ TEST_CASE("one winding number per shell is that of all its faces", "[csg][proper
   std::mt19937 random(seed);
   const Mesh mesh = boxes_and_cells(random);
   if (mesh.triangles.empty()) return;
-  const InputComplex complex = test::complex_of(mesh);
+  const InputComplex complex = complex_of(mesh);
   const EmbeddedStars stars(complex, Monitor());
   if (!find_self_intersections(complex, &stars, Monitor(), 1).empty()) return;
   const Shells shells = find_shells(complex, stars);
@@ -70,7 +69,7 @@ TEST_CASE("shells are numbered by their first faces", "[csg]") {
   Mesh mesh = test::icosphere({0, 0, 0}, 1, 2);
   const auto faces = static_cast<std::uint32_t>(mesh.triangles.size());
   append(mesh, test::icosphere({9, 0, 0}, 1, 1), true);
-  const InputComplex complex = test::complex_of(mesh);
+  const InputComplex complex = complex_of(mesh);
   const Shells shells = find_shells(complex, EmbeddedStars(complex, Monitor()));
   CHECK(shells.count == 2);
   CHECK_FALSE(shells.share_edges);
@@ -80,6 +79,6 @@ TEST_CASE("shells are numbered by their first faces", "[csg]") {
   CHECK(windings_above(ExactMeshView(mesh, {}), shells, Monitor()) == std::vector<std::int32_t>{0, -1});
 
   const Mesh cells = test::edge_sharing_cells();
-  const InputComplex joined = test::complex_of(cells);
+  const InputComplex joined = complex_of(cells);
   CHECK(find_shells(joined, EmbeddedStars(joined, Monitor())).share_edges);
 }

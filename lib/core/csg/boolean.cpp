@@ -77,12 +77,20 @@ void put_measures(Measures measures, BooleanResult& result) {
   result.measured = {result.mesh.vertices.size(), result.mesh.triangles.size(), std::move(measures)};
 }
 
-/// The last stages.
+/// The boundary of a result is not closed. It is if all operands satisfy their input classes.
+class OpenBoundary : public LogicError {
+ public:
+  OpenBoundary() : LogicError("the boundary of a result is not closed") {}
+};
+
+/// The last stages. Throws OpenBoundary.
 BooleanResult finished(const InputComplex& input, const std::vector<Verdict>& verdicts, Subdivision subdivision,
                        const Options& options, const Monitor& monitor, Stages& stages) {
   BooleanResult result;
   Boundary boundary = extract(input, verdicts, std::move(subdivision), monitor);
   stages.end("extract", 0.9);
+  if (!chain_is_closed(MeshView({}, boundary.triangles))) throw OpenBoundary();
+  stages.end("validate", 0.92);
 
   result.mesh.vertices = round_to_doubles(input, boundary, monitor);
   if (options.exact_vertices) result.exact = exact_positions(input, boundary, result.mesh.vertices, monitor);
@@ -171,36 +179,18 @@ class WeldedMesh {
   InputComplex complex_{SelfIntersections::possible};
 };
 
-/// The pairs of faces of one mesh that cross: those that are known, or else those that are found, `enough` at most.
-std::vector<SelfIntersection> crossings_of(const InputComplex& mesh, const EmbeddedStars& stars, const FacePairs* known,
-                                           const Monitor& monitor, std::size_t enough) {
-  if (known == nullptr) return find_self_intersections(mesh, &stars, monitor, enough);
-  std::vector<SelfIntersection> pairs;
-  pairs.reserve(known->size());
-  for (const auto& [face, other] : *known) pairs.push_back({face, other});
-  return pairs;
-}
-
-BooleanResult evaluate(const Rule& rule, InputComplex complex, const FacePairs* crossings, const Options& options,
-                       const Monitor& monitor, Stages& stages) {
+BooleanResult evaluate(const Rule& rule, InputComplex complex, const Options& options, const Monitor& monitor,
+                       Stages& stages) {
   if (complex.operand_count() == 1 && complex.may_self_intersect() && rule.looks_around() && !complex.has_rationals() &&
       !complex.has_planes()) {
     const WeldedMesh mesh(complex);
     const EmbeddedStars stars(mesh.complex(), monitor);
     const std::size_t enough = few_pairs(complex.face_count());
-    const std::vector<SelfIntersection> pairs = crossings_of(mesh.complex(), stars, crossings, monitor, enough);
+    const std::vector<SelfIntersection> pairs = find_self_intersections(mesh.complex(), &stars, monitor, enough);
     stages.end("find_candidates", 0.3);
     if (pairs.size() < enough) return evaluate_in_patches(rule, mesh.complex(), stars, pairs, options, monitor, stages);
   }
   return evaluate_in_cells(rule, std::move(complex), options, monitor, stages);
-}
-
-/// If all operands satisfy their input classes, the boundary is closed. If it is not closed, this finds the operand
-/// that does not.
-void ensure_closed(const Mesh& result, std::span<const Operand> given, const Options& options) {
-  if (chain_is_closed(result)) return;
-  refuse_broken_operands(given, options);
-  throw LogicError("the boundary of a result is not closed");
 }
 
 }  // namespace
@@ -214,26 +204,27 @@ BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Op
   const PreparedOperands operands(given, options);
   stages.end("prepare", 0.05);
 
-  BooleanResult result = evaluate(rule, operands.complex(), nullptr, options, monitor, stages);
+  BooleanResult result;
+  try {
+    result = evaluate(rule, operands.complex(), options, monitor, stages);
+  } catch (const OpenBoundary&) {
+    refuse_broken_operands(given, options);
+    throw;
+  }
   operands.restore(result.sources);
   count_tiers(tiers, profile);
-  stages.end("round", 0.99);
-
-  ensure_closed(result.mesh, given, options);
-  stages.end("validate", 1);
+  stages.end("round", 1);
   result.notes = operands.notes();
   result.profile = std::move(profile);
   return result;
 }
 
-BooleanResult resolved(InputComplex input, Inside inside, const Monitor& monitor, const FacePairs* crossings) {
+BooleanResult resolved(InputComplex input, Inside inside, const Monitor& monitor) {
   Options options;
   options.exact_vertices = true;
   Profile profile;
   Stages stages(profile, monitor);
-  BooleanResult result = evaluate(Rule::of_one(inside), std::move(input), crossings, options, monitor, stages);
-  if (!chain_is_closed(result.mesh)) throw LogicError("the boundary of a result is not closed");
-  return result;
+  return evaluate(Rule::of_one(inside), std::move(input), options, monitor, stages);
 }
 
 }  // namespace strata

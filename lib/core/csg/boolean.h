@@ -1,8 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <span>
-#include <utility>
-#include <vector>
 
 #include "core/kernel/input_complex.h"
 #include "core/select/rule.h"
@@ -23,17 +21,12 @@ namespace strata {
 /// | `round`           | boundary -> mesh             | rounds constructed points to the nearest double     |
 ///
 /// Every stage takes values and returns a value. All decisions are made before `round`. The names are those of
-/// Profile::seconds; the last lap, `validate`, ensures that the result is closed.
+/// Profile::seconds; the lap `validate`, before `round`, ensures that the boundary is closed.
 /// Throws as `combine` does.
 [[nodiscard]] BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options);
 
-/// Pairs of faces of one mesh, the lower number first.
-using FacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-
 /// The stages after `prepare` for one closed mesh of any orientation, with exact vertices. Requires faces of positive
-/// area. `crossings`: all pairs of faces that meet other than along common edges and vertices, equal vertices being
-/// one, where these are known; the result is the same, and found sooner. Throws Cancelled.
-[[nodiscard]] BooleanResult resolved(InputComplex input, Inside inside, const Monitor& monitor,
-                                     const FacePairs* crossings = nullptr);
+/// area. Throws Cancelled.
+[[nodiscard]] BooleanResult resolved(InputComplex input, Inside inside, const Monitor& monitor);
 
 }  // namespace strata

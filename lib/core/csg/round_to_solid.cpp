@@ -16,8 +16,9 @@
 #include "core/containers/collect.h"
 #include "core/containers/huge_pages.h"
 #include "core/csg/arena.h"
-#include "core/csg/boolean.h"
 #include "core/csg/inspection.h"
+#include "core/csg/moved_vertices.h"
+#include "core/csg/resolve_again.h"
 #include "core/exact/finite.h"
 #include "core/exact/number_text.h"
 #include "core/kernel/disjoint_sets.h"
@@ -25,13 +26,10 @@
 #include "core/mesh/connections.h"
 #include "core/mesh/equal_vertices.h"
 #include "core/mesh/lattice_sum.h"
-#include "core/mesh/prepare.h"
-#include "core/overlap/shells.h"
 #include "core/round/distances.h"
 #include "core/round/flatten.h"
 #include "core/round/moving_mesh.h"
 #include "core/round/repair.h"
-#include "core/round/resolve_in_place.h"
 #include "core/round/surface_distance.h"
 #include "core/round/wrong_faces.h"
 #include "strata/rounding.h"
@@ -95,23 +93,6 @@ class Reach {
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
 };
 
-/// Without triangles that repeat a vertex, and with faces of positive area only.
-Prepared without_degenerate_faces(const Mesh& mesh) {
-  Mesh distinct{mesh.vertices, on_first_vertices(ExactMeshView(mesh, {}))};
-  std::vector<std::uint32_t> kept;
-  for (std::uint32_t f = 0; f < distinct.triangles.size(); ++f) {
-    if (repeats_vertex(distinct.triangles[f])) continue;
-    distinct.triangles[kept.size()] = distinct.triangles[f];
-    kept.push_back(f);
-  }
-  distinct.triangles.resize(kept.size());
-  Prepared prepared = prepare_closed(distinct, true);
-  for (std::uint32_t& f : prepared.source_face) f = kept[f];
-  if (prepared.source_face.empty()) prepared.source_face = std::move(kept);
-  if (!prepared.mesh) prepared.mesh = std::move(distinct);
-  return prepared;
-}
-
 /// A mesh whose faces near changes are not wrong: are its winding numbers 0 and 1?
 bool winds_like_a_solid(const MovingMesh& mesh, const ChangedRegion& region, const Monitor& monitor) {
   if (region.keeps_windings()) return true;
@@ -157,7 +138,8 @@ class SolidRounding {
       }
       repairs = 0;
       if (!wrong.empty() && !reach_.is_time_to_resolve(wrong.size())) continue;
-      if (!resolve_again(moving, region, wrong, ++resolves)) return finished(std::move(moving), nullptr, report, false);
+      if (!resolve_again(moving, region, wrong, grid_, bits_less_in(++resolves), monitor_))
+        return finished(std::move(moving), nullptr, report, false);
     }
   }
 
@@ -174,8 +156,7 @@ class SolidRounding {
     resize_fresh(moves, moving.size());
     tbb::parallel_for(std::size_t{0}, moving.size(), [&](std::size_t n) {
       const std::uint32_t v = moving[n];
-      const Vertex to = grid_(points[v], 0);
-      moves[n] = {v, v, to, distance(points[v], to) + (is_rounded[v] ? half_unit(points[v]) : 0)};
+      moves[n] = move_to_grid(v, points[v], is_rounded[v], grid_);
     });
     for (const VertexMove& m : moves)
       if (!is_finite(m.to)) refuse(m.vertex);
@@ -218,121 +199,12 @@ class SolidRounding {
                                 ") is beyond the largest number of the format");
   }
 
-  /// The mesh becomes the regular set of points with a positive winding number, its new vertices rounded. Returns false
-  /// if there are none: then it is a solid on the grid. `region`: what was searched last; nothing has changed since.
-  bool resolve_again(MovingMesh& moving, const ChangedRegion& region, const std::vector<std::uint32_t>& wrong,
-                     int resolves) const {
-    if (are_few(moving, region) && bits_less_in(resolves) == 0) return resolve_few(moving, region, wrong);
-    const std::optional<FacePairs> crossings = crossings_when_taken(moving, region);
-    MovingMesh::Parts from = std::move(moving).take();
-    const Prepared prepared = crossings ? Prepared{} : without_degenerate_faces(from.mesh);
-    const Mesh& mesh = crossings ? from.mesh : *prepared.mesh;
-    if (mesh.triangles.empty()) {
-      moving = MovingMesh({}, {}, {});
-      return false;
-    }
-    InputComplex complex(SelfIntersections::possible);
-    complex.add(mesh.vertices, mesh.triangles, {}, prepared.bounds);
-    BooleanResult result = resolved(std::move(complex), Inside::winding, monitor_, crossings ? &*crossings : nullptr);
-    std::vector<std::uint32_t> source_face;
-    std::vector<double> moved;
-    resize_fresh(source_face, result.sources.size());
-    resize_fresh(moved, result.sources.size());
-    tbb::parallel_for(std::size_t{0}, result.sources.size(), [&](std::size_t i) {
-      const std::uint32_t face = result.sources[i].face, source = crossings ? face : prepared.source_face[face];
-      source_face[i] = from.source_face[source];
-      moved[i] = from.moved[source];
-    });
-    const std::vector<VertexMove> moves = moves_of_new_vertices(result, bits_less_in(resolves));
-    moving = MovingMesh(std::move(result.mesh), std::move(source_face), std::move(moved));
-    moving.move(moves);
-    return !moves.empty();
-  }
-
-  /// Are pairs of faces that cross known, and few beside all faces?
-  [[nodiscard]] static bool are_few(const MovingMesh& moving, const ChangedRegion& region) {
-    constexpr std::size_t part = 8;
-    return region.is_complete() && region.has_area_everywhere() &&
-           region.wrong_pairs().size() <= moving.mesh().triangles.size() / part;
-  }
-
-  /// The same in place.
-  bool resolve_few(MovingMesh& moving, const ChangedRegion& region, const std::vector<std::uint32_t>& wrong) const {
-    FacePairs crossings = region.wrong_pairs();
-    const bool is_local = moving.swept().has_value();
-    FacePatches patches;
-    if (is_local) patches = region.patches(wrong);
-    moving.move(vertices_that_met(moving, region, false));
-    if (!is_local) {
-      crossings = *crossings_when_taken(moving, region);
-      MovingMesh::Parts parts = std::move(moving).take();
-      moving = MovingMesh(std::move(parts.mesh), std::move(parts.source_face), std::move(parts.moved));
-      patches = patches_of(moving.mesh(), crossings);
-    }
-    const std::vector<VertexMove> moves = resolve_in_place(moving, crossings, patches, grid_, monitor_);
-    moving.move(moves);
-    return !moves.empty();
-  }
-
-  /// Of a whole mesh but for the faces that cross.
-  [[nodiscard]] FacePatches patches_of(MeshView mesh, const FacePairs& crossings) const {
-    InputComplex complex(SelfIntersections::possible);
-    complex.add(mesh.vertices, mesh.triangles);
-    std::vector<bool> crosses(mesh.triangles.size(), false);
-    for (const auto& [face, other] : crossings) crosses[face] = crosses[other] = true;
-    const Shells shells = find_patches(complex, EmbeddedStars(complex, monitor_), crosses);
-    FacePatches patches{{}, {}, std::vector<bool>(shells.count, false)};
-    for (std::uint32_t f = 0; f < crosses.size(); ++f) {
-      if (crosses[f]) continue;
-      patches.faces.push_back(f);
-      patches.patch.push_back(shells.of_face[f]);
-    }
-    return patches;
-  }
-
-  /// All pairs of faces that cross, by their numbers when the mesh is taken; none where they are not known, or where
-  /// faces have no area.
-  [[nodiscard]] static std::optional<FacePairs> crossings_when_taken(const MovingMesh& moving,
-                                                                     const ChangedRegion& region) {
-    if (!region.is_complete() || !region.has_area_everywhere()) return std::nullopt;
-    const std::vector<std::uint32_t> gone =
-        collect(moving.mesh().triangles.size(), [&](std::uint32_t f) { return !moving.is_left(f); });
-    FacePairs pairs = region.wrong_pairs();
-    for (auto& [face, other] : pairs)
-      for (std::uint32_t* f : {&face, &other})
-        *f -= static_cast<std::uint32_t>(std::lower_bound(gone.begin(), gone.end(), *f) - gone.begin());
-    return pairs;
-  }
-
-  /// With fewer bits, the other vertices of triangles with new ones are rounded, too, so that all that is in the way
-  /// becomes coarser; without any bits, all vertices are.
-  [[nodiscard]] std::vector<VertexMove> moves_of_new_vertices(const BooleanResult& result, int bits_less) const {
-    const std::vector<Vertex>& points = result.mesh.vertices;
-    std::vector<bool> is_exact(points.size(), false);
-    for (const ExactVertex& e : result.exact) is_exact[e.vertex] = true;
-    std::vector<bool> is_new = is_exact;
-    if (!grid_.holds_all_doubles())
-      for (std::size_t v = 0; v < is_new.size(); ++v) is_new[v] = is_exact[v] || !grid_.holds(points[v]);
-    std::vector<VertexMove> moves;
-    if (std::none_of(is_new.begin(), is_new.end(), [](bool x) { return x; })) return moves;
-    std::vector<bool> is_rounded = is_new;
-    for (const Triangle& t : result.mesh.triangles)
-      if (bits_less > 0 && (is_new[t[0]] || is_new[t[1]] || is_new[t[2]]))
-        for (const std::uint32_t v : t) is_rounded[v] = true;
-    for (std::uint32_t v = 0; v < points.size(); ++v) {
-      if (!is_rounded[v] && bits_less < GridRounding::most_bits) continue;
-      const Vertex to = grid_(points[v], bits_less);
-      moves.push_back({v, v, to, distance(points[v], to) + (is_exact[v] ? half_unit(points[v]) : 0)});
-    }
-    return moves;
-  }
-
   /// `region`: what was searched last, if it was.
   Outcome finished(MovingMesh moving, const ChangedRegion* region, RoundingReport report,
                    bool have_vertices_met) const {
     report.unit = grid_.unit_at(largest_coordinate(exact_.mesh.vertices));
     if (moving.is_as_given()) {
-      if (region != nullptr) count_moved_vertices(moving, *region, report);
+      if (region != nullptr) count_moved_vertices(moving, *region, far_units * report.unit, report);
       for (const double moved : moving.moved_of_changed())
         report.largest_movement = std::max(report.largest_movement, moved);
       return {std::nullopt, report};
@@ -341,7 +213,7 @@ class SolidRounding {
     report.is_rearranged = report.rounds > 0 || have_vertices_met;
     if (report.is_rearranged) compare(parts, report);
     tighten_distances(exact_, parts.mesh, far_units * report.unit, monitor_, parts.moved);
-    count_moved_vertices(parts, report);
+    count_moved_vertices(parts, far_units * report.unit, report);
     for (const double moved : parts.moved) report.largest_movement = std::max(report.largest_movement, moved);
     return {std::move(parts), report};
   }
@@ -381,58 +253,6 @@ class SolidRounding {
     std::uint64_t count = 0;
     for (const std::uint32_t f : faces) count += std::exchange(is_of_others[connected.find(triangles[f][0])], 1) == 0;
     return count;
-  }
-
-  /// A vertex is as near to the exact boundary as any of its triangles.
-  class VertexMovements {
-   public:
-    VertexMovements(std::size_t vertices, double far) : far_(far) {
-      for (std::vector<char>* marks : {&is_used_, &is_unmoved_, &is_near_}) resize_fresh(*marks, vertices);
-    }
-    /// From many threads.
-    void add(const Triangle& t, double way) {
-      mark(t, is_used_);
-      if (way == 0) mark(t, is_unmoved_);
-      if (way <= far_) mark(t, is_near_);
-    }
-    void count(RoundingReport& report) const {
-      const auto count_without = [&](const std::vector<char>& marks) {
-        return collect(is_used_.size(), [&](std::uint32_t v) { return is_used_[v] != 0 && marks[v] == 0; }).size();
-      };
-      report.moved_vertices += count_without(is_unmoved_);
-      report.far_vertices += count_without(is_near_);
-    }
-
-   private:
-    static void mark(const Triangle& t, std::vector<char>& marks) {
-      for (const std::uint32_t v : t) std::atomic_ref(marks[v]).store(1, std::memory_order_relaxed);
-    }
-
-    double far_;
-    std::vector<char> is_used_, is_unmoved_, is_near_;
-  };
-  static void count_moved_vertices(const MovingMesh::Parts& rounded, RoundingReport& report) {
-    VertexMovements movements(rounded.mesh.vertices.size(), far_units * report.unit);
-    tbb::parallel_for(std::size_t{0}, rounded.moved.size(),
-                      [&](std::size_t t) { movements.add(rounded.mesh.triangles[t], rounded.moved[t]); });
-    movements.count(report);
-  }
-  /// Triangles that were not changed did not move. Those that have vertices of changed ones were searched.
-  static void count_moved_vertices(const MovingMesh& rounded, const ChangedRegion& region, RoundingReport& report) {
-    const MeshView mesh = rounded.mesh();
-    const std::vector<std::uint32_t>& changed = rounded.changed();
-    if (changed.empty()) return;
-    const auto position_in = [](const std::vector<std::uint32_t>& sorted, std::uint32_t number) {
-      return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), number) - sorted.begin());
-    };
-    VertexMovements movements(region.vertices().size(), far_units * report.unit);
-    tbb::parallel_for(std::size_t{0}, region.faces().size(), [&](std::size_t n) {
-      const std::uint32_t f = region.faces()[n], at = position_in(changed, f);
-      Triangle t = mesh.triangles[f];
-      for (std::uint32_t& v : t) v = position_in(region.vertices(), v);
-      movements.add(t, at < changed.size() && changed[at] == f ? rounded.moved_of_changed()[at] : 0);
-    });
-    movements.count(report);
   }
 
   const NearestMesh& exact_;

@@ -64,6 +64,12 @@ std::vector<Vertex> corners_of(const InputComplex& input, std::span<const std::u
 
 }  // namespace
 
+InputComplex complex_of(MeshView mesh) {
+  InputComplex complex(SelfIntersections::possible);
+  complex.add(mesh.vertices, mesh.triangles);
+  return complex;
+}
+
 std::vector<SelfIntersection> find_self_intersections(const InputComplex& input, const EmbeddedStars* stars,
                                                       const Monitor& monitor, std::size_t enough) {
   // Faces around a vertex where nothing crosses are no pairs; those around a fan are compared there.

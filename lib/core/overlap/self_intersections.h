@@ -18,6 +18,9 @@ struct SelfIntersection {
   Vertex at{};                        ///< the doubles near one of their common points
 };
 
+/// One mesh that may cross itself, as input. Refers to the mesh.
+[[nodiscard]] InputComplex complex_of(MeshView mesh);
+
 /// The pairs of faces of the first operand that intersect, by their numbers. Requires finite coordinates, valid indices
 /// and faces of positive area. Vertices are equal where their numbers are: `identify` has no effect here. `stars`: of
 /// this mesh, if it is closed, else null; the result is the same, and found sooner. Exact: a pair is found if and only

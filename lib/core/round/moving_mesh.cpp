@@ -13,6 +13,7 @@
 
 #include "core/containers/collect.h"
 #include "core/containers/huge_pages.h"
+#include "core/round/distances.h"
 
 namespace strata {
 namespace {
@@ -54,6 +55,12 @@ void drop_unused_vertices(Mesh& mesh) {
 }
 
 }  // namespace
+
+VertexMove move_to_grid(std::uint32_t vertex, const Vertex& at, bool is_rounded, const GridRounding& grid,
+                        int bits_less) {
+  const Vertex to = grid(at, bits_less);
+  return {vertex, vertex, to, distance(at, to) + (is_rounded ? half_unit(at) : 0)};
+}
 
 MovingMesh::MovingMesh(Mesh mesh, std::vector<std::uint32_t> source_face, std::vector<double> moved)
     : mesh_(std::move(mesh)), source_face_(std::move(source_face)), moved_(std::move(moved)), swept_(std::in_place) {}

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/kernel/box.h"
+#include "core/kernel/grid_rounding.h"
 #include "core/mesh/edge_table.h"
 #include "strata/mesh.h"
 
@@ -19,6 +20,10 @@ struct VertexMove {
   Vertex to{};                ///< its new place; that of `becomes`
   double way = 0;             ///< at least the distance, in the maximum norm
 };
+
+/// The way of a vertex to the grid. `is_rounded`: it is not where its doubles are, but nearest to them.
+[[nodiscard]] VertexMove move_to_grid(std::uint32_t vertex, const Vertex& at, bool is_rounded, const GridRounding& grid,
+                                      int bits_less = 0);
 
 /// Triangles a b c and b a d become a d c and d b c: what the first covers beside the segment a b goes there.
 struct FlatFlip {

@@ -8,25 +8,17 @@
 #include "core/kernel/input_complex.h"
 #include "core/mesh/edge_table.h"
 #include "core/overlap/intersect.h"
-#include "core/round/distances.h"
 #include "core/round/rounding.h"
 #include "core/select/extract.h"
 #include "core/select/label.h"
 #include "core/select/subdivide.h"
 #include "core/winding/ray_windings.h"
-#include "strata/errors.h"
 
 namespace strata {
 namespace {
 
 using Index = std::uint32_t;
 constexpr Index no_face = std::numeric_limits<Index>::max();
-
-InputComplex complex_of(MeshView mesh) {
-  InputComplex complex(SelfIntersections::possible);
-  complex.add(mesh.vertices, mesh.triangles);
-  return complex;
-}
 
 /// The first face of each patch that is not known, in the order of the patches; none for others.
 std::vector<Index> first_faces(const FacePatches& patches) {
@@ -64,25 +56,19 @@ class Resolving {
     pieces_ = extract(complex_, verdicts, std::move(subdivision), monitor);
   }
 
-  [[nodiscard]] std::vector<VertexMove> finish(const GridRounding& grid) && {
+  [[nodiscard]] std::optional<std::vector<VertexMove>> finish(const GridRounding& grid) && {
+    const std::vector<PartOfTriangle> parts = parts_of_mesh();
+    if (!fit(parts)) return std::nullopt;
     const std::vector<Vertex> points = round_to_doubles(complex_, pieces_, monitor_);
     std::vector<bool> is_rounded(points.size(), false);
     for (const Index v : rounded_vertices(complex_, pieces_, points, monitor_)) is_rounded[v] = true;
 
-    std::vector<Index> number = pieces_.inputs;  // in the mesh, of each vertex of the pieces
     std::vector<VertexMove> moves;
     for (std::size_t v = pieces_.inputs.size(); v < points.size(); ++v) {
-      number.push_back(mesh_.add_vertex(points[v]));
-      if (!is_rounded[v] && grid.holds(points[v])) continue;
-      const Vertex to = grid(points[v], 0);
-      moves.push_back({number[v], number[v], to, distance(points[v], to) + (is_rounded[v] ? half_unit(points[v]) : 0)});
+      const Index number = mesh_.add_vertex(points[v]);
+      if (is_rounded[v] || !grid.holds(points[v]))
+        moves.push_back(move_to_grid(number, points[v], is_rounded[v], grid));
     }
-    std::vector<PartOfTriangle> parts;
-    for (std::size_t n = 0; n < pieces_.triangles.size(); ++n) {
-      const auto& [a, b, c] = pieces_.triangles[n];
-      parts.push_back({{number[a], number[b], number[c]}, pieces_.sources[n].face});
-    }
-    ensure_closed(parts);
     mesh_.resolve(gone_, parts);
     return moves;
   }
@@ -108,17 +94,33 @@ class Resolving {
     std::sort(gone_.begin(), gone_.end());
   }
 
-  /// What is put in has the boundary of what is taken out.
-  void ensure_closed(std::span<const PartOfTriangle> parts) const {
+  /// By numbers of the mesh. New vertices come after its own.
+  [[nodiscard]] std::vector<PartOfTriangle> parts_of_mesh() const {
+    const auto number = [&](Index v) {
+      const std::size_t inputs = pieces_.inputs.size();
+      return v < inputs ? pieces_.inputs[v] : static_cast<Index>(complex_.vertex_count() + (v - inputs));
+    };
+    std::vector<PartOfTriangle> parts;
+    for (std::size_t n = 0; n < pieces_.triangles.size(); ++n) {
+      const auto& [a, b, c] = pieces_.triangles[n];
+      parts.push_back({{number(a), number(b), number(c)}, pieces_.sources[n].face});
+    }
+    return parts;
+  }
+
+  /// Does what is put in have the boundary of what is taken out?
+  [[nodiscard]] bool fit(std::span<const PartOfTriangle> parts) const {
     std::vector<Triangle> chain;
     for (const PartOfTriangle& part : parts) chain.push_back(part.corners);
     for (const Index f : gone_) {
       const auto& [a, b, c] = mesh_.mesh().triangles[f];
       chain.push_back({a, c, b});
     }
-    for_each_edge(edge_table(chain, mesh_.mesh().vertices.size()), [](std::span<const EdgeUse> uses) {
-      if (net_uses(uses) != 0) throw LogicError("the boundary of a resolved mesh is not closed");
-    });
+    const std::size_t vertices = complex_.vertex_count() + pieces_.constructed.size();
+    bool is_closed = true;
+    for_each_edge(edge_table(chain, vertices),
+                  [&](std::span<const EdgeUse> uses) { is_closed = is_closed && net_uses(uses) == 0; });
+    return is_closed;
   }
 
   MovingMesh& mesh_;
@@ -131,8 +133,10 @@ class Resolving {
 
 }  // namespace
 
-std::vector<VertexMove> resolve_in_place(MovingMesh& mesh, std::span<const std::pair<Index, Index>> crossings,
-                                         const FacePatches& patches, const GridRounding& grid, const Monitor& monitor) {
+std::optional<std::vector<VertexMove>> resolve_in_place(MovingMesh& mesh,
+                                                        std::span<const std::pair<Index, Index>> crossings,
+                                                        const FacePatches& patches, const GridRounding& grid,
+                                                        const Monitor& monitor) {
   return Resolving(mesh, crossings, patches, monitor).finish(grid);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,9 +20,11 @@ namespace strata {
 /// `patches`: the faces that cross no others, but for those that are certain to bound the set.
 ///
 /// New vertices are at the doubles nearest to them. Returns the way that each must go to the grid, if there is one, by
-/// increasing vertex. The same for any number of threads. O(n) for what is small beside a search, and O(k log k) for k
-/// crossings and the faces of patches. Throws Cancelled.
-[[nodiscard]] std::vector<VertexMove> resolve_in_place(
+/// increasing vertex. None, and the mesh is as it was, where what would be put in does not fit: then these are not all
+/// crossings, or patches do not bound the set, as when a caller promised a solid and gave something else. The same for
+/// any number of threads. O(n) for what is small beside a search, and O(k log k) for k crossings and the faces of
+/// patches. Throws Cancelled.
+[[nodiscard]] std::optional<std::vector<VertexMove>> resolve_in_place(
     MovingMesh& mesh, std::span<const std::pair<std::uint32_t, std::uint32_t>> crossings, const FacePatches& patches,
     const GridRounding& grid, const Monitor& monitor);
 

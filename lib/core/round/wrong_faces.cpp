@@ -61,12 +61,6 @@ Mesh part_of(MeshView mesh, std::span<const std::uint32_t> faces, std::vector<st
   return part;
 }
 
-InputComplex complex_of(std::span<const Vertex> vertices, std::span<const Triangle> triangles) {
-  InputComplex complex(SelfIntersections::possible);
-  complex.add(vertices, triangles);
-  return complex;
-}
-
 }  // namespace
 
 ChangedRegion::ChangedRegion(const MovingMesh& mesh, const Monitor& monitor)
@@ -99,7 +93,7 @@ std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor, st
   const std::vector<std::uint32_t> flat = collect(faces_.size(), has_no_area);
   has_area_everywhere_ = flat.empty() && !has_collapsed();
   std::vector<std::uint32_t> wrong = flat;
-  const InputComplex complex = complex_of(part_.vertices, part_.triangles);
+  const InputComplex complex = complex_of(part_);
   if (is_all()) stars_.emplace(complex, monitor);
   const EmbeddedStars* const stars = stars_ ? &*stars_ : nullptr;
   if (flat.empty()) {
@@ -109,7 +103,8 @@ std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor, st
         collect(faces_.size(), [&](std::uint32_t f) { return !std::binary_search(flat.begin(), flat.end(), f); });
     std::vector<Triangle> triangles;
     for (const std::uint32_t f : sound) triangles.push_back(part_.triangles[f]);
-    for (const auto& s : find_self_intersections(complex_of(part_.vertices, triangles), stars, monitor, enough))
+    for (const auto& s :
+         find_self_intersections(complex_of(MeshView(part_.vertices, triangles)), stars, monitor, enough))
       pairs_.emplace_back(sound[s.face], sound[s.other]);
   }
   is_complete_ = pairs_.size() < enough;
