@@ -146,20 +146,23 @@ class SolidRounding {
  private:
   [[nodiscard]] MovingMesh nearest() const {
     const std::span<const Vertex> points = exact_.mesh.vertices;
-    std::vector<bool> is_rounded(points.size(), false);
-    for (const std::uint32_t v : exact_.rounded) is_rounded[v] = true;
-    const std::vector<std::uint32_t> moving =
-        grid_.holds_all_doubles() ? exact_.rounded : collect(points.size(), [&](std::uint32_t v) {
-          return is_rounded[v] || grid_(points[v], 0) != points[v];
-        });
+    const bool holds_all = grid_.holds_all_doubles();
+    std::vector<bool> is_rounded(holds_all ? 0 : points.size(), false);
+    if (!holds_all)
+      for (const std::uint32_t v : exact_.rounded) is_rounded[v] = true;
+    const std::vector<std::uint32_t> moving = holds_all ? exact_.rounded : collect(points.size(), [&](std::uint32_t v) {
+      return is_rounded[v] || grid_(points[v], 0) != points[v];
+    });
     std::vector<VertexMove> moves;
     resize_fresh(moves, moving.size());
+    std::atomic<bool> are_finite = true;
     tbb::parallel_for(std::size_t{0}, moving.size(), [&](std::size_t n) {
       const std::uint32_t v = moving[n];
-      moves[n] = move_to_grid(v, points[v], is_rounded[v], grid_);
+      moves[n] = move_to_grid(v, points[v], holds_all || is_rounded[v], grid_);
+      if (!is_finite(moves[n].to)) are_finite.store(false, std::memory_order_relaxed);
     });
-    for (const VertexMove& m : moves)
-      if (!is_finite(m.to)) refuse(m.vertex);
+    if (!are_finite)
+      refuse(std::find_if(moves.begin(), moves.end(), [](const VertexMove& m) { return !is_finite(m.to); })->vertex);
     MovingMesh result(exact_.mesh);
     result.move(moves);
     return result;
@@ -211,10 +214,15 @@ class SolidRounding {
     }
     MovingMesh::Parts parts = std::move(moving).take();
     report.is_rearranged = report.rounds > 0 || have_vertices_met;
-    if (report.is_rearranged) compare(parts, report);
-    tighten_distances(exact_, parts.mesh, far_units * report.unit, monitor_, parts.moved);
-    count_moved_vertices(parts, far_units * report.unit, report);
-    for (const double moved : parts.moved) report.largest_movement = std::max(report.largest_movement, moved);
+    tbb::parallel_invoke(  // other members of the report each
+        [&] {
+          if (report.is_rearranged) compare(parts, report);
+        },
+        [&] {
+          tighten_distances(exact_, parts.mesh, far_units * report.unit, monitor_, parts.moved);
+          count_moved_vertices(parts, far_units * report.unit, report);
+          for (const double moved : parts.moved) report.largest_movement = std::max(report.largest_movement, moved);
+        });
     return {std::move(parts), report};
   }
 

@@ -86,7 +86,7 @@ std::vector<SelfIntersection> find_self_intersections(const InputComplex& input,
       keys_of);
   tbb::enumerable_thread_specific<PairTest> tests([&] { return PairTest(input); });
 
-  // Rounds, so that the end does not depend on threads.
+  // Rounds, and tasks that end by themselves, so that the end does not depend on threads.
   std::vector<SelfIntersection> all;
   const auto test_pairs = [&](std::size_t count, const auto& append_pairs_of) {
     constexpr std::size_t groups_per_task = 8, tasks_per_round = 256;
@@ -101,7 +101,10 @@ std::vector<SelfIntersection> find_self_intersections(const InputComplex& input,
         for (std::size_t group = begin; group < std::min(begin + groups_per_task, count); ++group) {
           pairs.clear();
           append_pairs_of(group, pairs);
-          for (const auto& [a, b] : pairs) test(a, b, found[n]);
+          for (const auto& [a, b] : pairs) {
+            test(a, b, found[n]);
+            if (found[n].size() >= enough) return;
+          }
         }
       });
       for (const auto& f : found) all.insert(all.end(), f.begin(), f.end());

@@ -1,6 +1,8 @@
 #include "core/overlap/shells.h"
 
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "core/kernel/disjoint_sets.h"
 #include "core/mesh/edge_table.h"
@@ -8,56 +10,72 @@
 namespace strata {
 namespace {
 
-constexpr std::uint32_t no_face = 0xffffffffu;
+constexpr std::uint32_t no_number = 0xffffffffu;
 
-/// Faces with an edge both of whose ends are not in embedded stars. All faces of such an edge are among them.
-struct Rest {
-  std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> faces;
-};
-
-/// Around an embedded star, faces are connected across edges that two of them have.
-Rest connect_stars(std::span<const Triangle> faces, std::size_t vertex_count, const EmbeddedStars& stars,
-                   const std::vector<bool>& crossing, DisjointSets<std::uint32_t>& sets) {
-  Rest rest;
-  std::vector<std::uint32_t> first_face(vertex_count, no_face);
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    std::size_t embedded = 0;
-    for (const std::uint32_t v : faces[f]) {
-      if (!stars.at(v)) continue;
-      ++embedded;
-      if (!crossing.empty() && crossing[f]) continue;
-      if (first_face[v] == no_face)
-        first_face[v] = f;
-      else
-        sets.unite(first_face[v], f);
+/// Sets of faces. Around an embedded star, faces are connected across edges that two of them have, so its vertex stands
+/// for all of them; a face that crosses others, or is in no such star, stands for itself.
+class ConnectedFaces {
+ public:
+  ConnectedFaces(std::span<const Triangle> faces, std::size_t vertex_count, const EmbeddedStars& stars,
+                 const std::vector<bool>& crossing)
+      : size_(vertex_count + faces.size()), sets_(size_) {
+    const auto first_face = static_cast<std::uint32_t>(vertex_count);
+    member_.reserve(faces.size());
+    for (std::uint32_t f = 0; f < faces.size(); ++f) {
+      const bool crosses = !crossing.empty() && crossing[f];
+      std::uint32_t embedded = 0, member = first_face + f;
+      for (const std::uint32_t v : faces[f]) {
+        if (!stars.at(v)) continue;
+        ++embedded;
+        if (crosses) continue;
+        if (member < first_face) sets_.unite(member, v);
+        member = v;
+      }
+      member_.push_back(member);
+      if (embedded < 2) rest_.push_back(f);
     }
-    if (embedded > 1) continue;
-    rest.triangles.push_back(faces[f]);
-    rest.faces.push_back(f);
   }
-  return rest;
-}
+
+  /// Faces with an edge both of whose ends are not in embedded stars. All faces of such an edge are among them.
+  [[nodiscard]] const std::vector<std::uint32_t>& rest() const { return rest_; }
+  void unite(std::uint32_t face, std::uint32_t other) { sets_.unite(member_[face], member_[other]); }
+
+  /// The number of each face's set, by first faces.
+  [[nodiscard]] std::vector<std::uint32_t> numbers(std::uint32_t& count) && {
+    std::vector<std::uint32_t> number(size_, no_number);
+    for (std::uint32_t& member : member_) {
+      std::uint32_t& n = number[sets_.find(member)];
+      if (n == no_number) n = count++;
+      member = n;
+    }
+    return std::move(member_);
+  }
+
+ private:
+  std::size_t size_;
+  DisjointSets<std::uint32_t> sets_;
+  std::vector<std::uint32_t> member_;  ///< of each face: what stands for it, vertices first
+  std::vector<std::uint32_t> rest_;
+};
 
 }  // namespace
 
 Shells find_patches(const InputComplex& input, const EmbeddedStars& stars, const std::vector<bool>& crossing) {
   const auto faces = input.faces(0);
   const auto crosses = [&](std::uint32_t f) { return !crossing.empty() && crossing[f]; };
-  DisjointSets<std::uint32_t> sets(faces.size());
-  const Rest rest = connect_stars(faces, input.points(0).size(), stars, crossing, sets);
+  ConnectedFaces connected(faces, input.points(0).size(), stars, crossing);
+  const std::vector<std::uint32_t>& rest = connected.rest();
+  std::vector<Triangle> triangles;
+  triangles.reserve(rest.size());
+  for (const std::uint32_t f : rest) triangles.push_back(faces[f]);
   Shells result;
-  for_each_edge(edge_table(rest.triangles, input.points(0).size()), [&](std::span<const EdgeUse> uses) {
+  for_each_edge(edge_table(triangles, input.points(0).size()), [&](std::span<const EdgeUse> uses) {
     result.share_edges = result.share_edges || uses.size() > 2;
     if (uses.size() != 2) return;
-    const std::uint32_t f = rest.faces[uses[0].triangle], g = rest.faces[uses[1].triangle];
-    if (!crosses(f) && !crosses(g)) sets.unite(f, g);
+    const std::uint32_t f = rest[uses[0].triangle], g = rest[uses[1].triangle];
+    if (!crosses(f) && !crosses(g)) connected.unite(f, g);
   });
-  result.of_face.resize(faces.size());
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    const std::uint32_t first = sets.find(f);
-    result.of_face[f] = first == f ? result.count++ : result.of_face[first];
-  }
+  result.of_face = std::move(connected).numbers(result.count);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <iterator>
@@ -37,6 +38,15 @@ bool are_same(const Vertex& a, const Vertex& b) {
   return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
     return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
   });
+}
+
+bool all_stay(MeshView mesh, std::span<const VertexMove> moves) {
+  std::atomic<bool> stay = true;
+  tbb::parallel_for(std::size_t{0}, moves.size(), [&](std::size_t n) {
+    const VertexMove& m = moves[n];
+    if (m.becomes != m.vertex || !are_same(m.to, mesh.vertices[m.vertex])) stay.store(false, std::memory_order_relaxed);
+  });
+  return stay;
 }
 
 void drop_unused_vertices(Mesh& mesh) {
@@ -82,10 +92,7 @@ void MovingMesh::copy_given() {
 
 void MovingMesh::move(std::span<const VertexMove> moves) {
   if (moves.empty()) return;
-  const bool stays = changed_.empty() && std::all_of(moves.begin(), moves.end(), [&](const VertexMove& m) {
-                       return m.becomes == m.vertex && are_same(m.to, mesh().vertices[m.vertex]);
-                     });
-  if (!stays) copy_given();
+  if (!changed_.empty() || !all_stay(this->mesh(), moves)) copy_given();
   const MeshView mesh = this->mesh();
   std::vector<std::uint32_t> move_at;  // per vertex
   resize_fresh(move_at, mesh.vertices.size(), none);

@@ -44,7 +44,8 @@ Mesh part_of(MeshView mesh, std::span<const std::uint32_t> faces, std::vector<st
   resize_fresh(number_in_part, mesh.vertices.size(), unused);
   tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t n) {
     for (const std::uint32_t v : mesh.triangles[faces[n]])
-      std::atomic_ref(number_in_part[v]).store(0, std::memory_order_relaxed);
+      if (const std::atomic_ref at(number_in_part[v]); at.load(std::memory_order_relaxed) != 0)
+        at.store(0, std::memory_order_relaxed);
   });
   numbers = collect(mesh.vertices.size(), [&](std::uint32_t v) { return number_in_part[v] != unused; });
   Mesh part;
