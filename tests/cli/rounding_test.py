@@ -60,6 +60,18 @@ class Rounding(ToolTest):
         self.assertIn(b"a.off is not what was declared", said)
         self.assertIn(b"self-intersection", said)
 
+    def test_a_broken_promise_that_a_stage_meets_is_told(self):
+        """Blocks of two parts, of which one leans into the other."""
+        sides = ((0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5))
+
+        def block(tilt):
+            upright, leaning = ((0, 0), (1, 0), (0, 1), (1, 1)), ((1, 0), (2, tilt), (1 - tilt, 1), (2 - tilt, 1 + tilt))
+            points = [(x, y, z) for part in (upright, leaning) for z in (0, 1) for x, y in part]
+            return off(points, [[v + first for v in side] for first in (0, 8) for side in sides])
+        a, b = self.file("a.off", block(1e-15)), self.file("b.off", block(1e-9))
+        said = self.run_tool("intersection", a, b, "-o", "o.off", "--input", "solid", expect=INVALID).stderr
+        self.assertIn(b"a.off is not what was declared", said)
+
     def test_round_to_floats_and_back(self):
         self.run_tool("round", DATA / "sphere.off", "--to", "float32", "-o", "a.off")
         self.run_tool("round", DATA / "sphere.off", "--to", "float64", "-o", "b.stl")

@@ -1,10 +1,11 @@
-"""Time limits and signals: exit code 6, and nothing left behind."""
+"""Time limits and signals: exit code 6, and nothing left behind. What nobody reads stops nothing."""
+import os
 import signal
 import subprocess
 import time
 import unittest
 
-from tool import DATA, STOPPED, TOOL, ToolTest
+from tool import DATA, INVALID, OK, STOPPED, TOOL, ToolTest, open_cube
 
 
 class Stop(ToolTest):
@@ -43,6 +44,18 @@ class Stop(ToolTest):
         self.assertEqual(process.wait(timeout=5), STOPPED)
         process.stdin.close()
         process.stderr.close()
+
+    def test_a_closed_standard_error_changes_no_exit_code(self):
+        broken = self.file("open.off", open_cube())
+        for arguments, code in ((("union", broken, broken, "-o", "none.off"), INVALID),
+                                (("round", DATA / "sphere.off", "--to", "1", "-o", "out.off", "--progress"), OK)):
+            with self.subTest(arguments[0]):
+                read, write = os.pipe()
+                os.close(read)
+                done = subprocess.run([TOOL, *map(str, arguments)], stderr=write, cwd=self.folder, timeout=60)
+                os.close(write)
+                self.assertEqual(done.returncode, code)
+        self.assertTrue(self.path("out.off").exists())
 
     def test_a_limit_that_is_not_reached_changes_nothing(self):
         self.run_tool("union", DATA / "cube.off", DATA / "cube_beside.off", "-o", "out.off", "--timeout", "60")

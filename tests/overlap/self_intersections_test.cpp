@@ -25,12 +25,6 @@ namespace {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-InputComplex complex_of(const Mesh& mesh) {
-  InputComplex input(SelfIntersections::possible);
-  input.add(mesh.vertices, mesh.triangles);
-  return input;
-}
-
 enum class Chain { unknown, closed };
 
 std::vector<Pair> found_in(const Mesh& mesh, Chain chain) {

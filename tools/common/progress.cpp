@@ -1,11 +1,10 @@
 #include "common/progress.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "common/tell.h"
 #include "core/system/streams.h"
 
 namespace {
@@ -23,7 +22,7 @@ ProgressBar::ProgressBar(bool asked, bool quiet)
 }
 
 ProgressBar::~ProgressBar() {
-  if (drawn_) fmt::print(stderr, "\r{:{}}\r", "", width + 8);
+  if (drawn_) tell("\r{:{}}\r", "", width + 8);
 }
 
 void ProgressBar::show(double fraction) {
@@ -42,12 +41,12 @@ void ProgressBar::draw_bar(double fraction) {
   next_ = now + pace;
   drawn_ = true;
   const auto filled = static_cast<std::size_t>(std::lround(fraction * width));
-  fmt::print(stderr, "\r[{:<{}}] {:3.0f} %", std::string(filled, '#'), width, 100 * fraction);
+  tell("\r[{:<{}}] {:3.0f} %", std::string(filled, '#'), width, 100 * fraction);
 }
 
 void ProgressBar::print_line(double fraction) {
   const int tenths = static_cast<int>(10 * fraction);
   if (tenths <= printed_) return;
   printed_ = tenths;
-  fmt::print(stderr, "strata: {} %\n", 10 * tenths);
+  tell("strata: {} %\n", 10 * tenths);
 }

@@ -1,7 +1,5 @@
 #include "common/run.h"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -10,6 +8,7 @@
 #include <system_error>
 
 #include "common/misuse.h"
+#include "common/tell.h"
 #include "common/terminal.h"
 #include "strata/errors.h"
 
@@ -23,7 +22,7 @@ namespace {
 ExitCode complain(const strata::InputError& error, const std::vector<std::string>& operands) {
   const std::string path = error.operand() < operands.size() ? operands[error.operand()] : "an operand";
   for (const strata::Defect& defect : error.defects()) {
-    fmt::print(stderr, "strata: {}: {}: {}\n", path, strata::name(defect.severity), strata::describe(defect));
+    tell("strata: {}: {}: {}\n", path, strata::name(defect.severity), strata::describe(defect));
   }
   return complain(ExitCode::invalid_input, path + " is not what was declared; no result was written");
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "common/exit_code.h"
+#include "common/tell.h"
 #include "strata/errors.h"
 
 namespace {
@@ -16,7 +17,7 @@ using strata::system::StopBell;
 constexpr auto patience_with_engines = std::chrono::seconds(2);  // with an engine that was asked to stop
 
 [[noreturn]] void leave(const std::string& reason) {
-  fmt::print(stderr, "strata: {}; no result was written\n", reason);
+  tell("strata: {}; no result was written\n", reason);
   std::_Exit(static_cast<int>(ExitCode::stopped));
 }
 

@@ -1,11 +1,10 @@
 #include "attribute_options.h"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 
+#include "common/tell.h"
 #include "common/usage_error.h"
 #include "settings.h"
 #include "strata/carry_attributes.h"
@@ -59,7 +58,7 @@ bool carries_attributes(const strata::Engine* engine, const std::vector<const st
   if (!cut_material && std::all_of(lists.begin(), lists.end(), [](const auto* list) { return list->empty(); }))
     return false;
   if (engine == nullptr || engine->keeps_faces) return true;
-  if (!settings.quiet) fmt::print(stderr, "strata: note: the engine {} carries no attributes\n", engine->name);
+  if (!settings.quiet) tell("strata: note: the engine {} carries no attributes\n", engine->name);
   return false;
 }
 

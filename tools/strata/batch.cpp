@@ -10,6 +10,7 @@
 #include "batch_pool.h"
 #include "common/progress.h"
 #include "common/run.h"
+#include "common/tell.h"
 #include "common/text_file.h"
 #include "record_file.h"
 #include "stop_signals.h"
@@ -68,6 +69,6 @@ ExitCode run_batch(const BatchSettings& batch, const Settings& settings) {
   }
   records.finish();
   if (!whole) return complain(ExitCode::stopped, "interrupted; " + summary(records, jobs.size()));
-  if (!settings.quiet) fmt::print(stderr, "strata: {}\n", summary(records, jobs.size()));
+  if (!settings.quiet) tell("strata: {}\n", summary(records, jobs.size()));
   return records.count(JobStatus::ok) == jobs.size() ? ExitCode::ok : ExitCode::negative;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/tell.h"
 #include "files.h"
 #include "operand_units.h"
 #include "strata/carry_attributes.h"
@@ -55,8 +56,7 @@ void ChainOperands::announce(const LoadedMesh& mesh, const strata::Solid& solid)
 
 void ChainOperands::print_notes(const LoadedMesh& mesh, const strata::Solid& solid) const {
   if (settings_.quiet) return;
-  for (const strata::Defect& note : solid.notes())
-    fmt::print(stderr, "strata: {}: {}\n", mesh.path, strata::describe(note));
+  for (const strata::Defect& note : solid.notes()) tell("strata: {}: {}\n", mesh.path, strata::describe(note));
 }
 
 strata::Solid ChainOperands::make(const LoadedMesh& mesh, const ChainOperand& operand, strata::InputClass input) {

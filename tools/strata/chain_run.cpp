@@ -4,6 +4,7 @@
 
 #include "common/progress.h"
 #include "common/stopwatch.h"
+#include "common/tell.h"
 #include "reproduction.h"
 #include "strata/errors.h"
 
@@ -105,10 +106,10 @@ void ChainRun::save() {
   Stopwatch stopwatch;
   const strata::Solid solid = solid_in_steps_.solid();
   if (saves_ == 0 && !settings_.quiet && !solid.attributes().empty())
-    fmt::print(stderr,
-               "strata: {}: note: a checkpoint keeps no attributes; a chain resumed from it has those of later "
-               "steps only\n",
-               chain_.checkpoint);
+    tell(
+        "strata: {}: note: a checkpoint keeps no attributes; a chain resumed from it has those of later "
+        "steps only\n",
+        chain_.checkpoint);
   write_checkpoint(chain_.checkpoint, {done_, solid, unit_}, marks_, settings_);
   saving_ += stopwatch.lap();
   saved_ = done_;

@@ -12,6 +12,7 @@
 
 #include "common/progress.h"
 #include "common/stopwatch.h"
+#include "common/tell.h"
 #include "common/view.h"
 #include "common/watch.h"
 #include "face_colors.h"
@@ -258,7 +259,7 @@ ExitCode run_draw(const DrawSettings& draw, const Settings& settings) {
     throw;
   }
   if (!settings.quiet)
-    for (const std::string& note : notes) fmt::print(stderr, "strata: note: {}\n", note);
+    for (const std::string& note : notes) tell("strata: note: {}\n", note);
   const std::string picture = png ? svg_to_png(svg) : svg;
   report["seconds"]["draw"] = stopwatch.lap();
   watch.on_stop(OnStop::finish);

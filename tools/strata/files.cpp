@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "common/tell.h"
 #include "operand_units.h"
 #include "strata/carry_attributes.h"
 #include "threads.h"
@@ -31,7 +32,7 @@ constexpr const char* writable =
 
 void print_notes(const std::string& path, const std::vector<std::string>& notes, const Settings& settings) {
   if (settings.quiet) return;
-  for (const std::string& note : notes) fmt::print(stderr, "strata: {}: note: {}\n", path, note);
+  for (const std::string& note : notes) tell("strata: {}: note: {}\n", path, note);
 }
 
 void print_losses(const std::string& path, const std::vector<std::string>& notes, const Settings& settings) {
@@ -136,8 +137,7 @@ void tell_what_is_not_carried(std::span<const LoadedMesh> operands, const Settin
   for (const LoadedMesh& operand : operands) {
     std::string names;
     for (const strata::Channel& c : operand.attributes.channels) names += (names.empty() ? "" : ", ") + c.name;
-    if (!names.empty())
-      fmt::print(stderr, "strata: {}: note: {} left out: the result carries no attributes\n", operand.path, names);
+    if (!names.empty()) tell("strata: {}: note: {} left out: the result carries no attributes\n", operand.path, names);
   }
 }
 
@@ -146,7 +146,7 @@ strata::Solid make_solid(std::span<const LoadedMesh> operands, std::size_t k, co
     strata::Solid solid(operands[k].mesh, settings.input);
     if (!settings.quiet)
       for (const strata::Defect& note : solid.notes())
-        fmt::print(stderr, "strata: {}: {}\n", operands[k].path, strata::describe(note));
+        tell("strata: {}: {}\n", operands[k].path, strata::describe(note));
     return solid;
   } catch (const strata::InputError& error) {
     throw strata::InputError(error.defects(), k);

@@ -8,6 +8,7 @@
 #include "common/byte_source.h"
 #include "common/point_source.h"
 #include "common/stopwatch.h"
+#include "common/tell.h"
 #include "common/watch.h"
 #include "files.h"
 #include "report.h"
@@ -36,7 +37,7 @@ void append_points(strata::ExactMesh& points, const std::string& path, const Wat
 }
 
 ExitCode refuse(const std::string& why, Json report, const Settings& settings) {
-  fmt::print(stderr, "strata: {}; no result was written\n", why);
+  tell("strata: {}; no result was written\n", why);
   if (!settings.report.empty()) write_report(settings.report, std::move(report));
   return ExitCode::invalid_input;
 }

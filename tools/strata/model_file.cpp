@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "common/tell.h"
 #include "eval.h"
 #include "openscad_program.h"
 #include "planar_input.h"
@@ -129,7 +130,7 @@ ExitCode run_model_file(Settings& settings) {
   if (settings.output.empty()) throw UsageError("-o is missing");
   const strata::CsgModel model = read_model(settings, watch);
   if (!settings.quiet)
-    for (const std::string& note : model.notes) fmt::print(stderr, "strata: {}: note: {}\n", settings.expression, note);
+    for (const std::string& note : model.notes) tell("strata: {}: note: {}\n", settings.expression, note);
   report["seconds"]["read"] = stopwatch.lap();
   report["nodes"] = to_json(model.nodes);
   if (model.shape) return write_shape(*model.shape, std::move(report), settings, watch, stopwatch);

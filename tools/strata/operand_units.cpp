@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "common/tell.h"
+
 using strata::Unit;
 
 strata::Unit unit_in(const Settings& settings) {
@@ -49,7 +51,7 @@ void use_one_unit(std::vector<LoadedMesh>& operands, const Settings& settings) {
   if (first == operands.end()) return;
   const Unit unit = first->unit;
   const auto say = [&](const LoadedMesh& mesh, const std::string& what) {
-    if (!settings.quiet) fmt::print(stderr, "strata: {}: note: {}\n", mesh.path, what);
+    if (!settings.quiet) tell("strata: {}: note: {}\n", mesh.path, what);
   };
   for (LoadedMesh& mesh : operands) {
     if (mesh.unit == Unit::none) {

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <optional>
 
+#include "common/tell.h"
 #include "strata/rational.h"
 
 using namespace strata::planar;
@@ -31,7 +32,7 @@ PlanarFile read_operand(const std::string& path, const Settings& settings) {
     file = read_planar(path, format);
   }
   if (!settings.quiet)
-    for (const std::string& note : file.notes) fmt::print(stderr, "strata: {}: note: {}\n", path, note);
+    for (const std::string& note : file.notes) tell("strata: {}: note: {}\n", path, note);
   return file;
 }
 

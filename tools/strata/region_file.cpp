@@ -1,13 +1,12 @@
 #include "region_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
+#include "common/tell.h"
 #include "files.h"
 #include "rounded_output.h"
 #include "strata/carry_attributes.h"
@@ -82,7 +81,7 @@ strata::Attributes RegionFile::carried() const {
   const std::size_t count = attributes.channels.size();
   std::erase_if(attributes.channels, [](const strata::Channel& c) { return c.name == strata::channel_names::group; });
   if (attributes.channels.size() < count && !settings_.quiet)
-    fmt::print(stderr, "strata: {}: note: groups of operands left out: the meshes are groups here\n", settings_.output);
+    tell("strata: {}: note: groups of operands left out: the meshes are groups here\n", settings_.output);
   return attributes;
 }
 

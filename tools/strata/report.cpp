@@ -1,10 +1,9 @@
 #include "report.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "common/tell.h"
 #include "strata/check.h"
 #include "strata/measure.h"
 
@@ -48,7 +47,7 @@ strata::Measures measure(const ExactMesh& mesh, const Settings& settings, bool c
 
 void print_notes(std::span<const Defect> notes, const Settings& settings) {
   if (settings.quiet) return;
-  for (const Defect& note : notes) fmt::print(stderr, "strata: {}\n", strata::describe(note));
+  for (const Defect& note : notes) tell("strata: {}\n", strata::describe(note));
 }
 
 Json to_json(const Defect& defect) {

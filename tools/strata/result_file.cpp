@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/stopwatch.h"
+#include "common/tell.h"
 #include "rounded_output.h"
 #include "strata/carry_attributes.h"
 #include "strata/check.h"
@@ -60,8 +61,7 @@ ExitCode write(const strata::ExactMesh& exact, const std::optional<strata::Measu
                RoundedOutput rounded, strata::Format format, Json report, const Settings& settings, Watch& watch,
                Stopwatch& stopwatch, const char* verb, const Asked& asked) {
   if (settings.touching == "separate" && !separate(rounded, exact, format, settings, watch)) {
-    fmt::print(stderr,
-               "strata: sheets that touch cannot be separated in the numbers of the format; nothing was written\n");
+    tell("strata: sheets that touch cannot be separated in the numbers of the format; nothing was written\n");
     return ExitCode::not_certified;
   }
   const strata::ExactMesh& written = rounded.mesh ? *rounded.mesh : exact;
@@ -69,8 +69,8 @@ ExitCode write(const strata::ExactMesh& exact, const std::optional<strata::Measu
   if (settings.touching == "refuse") {
     const strata::Topology topology = strata::topology(written);
     if (topology.non_manifold_edges + topology.non_manifold_vertices > 0) {
-      fmt::print(stderr, "strata: the result touches itself in {} edges and {} vertices; nothing was written\n",
-                 topology.non_manifold_edges, topology.non_manifold_vertices);
+      tell("strata: the result touches itself in {} edges and {} vertices; nothing was written\n",
+           topology.non_manifold_edges, topology.non_manifold_vertices);
       if (!settings.report.empty()) report["result"] = result_report(known ? *known : measured(exact, settings), {});
       if (!settings.report.empty()) write_report(settings.report, std::move(report));
       return ExitCode::not_certified;
@@ -96,7 +96,7 @@ ExitCode write(const strata::ExactMesh& exact, const std::optional<strata::Measu
   if (rounded_valid != false) return rounded.strays ? ExitCode::not_certified : ExitCode::ok;
   const std::string why = format != strata::Format::xoff ? "faces of the result cross after rounding"
                                                          : crossing_for_no_rounding(verb, asked, settings);
-  fmt::print(stderr, "strata: not certified: {}; it was written all the same\n", why);
+  tell("strata: not certified: {}; it was written all the same\n", why);
   return ExitCode::not_certified;
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "common/tell.h"
 #include "files.h"
 #include "strata/carry_attributes.h"
 
@@ -102,10 +103,10 @@ void print_rounding(const strata::RoundingReport& report, const Settings& settin
   std::string lost;
   if (report.vanished_faces > 0) lost += fmt::format("; nothing is left of {} faces", report.vanished_faces);
   if (report.vanished_components > 0) lost += fmt::format(", nor of {} connected parts", report.vanished_components);
-  fmt::print(stderr,
-             "strata: rounded faces would cross: rearranged in {} rounds; what is left moved by {:.3g} at most ({:.3g} "
-             "units){}\n",
-             report.rounds, report.largest_movement, report.largest_movement / report.unit, lost);
+  tell(
+      "strata: rounded faces would cross: rearranged in {} rounds; what is left moved by {:.3g} at most ({:.3g} "
+      "units){}\n",
+      report.rounds, report.largest_movement, report.largest_movement / report.unit, lost);
 }
 
 bool strays(const strata::RoundingReport& report) {

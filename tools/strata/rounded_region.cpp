@@ -1,12 +1,11 @@
 #include "rounded_region.h"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "common/tell.h"
 #include "planar_input.h"
 #include "rounded_output.h"
 
@@ -30,20 +29,20 @@ OutputRegion output_region(planar::Region region, const Settings& settings, cons
 ExitCode report_conflicts(const OutputRegion& written, const Settings& settings) {
   const auto where = [&] { return place(written.conflicts.front().where).dump(); };
   if (!settings.makes_solids() && !written.conflicts.empty()) {
-    fmt::print(stderr,
-               "strata: rounding the result's vertices makes its loops meet in {} places, the first one near {}; "
-               "--rounding valid rearranges them, --exact writes the result as it is\n",
-               written.conflicts.size(), where());
+    tell(
+        "strata: rounding the result's vertices makes its loops meet in {} places, the first one near {}; "
+        "--rounding valid rearranges them, --exact writes the result as it is\n",
+        written.conflicts.size(), where());
     return ExitCode::not_certified;
   }
   if (settings.quiet) return ExitCode::ok;
   const planar::RoundedRegion& rounded = written.rounded;
   if (!written.conflicts.empty())
-    fmt::print(stderr, "strata: rounded loops would meet in {} places, the first one near {}: rearranged\n",
-               written.conflicts.size(), where());
+    tell("strata: rounded loops would meet in {} places, the first one near {}: rearranged\n", written.conflicts.size(),
+         where());
   if (rounded.rounds > 0 || !written.conflicts.empty())
-    fmt::print(stderr, "strata: loops were rearranged in {} rounds; nothing moved by more than {:.3g}; {} polygons\n",
-               rounded.rounds, rounded.largest_movement, rounded.region.polygons());
+    tell("strata: loops were rearranged in {} rounds; nothing moved by more than {:.3g}; {} polygons\n", rounded.rounds,
+         rounded.largest_movement, rounded.region.polygons());
   return ExitCode::ok;
 }
 

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "common/tell.h"
+
 VerbRun::VerbRun(const char* verb, const Settings& settings)
     : settings_(settings),
       watch_(settings.timeout),
@@ -22,8 +24,7 @@ strata::Solid VerbRun::solid(std::size_t k) {
 void VerbRun::note(std::size_t k, std::span<const strata::Defect> notes) {
   notes_[k].assign(notes.begin(), notes.end());
   if (settings_.quiet) return;
-  for (const strata::Defect& note : notes)
-    fmt::print(stderr, "strata: {}: {}\n", operands_[k].path, strata::describe(note));
+  for (const strata::Defect& note : notes) tell("strata: {}: {}\n", operands_[k].path, strata::describe(note));
 }
 
 void VerbRun::begin_writing() {

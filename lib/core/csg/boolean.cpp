@@ -77,19 +77,13 @@ void put_measures(Measures measures, BooleanResult& result) {
   result.measured = {result.mesh.vertices.size(), result.mesh.triangles.size(), std::move(measures)};
 }
 
-/// The boundary of a result is not closed. It is if all operands satisfy their input classes.
-class OpenBoundary : public LogicError {
- public:
-  OpenBoundary() : LogicError("the boundary of a result is not closed") {}
-};
-
-/// The last stages. Throws OpenBoundary.
+/// The last stages.
 BooleanResult finished(const InputComplex& input, const std::vector<Verdict>& verdicts, Subdivision subdivision,
                        const Options& options, const Monitor& monitor, Stages& stages) {
   BooleanResult result;
   Boundary boundary = extract(input, verdicts, std::move(subdivision), monitor);
   stages.end("extract", 0.9);
-  if (!chain_is_closed(MeshView({}, boundary.triangles))) throw OpenBoundary();
+  if (!chain_is_closed(MeshView({}, boundary.triangles))) throw LogicError("the boundary of a result is not closed");
   stages.end("validate", 0.92);
 
   result.mesh.vertices = round_to_doubles(input, boundary, monitor);
@@ -204,13 +198,8 @@ BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Op
   const PreparedOperands operands(given, options);
   stages.end("prepare", 0.05);
 
-  BooleanResult result;
-  try {
-    result = evaluate(rule, operands.complex(), options, monitor, stages);
-  } catch (const OpenBoundary&) {
-    refuse_broken_operands(given, options);
-    throw;
-  }
+  BooleanResult result = refusing_broken_operands(
+      given, options, [&] { return evaluate(rule, operands.complex(), options, monitor, stages); });
   operands.restore(result.sources);
   count_tiers(tiers, profile);
   stages.end("round", 1);

@@ -16,12 +16,6 @@
 namespace strata {
 namespace {
 
-InputComplex complex_of(ExactMeshView mesh) {
-  InputComplex complex(SelfIntersections::possible);
-  complex.add(mesh.mesh.vertices, mesh.mesh.triangles, mesh.exact);
-  return complex;
-}
-
 std::string sentence(const SelfIntersection& s, std::uint32_t face, std::uint32_t other) {
   return "faces " + std::to_string(face) + " and " + std::to_string(other) +
          (s.is_coplanar ? " overlap in one plane" : " meet away from shared edges and vertices");

@@ -7,6 +7,7 @@
 #include "core/containers/box_sweep.h"
 #include "core/mesh/prepare.h"
 #include "core/overlap/candidates.h"
+#include "core/overlap/self_intersections.h"
 #include "core/winding/local_windings.h"
 
 namespace strata {
@@ -94,9 +95,7 @@ std::vector<std::int32_t> above_apart(ExactMeshView mesh, const Shells& shells, 
 
 /// Shells that share edges may not be closed.
 std::vector<std::int32_t> above_joined(ExactMeshView mesh, const Shells& shells, const Monitor& monitor) {
-  InputComplex complex(SelfIntersections::possible);
-  complex.add(mesh.mesh.vertices, mesh.mesh.triangles, mesh.exact);
-  const Candidates candidates = find_candidates(std::move(complex), monitor);
+  const Candidates candidates = find_candidates(complex_of(mesh), monitor);
   const InputComplex& input = candidates.input();
   const LocalWindings windings(input, candidates.cells());
   std::vector<std::uint32_t> first(shells.count, unset);

@@ -64,9 +64,9 @@ std::vector<Vertex> corners_of(const InputComplex& input, std::span<const std::u
 
 }  // namespace
 
-InputComplex complex_of(MeshView mesh) {
+InputComplex complex_of(ExactMeshView mesh) {
   InputComplex complex(SelfIntersections::possible);
-  complex.add(mesh.vertices, mesh.triangles);
+  complex.add(mesh.mesh.vertices, mesh.mesh.triangles, mesh.exact);
   return complex;
 }
 

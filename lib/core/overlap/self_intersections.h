@@ -19,7 +19,8 @@ struct SelfIntersection {
 };
 
 /// One mesh that may cross itself, as input. Refers to the mesh.
-[[nodiscard]] InputComplex complex_of(MeshView mesh);
+[[nodiscard]] InputComplex complex_of(ExactMeshView mesh);
+[[nodiscard]] inline InputComplex complex_of(MeshView mesh) { return complex_of(ExactMeshView(mesh, {})); }
 
 /// The pairs of faces of the first operand that intersect, by their numbers. Requires finite coordinates, valid indices
 /// and faces of positive area. Vertices are equal where their numbers are: `identify` has no effect here. `stars`: of

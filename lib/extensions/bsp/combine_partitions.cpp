@@ -88,7 +88,7 @@ class Merging {
   const Monitor& monitor_;
 };
 
-BooleanResult combine_partitions(Operation operation, std::span<const Operand> operands, const Options& options) {
+BooleanResult evaluate_in_partitions(Operation operation, std::span<const Operand> operands, const Options& options) {
   BooleanResult result;
   const Monitor monitor(options.cancel, &options.progress);
   Stopwatch watch(result.profile);
@@ -122,10 +122,8 @@ BooleanResult combine_partitions(Operation operation, std::span<const Operand> o
   std::vector<Source> source_of_plane;
   for (const CanonicalPlane& plane : boundary.planes) {
     const std::optional<Source> source = sources.at(plane);
-    if (!source) {  // the boundary of an operand that crosses itself may be in planes that were only cuts
-      refuse_broken_operands(operands, options);
+    if (!source)  // the boundary of an operand that crosses itself may be in planes that were only cuts
       throw LogicError("a facet lies in a plane that no operand has");
-    }
     source_of_plane.push_back(*source);
   }
   for (const std::uint32_t plane : boundary.plane_of) result.sources.push_back(source_of_plane[plane]);
@@ -133,6 +131,11 @@ BooleanResult combine_partitions(Operation operation, std::span<const Operand> o
   if (options.exact_vertices) result.exact = std::move(boundary.mesh.exact);
   monitor.report(1);
   return result;
+}
+
+BooleanResult combine_partitions(Operation operation, std::span<const Operand> operands, const Options& options) {
+  return refusing_broken_operands(operands, options,
+                                  [&] { return evaluate_in_partitions(operation, operands, options); });
 }
 
 }  // namespace

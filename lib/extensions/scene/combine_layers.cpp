@@ -141,11 +141,10 @@ BooleanResult evaluate_in_layers(const Rule& rule, std::span<const Operand> give
   watch.lap("prepare");
   monitor.report(0.2);
   const Arena arena = arena_for(options, operands.face_count());
-  arena.execute([&] { evaluate_in_layers(rule, operands, options, monitor, result); });
-  if (!chain_is_closed(result.mesh)) {
-    refuse_broken_operands(given, options);
-    throw LogicError("the boundary of a result is not closed");
-  }
+  refusing_broken_operands(given, options, [&] {
+    arena.execute([&] { evaluate_in_layers(rule, operands, options, monitor, result); });
+    if (!chain_is_closed(result.mesh)) throw LogicError("the boundary of a result is not closed");
+  });
   monitor.report(1);
   return result;
 }

@@ -16,6 +16,7 @@
 
 #include "common/sibling_program.h"
 #include "common/stopwatch.h"
+#include "common/tell.h"
 #include "common/usage_error.h"
 #include "common/watch.h"
 #include "verify/fuzz/findings.h"
@@ -58,10 +59,10 @@ ExitCode replay(const FuzzSettings& f) {
       fuzz::ensure_laws(c, *evaluator_of(f, engine), oracle, f.check);
     } catch (const fuzz::Broken& broken) {
       constexpr std::size_t most = 1500;
-      fmt::print(stderr, "{}: {}\n", broken.check(), std::string(broken.what()).substr(0, most));
+      tell("{}: {}\n", broken.check(), std::string(broken.what()).substr(0, most));
       return ExitCode::negative;
     } catch (const fuzz::NoQuestion& why) {
-      fmt::print(stderr, "strata: {}\n", why.what());
+      tell("strata: {}\n", why.what());
       return ExitCode::invalid_input;
     }
   }
