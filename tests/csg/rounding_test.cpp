@@ -267,6 +267,34 @@ TEST_CASE("two wedges of a few units, nearly in one plane", "[csg][rounding][reg
   }
 }
 
+// Wrong faces were needles, whose planes were not found: doubles lose the normal of a triangle a few units high. Each
+// time that they were resolved there were more of them; at 2^970, products overflow besides.
+TEST_CASE("three tetrahedra of a few units, nearly in one plane", "[csg][rounding][regression]") {
+  const std::vector<Triangle> sides{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  for (const int exponent : {-600, 0, 970}) {
+    const auto tetrahedron = [&](std::vector<Vertex> corners) {
+      for (Vertex& v : corners)
+        for (double& x : v) x = std::ldexp(x, exponent);
+      return Solid(Mesh{std::move(corners), sides});
+    };
+    const Solid a = tetrahedron({{-1, -0.9795814163637188, -0.38927029147619496},
+                                 {1, -0.9795814163637189, -0.38927029147619485},
+                                 {-1, 0.5501029582052583, 0.8991650829991871},
+                                 {1, -0.9795814163637422, -0.3892702914761672}});
+    const Solid b = tetrahedron({{-1, -0.979581416363719, -0.38927029147619463},
+                                 {1, -0.9795814163637188, -0.3892702914761949},
+                                 {-1, 0.5501029582052582, 0.8991650829991871},
+                                 {-1, -0.9795814163637235, -0.38927029147618925}});
+    const Solid c = tetrahedron({{-0.9989995001667084, -0.9803458760024677, -0.3899141869472465},
+                                 {1.000999499833375, -0.9788161918828461, -0.3886257517875103},
+                                 {-1.000999499833375, 0.5493377337243857, 0.8985205433105024},
+                                 {-0.9989995001667084, -0.9803458760024915, -0.3899141869472182}});
+    const RoundedMesh r = check_rounded((a ^ b ^ c).exact_mesh(), {});
+    CHECK(r.report.rounds < 40);
+    CHECK(r.report.largest_movement / r.report.unit < 40);
+  }
+}
+
 TEST_CASE("wedges of a small angle and a ball through them", "[csg][rounding][regression]") {
   // The reach of repairs grew until the ball had vanished.
   const Solid a = wedge({{0.23932441151202719, -1.1925029375677845, 0.5933465221860951},

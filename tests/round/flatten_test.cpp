@@ -1,10 +1,15 @@
 #include "core/round/flatten.h"
 
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <map>
 #include <numeric>
 
 #include "core/mesh/prepare.h"
+#include "core/round/distances.h"
+#include "core/round/pile_filling.h"
+#include "core/round/viewed_plane.h"
 #include "support/shapes.h"
 
 using namespace strata;
@@ -38,11 +43,10 @@ std::vector<std::uint32_t> all_of(const Mesh& mesh) {
 TEST_CASE("of a plate thinner than the reach nothing is left, of a cube all", "[round]") {
   const GridRounding grid({CoordinateGrid::Format::float64, 1});
   for (const double height : {0.5, 3.0, 100.0}) {
-    Mesh plate = test::box({0, 0, 0}, {100, 100, height});
-    for (Vertex& v : plate.vertices) v = {v[0] + v[2] / 8, v[1] + v[2] / 4, v[2]};  // no corners above one another
+    const Mesh plate = test::box({0, 0, 0}, {100, 100, height});
     MovingMesh mesh = changed(plate);
     const ChangedRegion region(mesh, {});
-    CHECK(flatten(mesh, region, all_of(plate), grid, 4) == (height < 4));
+    CHECK(flatten(mesh, region, all_of(plate), grid, 4, false) == (height < 4));
     const MovingMesh::Parts parts = std::move(mesh).take();
     CHECK(parts.mesh.triangles.size() == (height < 4 ? 0 : 12));
   }
@@ -61,11 +65,55 @@ TEST_CASE("where a thin plate stands on a block, its base is closed", "[round]")
       upper.push_back(f);
   }
   const ChangedRegion region(mesh, {});
-  REQUIRE(flatten(mesh, region, upper, GridRounding({}), 4));
+  REQUIRE(flatten(mesh, region, upper, GridRounding({}), 4, false));
   const MovingMesh::Parts parts = std::move(mesh).take();
   CHECK(parts.mesh.triangles.size() < block.triangles.size());
   CHECK(chain_is_closed(parts.mesh));
   for (const Vertex& v : parts.mesh.vertices) CHECK(v[2] <= 6);
+}
+
+TEST_CASE("vertices of a boundary that are seen as one become one", "[round]") {
+  // Upper and lower faces of a plate whose sides are not in the pile: as they are seen, they cancel.
+  const Mesh plate = test::box({0, 0, 0}, {100, 100, 1});
+  std::vector<std::uint32_t> horizontal;
+  for (std::uint32_t f = 0; f < plate.triangles.size(); ++f) {
+    const auto& [a, b, c] = plate.triangles[f];
+    if (plate.vertices[a][2] == plate.vertices[b][2] && plate.vertices[b][2] == plate.vertices[c][2])
+      horizontal.push_back(f);
+  }
+  REQUIRE(horizontal.size() == 4);
+  const ViewedPlane plane({0, 0, 0}, {100, 0, 0}, {0, 100, 0});
+  const auto filling = filling_of(plate, horizontal, plane, GridRounding({}), 0);
+  REQUIRE(filling);
+  CHECK(filling->triangles.empty());
+  CHECK(filling->joined.size() == 4);
+  for (const VertexMove& m : filling->joined) {
+    CHECK(m.becomes < m.vertex);
+    CHECK(m.to == plate.vertices[m.becomes]);
+    CHECK(m.way == 1);
+  }
+}
+
+TEST_CASE("the corners of a needle are in its plane", "[round]") {
+  // Doubles lose its normal: the two products of each component are nearly equal.
+  const std::array<Vertex, 3> needle{{{1, -0.9795814163637189, -0.38927029147619485},
+                                      {-1, 0.5501029582052583, 0.8991650829991871},
+                                      {1, -0.9795814163637422, -0.3892702914761672}}};
+  for (const int exponent : {-1000, 0, 1020}) {
+    std::array<Vertex, 3> corners = needle;
+    for (Vertex& v : corners)
+      for (double& x : v) x = std::ldexp(x, exponent);
+    const ViewedPlane plane(corners[0], corners[1], corners[2]);
+    REQUIRE(plane.is_valid());
+    for (const Vertex& v : corners) {
+      const Range height = plane.height(v);
+      CHECK(std::max(-height.lower, height.upper) <= std::ldexp(1.0, exponent - 63));
+      CHECK(plane.may_be_within(v, 0));
+    }
+    CHECK_FALSE(plane.may_be_within({0, 0, std::ldexp(0.25, exponent)}, std::ldexp(0x1p-30, exponent)));
+    const Vertex on = plane.point(corners[1][plane.first()], corners[1][plane.second()]);
+    CHECK(distance(on, corners[1]) <= std::ldexp(1.0, exponent - 52));
+  }
 }
 
 TEST_CASE("a boundary that crosses itself as it is seen is divided at vertices of the grid", "[round]") {
@@ -87,7 +135,7 @@ TEST_CASE("a boundary that crosses itself as it is seen is divided at vertices o
   ChangedRegion region(mesh, {});
   const auto wrong = region.wrong_faces({});  // the plates touch
   CHECK_FALSE(wrong.empty());
-  (void)flatten(mesh, region, horizontal, GridRounding({CoordinateGrid::Format::float64, 1}), 4);
+  (void)flatten(mesh, region, horizontal, GridRounding({CoordinateGrid::Format::float64, 1}), 4, false);
   const MovingMesh::Parts parts = std::move(mesh).take();
   CHECK(chain_is_closed(parts.mesh));
 }
@@ -123,7 +171,7 @@ TEST_CASE("a corner inside of a pile may be seen where sides of its boundary cro
   MovingMesh all = changed(mesh);
   ChangedRegion region(all, {});
   CHECK_FALSE(region.wrong_faces({}).empty());
-  REQUIRE(flatten(all, region, pile, GridRounding({CoordinateGrid::Format::float64, 1}), 2));
+  REQUIRE(flatten(all, region, pile, GridRounding({CoordinateGrid::Format::float64, 1}), 2, false));
   const MovingMesh::Parts parts = std::move(all).take();
   CHECK(chain_is_closed(parts.mesh));
 }

@@ -4,8 +4,7 @@
 Usage: tools/bench/worst_rounded.py BUILD [--only NAME]
 
 BUILD is a build folder with the program strata. Each case is written as doubles (PLY) and as floats (binary STL), and read again by `strata check`.
-What floats cannot hold is refused by name. Exits with 1 if a file is no solid, a case ends otherwise than it should, or takes a minute: as of 2026-11-29
-the plates do, as doubles.
+What floats cannot hold is refused by name. Exits with 1 if a file is no solid, a case ends otherwise than it should, or takes a minute.
 """
 import argparse
 import json
@@ -118,10 +117,10 @@ def smallest():
     return [(a, box([0, 0, 0], [1, 1, 1])[1]), b]
 
 
-def plates():
-    """Plates 150 units thick and parts of a unit apart, found by a random search."""
+def plates(names):
+    """Plates a few to 150 units thick and parts of a unit apart, found by a random search."""
     meshes = []
-    for name in "abcd":
+    for name in names:
         numbers = (pathlib.Path(__file__).parent / f"worst/plate_{name}.off").read_text().split()
         points, faces = int(numbers[1]), int(numbers[2])
         meshes.append(([[float(x) for x in numbers[4 + 3 * n:7 + 3 * n]] for n in range(points)],
@@ -142,7 +141,8 @@ CASES = [("needles", needles, "a | b", True), ("needles, taken out", needles, "a
          ("an ulp apart", ulp_apart, "a | b | c", True), ("an ulp apart, taken out", ulp_apart, "c - a - b", True),
          ("1,000 sheets", fan, "a & b", True), ("1,000 sheets, taken out", fan, "b - a", True),
          ("checkerboard", checkerboard, "a & b", True), ("checkerboard, taken out", checkerboard, "b - a", True),
-         ("smallest numbers", smallest, "a | b", True), ("plates", plates, "a ^ b ^ c ^ d", True), ("1e39", beyond_floats, "a | b", False)]
+         ("smallest numbers", smallest, "a | b", True), ("plates", lambda: plates("abcd"), "a ^ b ^ c ^ d", True),
+         ("six plates", lambda: plates("efghij"), "a ^ b ^ c ^ d ^ e ^ f", True), ("1e39", beyond_floats, "a | b", False)]
 
 
 def main():
@@ -158,7 +158,7 @@ def main():
             if given.only and given.only not in case:
                 continue
             operands = []
-            for letter, (points, faces) in zip("abcd", make()):
+            for letter, (points, faces) in zip("abcdef", make()):
                 write_off(folder / f"{letter}.off", points, faces)
                 operands += [f"{letter}={folder / letter}.off"]
             for file in ("out.ply", "out.stl"):

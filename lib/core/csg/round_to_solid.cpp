@@ -57,11 +57,13 @@ class Reach {
  public:
   [[nodiscard]] double now() const { return reach_; }
   [[nodiscard]] double of_piles() const { return (are_piles_thick_ ? 4 : 2) * reach_; }
+  [[nodiscard]] bool may_divide_piles() const { return is_growing_ || resolves_ >= 2; }
 
   /// After repairs that left this many wrong faces: resolve, or repair again with the new reach?
   bool is_time_to_resolve(std::size_t wrong_faces) {
     constexpr int patience = 12, most_growths = 2;
     constexpr std::size_t far_more = 3, few = 32;
+    is_growing_ = wrong_faces / 2 > fewest_;
     const bool is_better = wrong_faces <= fewest_ / 2;
     if (!is_better && !std::exchange(are_piles_thick_, true)) return false;
     if (wrong_faces / far_more > std::max(fewest_, few) && growths_ < most_growths) {
@@ -88,7 +90,7 @@ class Reach {
   }
 
   double reach_ = 1;
-  bool are_piles_thick_ = false;
+  bool are_piles_thick_ = false, is_growing_ = false;
   int resolves_ = 0, growths_ = 0;
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
 };
@@ -173,7 +175,7 @@ class SolidRounding {
                               bool is_second_time) const {
     const bool is_changed = repair(moving, region, wrong, grid_, reach_.now());
     if (is_changed && !is_second_time) return true;
-    return flatten(moving, region, wrong, grid_, reach_.of_piles()) || is_changed;
+    return flatten(moving, region, wrong, grid_, reach_.of_piles(), reach_.may_divide_piles()) || is_changed;
   }
 
   /// Vertices that became equal are one; copies of one vertex in the exact mesh stay copies.

@@ -16,13 +16,15 @@ namespace strata {
 ///
 /// Piles are made of wrong faces first. Where the boundary of such a pile crosses or touches itself, as it is seen, all
 /// faces of the region may be in it. Where that does not help either, the boundary of the first pile is divided where
-/// it crosses itself, at new vertices of the grid, and flat triangles are added between its sides and their parts. What
-/// helps one pile does not keep the others from the next.
+/// it crosses itself, at new vertices of the grid, and flat triangles are added between its sides and their parts;
+/// there may be twice as many triangles. With `may_divide_all`, that of the second pile is divided, too, where
+/// triangles do not become more. What helps one pile does not keep the others from the next. Vertices of a boundary that are
+/// seen as one become one.
 ///
 /// The chain stays closed. Nothing moves by more than the thickness of a pile, at most twice `reach` units, and a
 /// unit for what has a new vertex. Returns whether anything changed. O(n + k log k) for k faces of the region; for
 /// piles that are divided, the square of their sides.
 [[nodiscard]] bool flatten(MovingMesh& mesh, const ChangedRegion& region, const std::vector<std::uint32_t>& wrong,
-                           const GridRounding& grid, double reach);
+                           const GridRounding& grid, double reach, bool may_divide_all);
 
 }  // namespace strata
