@@ -4,13 +4,15 @@
 Usage: tools/bench/worst_rounded.py BUILD [--only NAME]
 
 BUILD is a build folder with the program strata. Each case is written as doubles (PLY) and as floats (binary STL), and read again by `strata check`.
-What floats cannot hold is refused by name. Exits with 1 if a file is no solid, a case ends otherwise than it should, or takes a minute.
+What floats cannot hold is refused by name. Exits with 1 if a file is no solid, a case ends otherwise than it should, or takes a minute: as of
+2026-11-29 the step of a chain does.
 """
 import argparse
 import json
 import math
 import pathlib
 import random
+import struct
 import subprocess
 import sys
 import tempfile
@@ -20,6 +22,7 @@ from fractions import Fraction
 from rounded import box, write_off
 from stl_chains import turned
 
+WORST = pathlib.Path(__file__).parent / "worst"
 TURN = (1.1, 0.7, math.sqrt(2))
 TETRAHEDRON = [str(x) for f in ((0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)) for x in (3, *f)]
 
@@ -117,15 +120,24 @@ def smallest():
     return [(a, box([0, 0, 0], [1, 1, 1])[1]), b]
 
 
+def read_off(name):
+    numbers = (WORST / name).read_text().split()
+    points, faces = int(numbers[1]), int(numbers[2])
+    return ([[float(x) for x in numbers[4 + 3 * n:7 + 3 * n]] for n in range(points)],
+            numbers[4 + 3 * points:4 + 3 * points + 4 * faces])
+
+
 def plates(names):
     """Plates a few to 150 units thick and parts of a unit apart, found by a random search."""
-    meshes = []
-    for name in names:
-        numbers = (pathlib.Path(__file__).parent / f"worst/plate_{name}.off").read_text().split()
-        points, faces = int(numbers[1]), int(numbers[2])
-        meshes.append(([[float(x) for x in numbers[4 + 3 * n:7 + 3 * n]] for n in range(points)],
-                       numbers[4 + 3 * points:4 + 3 * points + 4 * faces]))
-    return meshes
+    return [read_off(f"plate_{name}.off") for name in names]
+
+
+def chain_step():
+    """A file of a chain of Booleans through floats, and the tool of the next step."""
+    places, faces = {}, []
+    for number in struct.iter_unpack("<12xfffffffff2x", (WORST / "chain.stl").read_bytes()[84:]):
+        faces += ["3", *(str(places.setdefault(number[k:k + 3], len(places))) for k in (0, 3, 6))]
+    return [([list(p) for p in places], faces), read_off("chain_tool.off")]
 
 
 def beyond_floats():
@@ -142,7 +154,7 @@ CASES = [("needles", needles, "a | b", True), ("needles, taken out", needles, "a
          ("1,000 sheets", fan, "a & b", True), ("1,000 sheets, taken out", fan, "b - a", True),
          ("checkerboard", checkerboard, "a & b", True), ("checkerboard, taken out", checkerboard, "b - a", True),
          ("smallest numbers", smallest, "a | b", True), ("plates", lambda: plates("abcd"), "a ^ b ^ c ^ d", True),
-         ("six plates", lambda: plates("efghij"), "a ^ b ^ c ^ d ^ e ^ f", True), ("1e39", beyond_floats, "a | b", False)]
+         ("six plates", lambda: plates("efghij"), "a ^ b ^ c ^ d ^ e ^ f", True), ("chain step", chain_step, "a ^ b", True), ("1e39", beyond_floats, "a | b", False)]
 
 
 def main():

@@ -52,7 +52,9 @@ int bits_less_in(int resolves) {
 /// How far repairs may move something, in units of the grid: one, as long as resolving brings the wrong faces to half
 /// of the fewest before within some times; then twice as far. It grows at once where there are far more of them. A far
 /// reach takes thick features away, so it waits where the number goes up and down: sheets that lie on each other need
-/// several times. Piles are flattened within two units of a plane, or four where there are not half as many.
+/// several times. Piles are flattened within two units of a plane, or four where there are not half as many. As a last
+/// resort, boundaries of whole piles are divided: where there are not half as many twice in a row, or twice as many as
+/// the fewest.
 class Reach {
  public:
   [[nodiscard]] double now() const { return reach_; }

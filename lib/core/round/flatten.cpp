@@ -28,10 +28,11 @@ struct Pile {
   std::vector<Index> faces;
   Range heights;  ///< above the plane
 
-  [[nodiscard]] double thickness() const { return heights.upper - heights.lower; }
+  [[nodiscard]] double thickness() const { return std::nextafter(heights.upper - heights.lower, Box::infinity); }
 };
 
-/// Finds piles among some faces, which are connected by common vertices and by some pairs.
+/// Finds piles among some faces, which are connected by some pairs and at common vertices: there, each with those whose
+/// numbers are next to its own among the faces of the vertex.
 class Piles {
  public:
   Piles(const MovingMesh& mesh, const std::vector<Index>& faces, const std::vector<std::pair<Index, Index>>& pairs)
@@ -198,8 +199,11 @@ bool flatten(MovingMesh& mesh, const ChangedRegion& region, const std::vector<In
       const auto filling = filling_of(mesh.mesh(), pile.faces, pile.plane, grid, growth * pile.faces.size());
       if (!filling || !joins.can_add(filling->joined)) continue;
       joins.add(filling->joined);
-      for (const Vertex& v : filling->added) (void)mesh.add_vertex(v);
-      const double rounding = filling->added.empty() ? 0 : grid.unit_at(size(pile.plane.corner()));
+      double rounding = 0;  // of the place that is seen, of the height there, and to the grid: half a unit each
+      for (const Vertex& v : filling->added) {
+        (void)mesh.add_vertex(v);
+        rounding = std::max(rounding, 2 * grid.unit_at(size(v)));
+      }
       mesh.replace(pile.faces, filling->triangles, pile.thickness() + rounding);
       is_changed = true;
     }

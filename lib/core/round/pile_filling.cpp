@@ -1,10 +1,12 @@
 #include "core/round/pile_filling.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "core/exact/finite.h"
+#include "core/kernel/box.h"
 #include "core/mesh/planar_chain.h"
 #include "core/mesh/planar_levels.h"
 #include "core/mesh/planar_points.h"
@@ -116,7 +118,7 @@ class SeenBoundary {
         lowest = vertices[n];
       } else {
         const Vertex &from = mesh_.vertices[vertices[n]], &to = mesh_.vertices[lowest];
-        joined_.push_back({vertices[n], lowest, to, distance(from, to)});
+        joined_.push_back({vertices[n], lowest, to, std::nextafter(distance(from, to), Box::infinity)});
       }
     }
     return names;

@@ -40,8 +40,9 @@ ViewedPlane::ViewedPlane(const Vertex& a, const Vertex& b, const Vertex& c) : at
     normal_[i] = fine_normal_[i].value;
   }
   const double largest = size(normal_);
-  area_ = area_of(largest, std::ldexp(1.0, exponent));
   if (!(largest > 0)) return;
+  area_.fraction = std::frexp(largest, &area_.exponent);
+  area_.exponent += 2 * exponent;
   axis_ = static_cast<std::size_t>(
       std::find_if(normal_.begin(), normal_.end(), [&](double x) { return std::abs(x) == largest; }) - normal_.begin());
   const DoubleDouble divisor = normal_[axis_] < 0 ? -fine_normal_[axis_] : fine_normal_[axis_];
@@ -83,13 +84,6 @@ Vertex ViewedPlane::point(double first, double second) const {
   const double way = std::ldexp(rise.value, -lift);
   p[axis_] = normal_[axis_] < 0 ? at_[axis_] + way : at_[axis_] - way;
   return p;
-}
-
-ViewedPlane::Area ViewedPlane::area_of(double of_scaled, double scale) {
-  constexpr double smallest = 0x1p-1000;
-  if (const double area = of_scaled * scale * scale; area > smallest) return {area, 0};
-  const double lifted = std::ldexp(scale, 600);
-  return {0, of_scaled * lifted * lifted};
 }
 
 }  // namespace strata

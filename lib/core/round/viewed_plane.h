@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "core/exact/double_double.h"
@@ -26,8 +27,9 @@ class ViewedPlane {
   ViewedPlane() = default;
   ViewedPlane(const Vertex& a, const Vertex& b, const Vertex& c);
 
-  /// False for a triangle without area, or one so large that differences of its coordinates are infinite.
-  [[nodiscard]] bool is_valid() const { return area_ != Area{}; }
+  /// False for a triangle without area, as far as doubles tell, or one so large that differences of its coordinates are
+  /// infinite.
+  [[nodiscard]] bool is_valid() const { return area_.fraction > 0; }
   [[nodiscard]] const Vertex& corner() const { return at_; }
 
   /// The axis along which the plane is seen, and those that are seen.
@@ -43,12 +45,16 @@ class ViewedPlane {
   [[nodiscard]] Vertex point(double first, double second) const;
 
   /// By the areas of the triangles, about.
-  [[nodiscard]] bool has_more_area_than(const ViewedPlane& other) const { return area_ > other.area_; }
+  [[nodiscard]] bool has_more_area_than(const ViewedPlane& other) const {
+    return std::pair(area_.exponent, area_.fraction) > std::pair(other.area_.exponent, other.area_.fraction);
+  }
 
  private:
-  /// The second is for areas too small for the first, times 2^1200.
-  using Area = std::pair<double, double>;
-  static Area area_of(double of_scaled, double scale);
+  /// fraction * 2^exponent, with a fraction of 1/2 to 1: areas may be beyond all doubles.
+  struct Area {
+    int exponent = std::numeric_limits<int>::min();
+    double fraction = 0;
+  };
 
   Vertex at_{}, normal_{};  ///< the largest component of the normal is 1 or -1
   std::array<DoubleDouble, 3> fine_normal_;
