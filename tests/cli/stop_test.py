@@ -26,6 +26,13 @@ class Stop(ToolTest):
         self.assertFalse(self.path("out.off").exists())
         self.assertFalse(list(self.folder.glob("*.part")))
 
+    def test_a_time_limit_while_rounding_is_told(self):
+        worst = DATA.parent / "tools/bench/worst"
+        done = self.run_tool("eval", "a ^ b", f"a={worst / 'chain.stl'}", f"b={worst / 'chain_tool.off'}", "-o", self.path("out.stl"),
+                             "--timeout", "4", expect=STOPPED)
+        self.assertIn("time limit", done.stderr.decode())
+        self.assertFalse(self.path("out.stl").exists())
+
     def test_a_signal_stops_the_work_soon(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(signal=number):

@@ -11,6 +11,7 @@
 #include "rounded_output.h"
 #include "strata/carry_attributes.h"
 #include "strata/check.h"
+#include "strata/errors.h"
 #include "strata/measure.h"
 #include "strata/solid.h"
 
@@ -100,12 +101,23 @@ ExitCode write(const strata::ExactMesh& exact, const std::optional<strata::Measu
   return ExitCode::not_certified;
 }
 
+/// Says why, where it is stopped.
+RoundedOutput rounded_until_stopped(const strata::ExactMesh& exact, const strata::Attributes& attributes,
+                                    strata::Format format, const Settings& settings, Watch& watch) {
+  try {
+    return rounded_output(exact, attributes, format, settings, &watch.token());
+  } catch (const strata::Cancelled&) {
+    watch.on_stop(OnStop::leave);
+    throw;
+  }
+}
+
 }  // namespace
 
 ExitCode write_result(const strata::ExactMesh& exact, const strata::Attributes& attributes, strata::Format format,
                       Json report, const Settings& settings, Watch& watch, const char* verb, const Asked& asked) {
   Stopwatch stopwatch;
-  RoundedOutput rounded = rounded_output(exact, attributes, format, settings, &watch.token());
+  RoundedOutput rounded = rounded_until_stopped(exact, attributes, format, settings, watch);
   return write(exact, {}, std::move(rounded), format, std::move(report), settings, watch, stopwatch, verb, asked);
 }
 
@@ -115,7 +127,7 @@ ExitCode write_result(strata::BooleanResult result, strata::Format format, Json 
   const strata::ExactMesh mesh{std::move(result.mesh), std::move(result.exact)};
   RoundedOutput output = result.rounding
                              ? rounded_output(*result.rounding, mesh.mesh, std::move(result.attributes), settings)
-                             : rounded_output(mesh, result.attributes, format, settings, &watch.token());
+                             : rounded_until_stopped(mesh, result.attributes, format, settings, watch);
   return write(mesh, result.measured, std::move(output), format, std::move(report), settings, watch, stopwatch, verb,
                asked);
 }
