@@ -28,7 +28,7 @@ class Stop(ToolTest):
 
     def test_a_time_limit_while_rounding_is_told(self):
         worst = DATA.parent / "tools/bench/worst"
-        done = self.run_tool("eval", "a ^ b", f"a={worst / 'chain.stl'}", f"b={worst / 'chain_tool.off'}", "-o", self.path("out.stl"),
+        done = self.run_tool("eval", "b ^ a", f"a={worst / 'chain.stl'}", f"b={worst / 'chain_tool.off'}", "-o", self.path("out.stl"),
                              "--timeout", "4", expect=STOPPED)
         self.assertIn("time limit", done.stderr.decode())
         self.assertFalse(self.path("out.stl").exists())

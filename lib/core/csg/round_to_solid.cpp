@@ -97,6 +97,12 @@ class Reach {
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
 };
 
+bool does_not_end_soon(std::uint64_t rounds, std::size_t first_wrong_faces, std::size_t wrong_faces) {
+  constexpr std::uint64_t many_rounds = 40;
+  constexpr std::size_t far_more = 4, few = 256;
+  return rounds > many_rounds || wrong_faces / far_more > std::max(first_wrong_faces, few);
+}
+
 /// A mesh whose faces near changes are not wrong: are its winding numbers 0 and 1?
 bool winds_like_a_solid(const MovingMesh& mesh, const ChangedRegion& region, const Monitor& monitor) {
   if (region.keeps_windings()) return true;
@@ -120,10 +126,20 @@ class SolidRounding {
     RoundingReport report;
   };
 
+  /// Once more from the beginning, with bundles of needles put in order, where it does not end soon without.
   Outcome run() {
+    if (std::optional<Outcome> soon = attempt(Bundles::as_they_are)) return std::move(*soon);
+    return std::move(*attempt(Bundles::put_in_order));
+  }
+
+ private:
+  /// None where bundles are left as they are and it does not end soon.
+  std::optional<Outcome> attempt(Bundles bundles) {
+    reach_ = Reach();
     MovingMesh moving = nearest();
     RoundingReport report;
     int repairs = 0, resolves = 0;
+    std::size_t first_wrong = 0;
     for (;;) {
       monitor_.check();
       ChangedRegion region(moving, monitor_);
@@ -133,21 +149,27 @@ class SolidRounding {
         const std::vector<VertexMove> met =
             vertices_that_met(moving, region, report.rounds == 0 && !region.has_collapsed());
         moving.move(met);
+        report.rounds += given_up_rounds_;
         return finished(std::move(moving), &region, report, !met.empty());
       }
-      ++report.rounds;
-      if (!wrong.empty() && repairs < most_repairs && repaired(moving, region, wrong, repairs > 0)) {
+      if (++report.rounds == 1) first_wrong = wrong.size();
+      if (bundles == Bundles::as_they_are && does_not_end_soon(report.rounds, first_wrong, wrong.size())) {
+        given_up_rounds_ = report.rounds;
+        return {};
+      }
+      if (!wrong.empty() && repairs < most_repairs && repaired(moving, region, wrong, bundles, repairs > 0)) {
         ++repairs;
         continue;
       }
       repairs = 0;
       if (!wrong.empty() && !reach_.is_time_to_resolve(wrong.size())) continue;
-      if (!resolve_again(moving, region, wrong, grid_, bits_less_in(++resolves), monitor_))
+      if (!resolve_again(moving, region, wrong, grid_, bits_less_in(++resolves), monitor_)) {
+        report.rounds += given_up_rounds_;
         return finished(std::move(moving), nullptr, report, false);
+      }
     }
   }
 
- private:
   [[nodiscard]] MovingMesh nearest() const {
     const std::span<const Vertex> points = exact_.mesh.vertices;
     const bool holds_all = grid_.holds_all_doubles();
@@ -174,8 +196,8 @@ class SolidRounding {
 
   /// Piles of sheets are flattened where other repairs did not suffice.
   [[nodiscard]] bool repaired(MovingMesh& moving, const ChangedRegion& region, const std::vector<std::uint32_t>& wrong,
-                              bool is_second_time) const {
-    const bool is_changed = repair(moving, region, wrong, grid_, reach_.now());
+                              Bundles bundles, bool is_second_time) const {
+    const bool is_changed = repair(moving, region, wrong, grid_, reach_.now(), bundles);
     if (is_changed && !is_second_time) return true;
     return flatten(moving, region, wrong, grid_, reach_.of_piles(), reach_.may_divide_piles()) || is_changed;
   }
@@ -273,6 +295,7 @@ class SolidRounding {
   std::optional<Topology> known_topology_;
   const Monitor& monitor_;
   Reach reach_;
+  std::uint64_t given_up_rounds_ = 0;
 };
 
 }  // namespace

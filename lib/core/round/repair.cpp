@@ -5,17 +5,15 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
 #include <span>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
 
-#include "core/containers/collect.h"
 #include "core/containers/point_hash.h"
 #include "core/round/distances.h"
-#include "strata/rational.h"
+#include "core/round/flip_caps.h"
 
 namespace strata {
 namespace {
@@ -176,92 +174,13 @@ bool cancel_opposite_faces(MovingMesh& mesh) {
   return !opposites.empty();
 }
 
-/// A face that lies within some units of one of its sides.
-struct Cap {
-  Index face = 0, corner = 0;  ///< the corner that is near the other corners' side
-  double way = 0;
-};
-
-/// At least the distance from p to the point a + t (b - a), in the maximum norm.
-double distance_to(const Vertex& p, const Vertex& a, const Vertex& b, double t) {
-  double largest = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Rational from = to_rational(a[i]), to = to_rational(b[i]);
-    const Rational way = abs(Rational(to_rational(p[i]) - from - to_rational(t) * (to - from)));
-    largest = std::max(largest, std::nextafter(to_nearest_double(way), Box::infinity));
-  }
-  return largest;
-}
-
-std::optional<Cap> cap_of(const MovingMesh& mesh, Index face, const GridRounding& grid, double reach) {
-  const Triangle& t = mesh.mesh().triangles[face];
-  const auto point = [&](std::size_t k) -> const Vertex& { return mesh.mesh().vertices[t[k % 3]]; };
-  double scale = 0;  // keeps squares from overflow and underflow
-  for (std::size_t k = 0; k < 3; ++k) scale = std::max(scale, distance(point(k + 1), point(k + 2)));
-  if (!(scale > 0) || !std::isfinite(scale)) return {};
-  const auto scaled = [&](const Vertex& from, const Vertex& to, std::size_t i) { return (to[i] - from[i]) / scale; };
-  std::array<double, 3> squares{};  // of the sides opposite to each corner
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < 3; ++i) squares[k] += std::pow(scaled(point(k + 1), point(k + 2), i), 2);
-  const auto corner = static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
-  const Vertex &c = point(corner), &a = point(corner + 1), &b = point(corner + 2);
-  double along = 0;
-  for (std::size_t i = 0; i < 3; ++i) along += scaled(a, c, i) * scaled(a, b, i);
-  const double at = along / squares[corner];
-  if (!(at > 0 && at < 1)) return {};
-  Vertex foot;
-  for (std::size_t i = 0; i < 3; ++i) foot[i] = a[i] + at * (b[i] - a[i]);
-  if (!(distance(c, foot) <= reach * grid.unit_at(size(c)))) return {};
-  return Cap{face, static_cast<Index>(corner), distance_to(c, a, b, at)};
-}
-
-bool flip_caps(MovingMesh& mesh, std::span<const Index> wrong, const GridRounding& grid, double reach) {
-  const std::span<const Triangle> triangles = mesh.mesh().triangles;
-  std::map<std::pair<Index, Index>, std::vector<Cap>> caps;  // by the side that a neighbour has
-  std::vector<bool> has_cap(mesh.mesh().vertices.size(), false);
-  for (const Index f : wrong) {
-    if (!mesh.is_left(f)) continue;
-    const auto cap = cap_of(mesh, f, grid, reach);
-    if (!cap) continue;
-    const Triangle& t = triangles[f];
-    const Index a = t[(cap->corner + 1) % 3], b = t[(cap->corner + 2) % 3];
-    has_cap[a] = has_cap[b] = true;
-    caps[{b, a}].push_back(*cap);
-  }
-  if (caps.empty()) return false;
-
-  const std::vector<Index> bases = collect(triangles.size(), [&](Index f) {
-    const Triangle& t = triangles[f];
-    const int corners =
-        static_cast<int>(has_cap[t[0]]) + static_cast<int>(has_cap[t[1]]) + static_cast<int>(has_cap[t[2]]);
-    return corners >= 2 && mesh.is_left(f);
-  });
-  std::vector<FlatFlip> flips;
-  std::vector<bool> is_taken(triangles.size(), false);
-  const auto flip_onto = [&](Index base, std::size_t k) {
-    const Triangle& t = triangles[base];
-    const auto found = caps.find({t[k], t[(k + 1) % 3]});
-    if (found == caps.end()) return;
-    for (const Cap& cap : found->second) {
-      if (is_taken[base] || is_taken[cap.face] || triangles[cap.face][cap.corner] == t[(k + 2) % 3]) continue;
-      is_taken[base] = is_taken[cap.face] = true;
-      flips.push_back({cap.face, base, cap.corner, cap.way});
-    }
-  };
-  for (const Index base : bases)
-    for (std::size_t k = 0; k < 3; ++k) flip_onto(base, k);
-  mesh.flip(flips);
-  return !flips.empty();
-}
-
 }  // namespace
 
 bool repair(MovingMesh& mesh, const ChangedRegion& region, const std::vector<std::uint32_t>& wrong,
-            const GridRounding& grid, double reach) {
+            const GridRounding& grid, double reach, Bundles bundles) {
   bool is_changed = join_vertices(mesh, region.equal_vertices(), wrong, grid, reach);
   is_changed |= cancel_opposite_faces(mesh);
-  constexpr int passes = 3;  // a flip can make another cap
-  for (int n = 0; n < passes && flip_caps(mesh, wrong, grid, reach); ++n) is_changed = true;
+  is_changed |= flip_caps(mesh, wrong, grid, reach, bundles);
   return is_changed;
 }
 

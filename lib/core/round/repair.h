@@ -1,5 +1,6 @@
 #pragma once
 #include "core/kernel/grid_rounding.h"
+#include "core/round/flip_caps.h"
 #include "core/round/moving_mesh.h"
 #include "core/round/wrong_faces.h"
 
@@ -13,11 +14,12 @@ namespace strata {
 ///   connects them or not. In the order of their numbers, each vertex that is not joined to another stays, and takes
 ///   those near it;
 /// - of two triangles with the same vertices, one the reverse of the other, nothing is left;
-/// - wrong faces whose height over their longest side is at most `reach` units are flipped with a neighbour across it.
+/// - wrong faces whose height over their longest side is at most `reach` units are flipped with a neighbour across it
+///   (`flip_caps.h`).
 ///
 /// The chain stays closed. Returns whether anything changed. The same for any number of threads. O(n + k log k) for k
 /// pairs of near vertices.
 [[nodiscard]] bool repair(MovingMesh& mesh, const ChangedRegion& region, const std::vector<std::uint32_t>& wrong,
-                          const GridRounding& grid, double reach);
+                          const GridRounding& grid, double reach, Bundles bundles);
 
 }  // namespace strata
