@@ -111,6 +111,15 @@ class Rounding(ToolTest):
             self.assertLess(abs(self.volume("out.ply") / 0.0295427477 - 1), 0.1)
             self.run_tool("check", "out.ply")
 
+    def test_bundles_of_needles_end_soon(self):
+        """A step of a chain through floats; it took 76 rounds, and ended 1,037 units away, as long as flips in bundles went to and fro."""
+        worst = DATA.parent / "tools/bench/worst"
+        report = self.report("xor", worst / "chain_b.stl", worst / "chain_b_tool.off", "-o", "out.stl")
+        rounding = report["result"]["rounding"]
+        self.assertLess(rounding["rounds"], 60)
+        self.assertLess(rounding["largest_movement"], 20 * rounding["unit"])
+        self.run_tool("check", "out.stl")
+
     def volume(self, name):
         return self.report("info", name)["operands"][0]["volume"]
 

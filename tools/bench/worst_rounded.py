@@ -131,12 +131,12 @@ def plates(names):
     return [read_off(f"plate_{name}.off") for name in names]
 
 
-def chain_step():
+def chain_step(name):
     """A file of a chain of Booleans through floats, and the tool of the next step."""
     places, faces = {}, []
-    for number in struct.iter_unpack("<12xfffffffff2x", (WORST / "chain.stl").read_bytes()[84:]):
+    for number in struct.iter_unpack("<12xfffffffff2x", (WORST / f"{name}.stl").read_bytes()[84:]):
         faces += ["3", *(str(places.setdefault(number[k:k + 3], len(places))) for k in (0, 3, 6))]
-    return [([list(p) for p in places], faces), read_off("chain_tool.off")]
+    return [([list(p) for p in places], faces), read_off(f"{name}_tool.off")]
 
 
 def beyond_floats():
@@ -153,8 +153,8 @@ CASES = [("needles", needles, "a | b", True), ("needles, taken out", needles, "a
          ("1,000 sheets", fan, "a & b", True), ("1,000 sheets, taken out", fan, "b - a", True),
          ("checkerboard", checkerboard, "a & b", True), ("checkerboard, taken out", checkerboard, "b - a", True),
          ("smallest numbers", smallest, "a | b", True), ("plates", lambda: plates("abcd"), "a ^ b ^ c ^ d", True),
-         ("six plates", lambda: plates("efghij"), "a ^ b ^ c ^ d ^ e ^ f", True), ("chain step", chain_step, "a ^ b", True),
-         ("chain step, other order", chain_step, "b ^ a", True), ("1e39", beyond_floats, "a | b", False)]
+         ("six plates", lambda: plates("efghij"), "a ^ b ^ c ^ d ^ e ^ f", True), ("chain step", lambda: chain_step("chain"), "a ^ b", True),
+         ("chain step, other order", lambda: chain_step("chain"), "b ^ a", True), ("chain step b", lambda: chain_step("chain_b"), "a ^ b", True), ("1e39", beyond_floats, "a | b", False)]
 
 
 def main():
