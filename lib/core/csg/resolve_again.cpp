@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -36,28 +37,26 @@ void join_equal_vertices(MovingMesh& mesh, const ChangedRegion& region) {
   mesh.move(moves);
 }
 
-/// Leaves out triangles that are no longer there. Pairs of others keep their meaning.
-void compact(MovingMesh& mesh, FacePairs& pairs) {
-  const std::vector<std::uint32_t> gone =
-      collect(mesh.mesh().triangles.size(), [&](std::uint32_t f) { return !mesh.is_left(f); });
-  for (auto& [face, other] : pairs)
-    for (std::uint32_t* f : {&face, &other})
-      *f -= static_cast<std::uint32_t>(std::lower_bound(gone.begin(), gone.end(), *f) - gone.begin());
-  MovingMesh::Parts parts = std::move(mesh).take();
-  mesh = MovingMesh(std::move(parts.mesh), std::move(parts.source_face), std::move(parts.moved));
-}
-
-/// Of a whole mesh but for the faces that cross.
-FacePatches patches_of(MeshView mesh, const FacePairs& crossings, const Monitor& monitor) {
-  const InputComplex complex = complex_of(mesh);
-  std::vector<bool> crosses(mesh.triangles.size(), false);
-  for (const auto& [face, other] : crossings) crosses[face] = crosses[other] = true;
-  const Shells shells = find_patches(complex, EmbeddedStars(complex, monitor), crosses);
-  FacePatches patches{{}, {}, std::vector<bool>(shells.count, false)};
-  for (std::uint32_t f = 0; f < crosses.size(); ++f) {
-    if (crosses[f]) continue;
+/// Of a whole mesh but for the faces that cross, whose stars are known.
+FacePatches patches_of(const MovingMesh& mesh, const FacePairs& crossings) {
+  const std::size_t count = mesh.mesh().triangles.size();
+  std::vector<bool> is_other(count, false);  // it crosses others, or is no longer there
+  for (const auto& [face, other] : crossings) is_other[face] = is_other[other] = true;
+  for (std::uint32_t f = 0; f < count; ++f)
+    if (!mesh.is_left(f)) is_other[f] = true;
+  const Shells shells = find_patches(complex_of(mesh.mesh()), *mesh.stars(), is_other);
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> number(shells.count, none);
+  FacePatches patches;
+  for (std::uint32_t f = 0; f < count; ++f) {
+    if (is_other[f]) continue;
+    std::uint32_t& patch = number[shells.of_face[f]];
+    if (patch == none) {
+      patch = static_cast<std::uint32_t>(patches.is_known.size());
+      patches.is_known.push_back(false);
+    }
     patches.faces.push_back(f);
-    patches.patch.push_back(shells.of_face[f]);
+    patches.patch.push_back(patch);
   }
   return patches;
 }
@@ -65,15 +64,11 @@ FacePatches patches_of(MeshView mesh, const FacePairs& crossings, const Monitor&
 std::optional<std::vector<VertexMove>> resolve_few(MovingMesh& mesh, const ChangedRegion& region,
                                                    const std::vector<std::uint32_t>& wrong, const GridRounding& grid,
                                                    const Monitor& monitor) {
-  FacePairs crossings = region.wrong_pairs();
-  if (mesh.swept()) {
-    const FacePatches patches = region.patches(wrong);
-    join_equal_vertices(mesh, region);
-    return resolve_in_place(mesh, crossings, patches, grid, monitor);
-  }
+  std::optional<FacePatches> patches;
+  if (mesh.swept()) patches = region.patches(wrong);
   join_equal_vertices(mesh, region);
-  compact(mesh, crossings);
-  return resolve_in_place(mesh, crossings, patches_of(mesh.mesh(), crossings, monitor), grid, monitor);
+  if (!patches) patches = patches_of(mesh, region.wrong_pairs());
+  return resolve_in_place(mesh, region.wrong_pairs(), *patches, grid, monitor);
 }
 
 /// Without triangles that repeat a vertex, and with faces of positive area only.

@@ -97,6 +97,15 @@ class Reach {
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
 };
 
+void set_searched(MovingMesh& mesh, const ChangedRegion& region, const std::vector<std::uint32_t>& wrong) {
+  if (mesh.swept()) return;
+  if (region.is_all()) {
+    mesh.set_searched(wrong, region.stars_of_mesh());
+  } else {
+    mesh.set_searched(wrong);
+  }
+}
+
 bool does_not_end_soon(std::uint64_t rounds, std::size_t first_wrong_faces, std::size_t wrong_faces) {
   constexpr std::uint64_t many_rounds = 40;
   constexpr std::size_t far_more = 4, few = 256;
@@ -144,7 +153,7 @@ class SolidRounding {
       monitor_.check();
       ChangedRegion region(moving, monitor_);
       const std::vector<std::uint32_t> wrong = region.wrong_faces(monitor_);
-      if (region.is_complete()) moving.set_searched(wrong);
+      if (region.is_complete()) set_searched(moving, region, wrong);
       if (wrong.empty() && winds_like_a_solid(moving, region, monitor_)) {
         const std::vector<VertexMove> met =
             vertices_that_met(moving, region, report.rounds == 0 && !region.has_collapsed());

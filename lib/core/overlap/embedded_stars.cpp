@@ -11,11 +11,18 @@
 
 namespace strata {
 
-/// What one face contributes to the stars of its vertices.
+namespace {
+
+/// What one face contributes to the star of one of its vertices, joined by or: a bit per direction, set where it is not
+/// certain to be seen from above; the same for below; then per axis, if its angle contains the half-plane in which that
+/// coordinate is the vertex's (half open, one of the two there are), and if another face's does.
 class StarFinder {
  public:
-  static constexpr std::uint32_t directions = EmbeddedStars::directions;
+  /// Of projection: the three axes, then per axis the two diagonals of the others.
+  static constexpr std::uint32_t directions = 9;
+  static constexpr std::uint32_t once = 2 * directions, twice = once + 3;
   static constexpr std::uint32_t uncertain = (1u << 2 * directions) - 1;
+  static constexpr std::uint32_t diagonals_across(std::uint32_t axis) { return 3 + 2 * axis; }
 
   /// From which directions is a triangle not certain to be seen from above, and from below?
   ///
@@ -43,8 +50,8 @@ class StarFinder {
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
       const std::size_t i = axis == 2 ? 0 : axis + 1, j = axis == 0 ? 2 : axis - 1;
       look(axis, normal[axis], bound[axis]);
-      look(EmbeddedStars::diagonals_across(axis), normal[i] + normal[j], bound[i] + bound[j]);
-      look(EmbeddedStars::diagonals_across(axis) + 1, normal[i] - normal[j], bound[i] + bound[j]);
+      look(diagonals_across(axis), normal[i] + normal[j], bound[i] + bound[j]);
+      look(diagonals_across(axis) + 1, normal[i] - normal[j], bound[i] + bound[j]);
     }
     return bits;
   }
@@ -57,14 +64,33 @@ class StarFinder {
     for (std::size_t axis = 0; axis < 3; ++axis)
       bits |= (static_cast<std::uint32_t>(from[axis] < apex[axis]) & static_cast<std::uint32_t>(to[axis] >= apex[axis]))
               << axis;
-    return bits << EmbeddedStars::once;
+    return bits << once;
+  }
+
+  static bool is_embedded(std::uint32_t found) {
+    const std::uint32_t met_once = found >> once & ~(found >> twice) & 7u;
+    const std::uint32_t one_side = ~(found & found >> directions) & ((1u << directions) - 1);  // not seen from both
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      if ((one_side >> axis & 1u) != 0 && (met_once & ~(1u << axis)) != 0) return true;
+      if ((one_side >> diagonals_across(axis) & 3u) != 0 && (met_once >> axis & 1u) != 0) return true;
+    }
+    return false;
   }
 };
+
+/// Bits that were set before. Most are, and a look is cheaper than an exchange.
+std::uint32_t add(std::atomic_ref<std::uint32_t> to, std::uint32_t bits) {
+  const std::uint32_t before = to.load(std::memory_order_relaxed);
+  return (bits & ~before) == 0 ? before : to.fetch_or(bits, std::memory_order_relaxed);
+}
+
+}  // namespace
 
 EmbeddedStars::EmbeddedStars(const InputComplex& input, const Monitor& monitor) {
   const auto points = input.points(0);
   const auto faces = input.faces(0);
-  resize_fresh(found_, points.size());
+  std::vector<std::uint32_t> found_of;  // per vertex
+  resize_fresh(found_of, points.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces.size(), 1 << 12), [&](const auto& range) {
     monitor.check();
     for (std::size_t f = range.begin(); f != range.end(); ++f) {
@@ -73,12 +99,31 @@ EmbeddedStars::EmbeddedStars(const InputComplex& input, const Monitor& monitor) 
       const std::uint32_t hidden = input.has_doubles(t) ? StarFinder::sides_hidden(corners) : StarFinder::uncertain;
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t met = StarFinder::rays_met(*corners[i], *corners[(i + 1) % 3], *corners[(i + 2) % 3]);
-        std::atomic_ref<std::uint32_t> found(found_[t[i]]);
-        const std::uint32_t before = found.fetch_or(hidden | met, std::memory_order_relaxed);
-        if ((before & met) != 0) found.fetch_or((before & met) << (twice - once), std::memory_order_relaxed);
+        std::atomic_ref<std::uint32_t> found(found_of[t[i]]);
+        const std::uint32_t before = add(found, hidden | met);
+        add(found, (before & met) << (StarFinder::twice - StarFinder::once));
       }
     }
   });
+  resize_fresh(is_embedded_, points.size());
+  tbb::parallel_for(std::size_t{0}, points.size(),
+                    [&](std::size_t v) { is_embedded_[v] = StarFinder::is_embedded(found_of[v]) ? 1 : 0; });
+}
+
+EmbeddedStars EmbeddedStars::of_part(std::span<const std::uint32_t> vertices) const {
+  EmbeddedStars part;
+  part.is_embedded_.reserve(vertices.size());
+  for (const std::uint32_t v : vertices) part.is_embedded_.push_back(is_embedded_[v]);
+  return part;
+}
+
+EmbeddedStars EmbeddedStars::of_whole(std::size_t count, std::span<const std::uint32_t> vertices,
+                                      std::span<const std::pair<std::uint32_t, std::uint32_t>> equal) const {
+  EmbeddedStars whole;
+  resize_fresh(whole.is_embedded_, count);
+  for (std::size_t v = 0; v < vertices.size(); ++v) whole.is_embedded_[vertices[v]] = is_embedded_[v];
+  for (const auto& [vertex, first] : equal) whole.is_embedded_[vertex] = whole.is_embedded_[first];
+  return whole;
 }
 
 }  // namespace strata

@@ -1,5 +1,9 @@
 #pragma once
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/kernel/input_complex.h"
@@ -20,28 +24,24 @@ class EmbeddedStars {
   /// Of the first operand. Requires a closed chain of faces with valid indices. O(n), in parallel.
   EmbeddedStars(const InputComplex& input, const Monitor& monitor);
 
-  [[nodiscard]] bool at(std::uint32_t vertex) const {
-    const std::uint32_t f = found_[vertex];
-    const std::uint32_t met_once = f >> once & ~(f >> twice) & 7u;
-    const std::uint32_t one_side = ~(f & f >> directions) & ((1u << directions) - 1);  // not seen from both sides
-    for (std::uint32_t axis = 0; axis < 3; ++axis) {
-      if ((one_side >> axis & 1u) != 0 && (met_once & ~(1u << axis)) != 0) return true;
-      if ((one_side >> diagonals_across(axis) & 3u) != 0 && (met_once >> axis & 1u) != 0) return true;
-    }
-    return false;
-  }
+  /// For a part of the mesh. `vertices`: the number here of each of its vertices.
+  [[nodiscard]] EmbeddedStars of_part(std::span<const std::uint32_t> vertices) const;
+  /// For a mesh of `count` vertices of which this is a part. `vertices`: the mesh's number of each vertex of the part;
+  /// `equal`: vertices of the mesh that are in the place of another one, and that one.
+  [[nodiscard]] EmbeddedStars of_whole(std::size_t count, std::span<const std::uint32_t> vertices,
+                                       std::span<const std::pair<std::uint32_t, std::uint32_t>> equal) const;
+
+  [[nodiscard]] bool at(std::uint32_t vertex) const { return is_embedded_[vertex] != 0; }
+
+  /// The faces around a vertex change: nothing is known of them any more. Thread-safe beside other calls of itself.
+  void forget(std::uint32_t vertex) { std::atomic_ref(is_embedded_[vertex]).store(0, std::memory_order_relaxed); }
+  /// A vertex that no face has yet.
+  void add_vertex() { is_embedded_.push_back(0); }
 
  private:
-  friend class StarFinder;
-  /// Of projection: the three axes, then per axis the two diagonals of the others.
-  static constexpr std::uint32_t directions = 9;
-  static constexpr std::uint32_t once = 2 * directions, twice = once + 3;
-  static constexpr std::uint32_t diagonals_across(std::uint32_t axis) { return 3 + 2 * axis; }
+  EmbeddedStars() = default;
 
-  /// Per vertex: a bit per direction, set where a face is not certain to be seen from above; the same for below; then
-  /// per axis, if the angle of one face contains the half-plane in which that coordinate is the vertex's (half open,
-  /// one of the two there are), and if more than one does.
-  std::vector<std::uint32_t> found_;
+  std::vector<char> is_embedded_;  ///< per vertex
 };
 
 }  // namespace strata

@@ -32,7 +32,7 @@ class ConnectedFaces {
         member = v;
       }
       member_.push_back(member);
-      if (embedded < 2) rest_.push_back(f);
+      if (embedded < 2 && !repeats_vertex(faces[f])) rest_.push_back(f);
     }
   }
 

@@ -20,6 +20,7 @@ namespace strata {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t run_length = 64;
 
 /// Of a triangle, and, where doubles are rounded, of the points that they stand for. What is beyond the largest double
 /// meets no other box.
@@ -79,15 +80,53 @@ void MovingMesh::copy_given() {
   if (!boundary_) return;
   const MeshView from = *std::exchange(boundary_, std::nullopt);
   const std::vector<double> of_changed = std::move(moved_);
-  tbb::parallel_invoke([&] { mesh_.vertices.assign(from.vertices.begin(), from.vertices.end()); },
-                       [&] { mesh_.triangles.assign(from.triangles.begin(), from.triangles.end()); },
-                       [&] {
-                         resize_fresh(source_face_, from.triangles.size());
-                         std::iota(source_face_.begin(), source_face_.end(), 0U);
-                         moved_ = {};
-                         resize_fresh(moved_, from.triangles.size());
-                         for (std::size_t n = 0; n < changed_.size(); ++n) moved_[changed_[n]] = of_changed[n];
-                       });
+  moved_.clear();
+  const auto reserve = [](auto& list, std::size_t size) { list.reserve(size + size / 8); };  // repairs add some
+  tbb::parallel_invoke(
+      [&] {
+        reserve(mesh_.vertices, from.vertices.size());
+        mesh_.vertices.assign(from.vertices.begin(), from.vertices.end());
+      },
+      [&] {
+        reserve(mesh_.triangles, from.triangles.size());
+        mesh_.triangles.assign(from.triangles.begin(), from.triangles.end());
+      },
+      [&] {
+        reserve(source_face_, from.triangles.size());
+        resize_fresh(source_face_, from.triangles.size());
+        std::iota(source_face_.begin(), source_face_.end(), 0U);
+        reserve(moved_, from.triangles.size());
+        resize_fresh(moved_, from.triangles.size());
+        for (std::size_t n = 0; n < changed_.size(); ++n) moved_[changed_[n]] = of_changed[n];
+      });
+}
+
+std::vector<std::uint32_t> MovingMesh::faces_that_meet(const BoxCover& boxes) const {
+  const auto meets = [&](std::uint32_t f) { return is_left(f) && boxes.meets(box(f)); };
+  const auto count = static_cast<std::uint32_t>(mesh().triangles.size());
+  if (runs_.empty()) return collect(count, meets);
+  const std::vector<std::uint32_t> near =
+      collect(runs_.size(), [&](std::uint32_t r) { return !runs_[r].empty() && boxes.meets(runs_[r]); });
+  std::vector<std::vector<std::uint32_t>> found(near.size());
+  tbb::parallel_for(std::size_t{0}, near.size(), [&](std::size_t n) {
+    const std::uint32_t first = near[n] * run_length;
+    for (std::uint32_t f = first; f < std::min(first + run_length, count); ++f)
+      if (meets(f)) found[n].push_back(f);
+  });
+  std::vector<std::uint32_t> faces;
+  for (const std::vector<std::uint32_t>& some : found) faces.insert(faces.end(), some.begin(), some.end());
+  return faces;
+}
+
+void MovingMesh::include_in_run(std::uint32_t face) {
+  if (runs_.empty()) return;
+  runs_.resize(std::max<std::size_t>(runs_.size(), face / run_length + 1));
+  runs_[face / run_length].include(box(face));
+}
+
+void MovingMesh::forget_stars(const Triangle& at) {
+  if (!stars_) return;
+  for (const std::uint32_t v : at) stars_->forget(v);
 }
 
 void MovingMesh::move(std::span<const VertexMove> moves) {
@@ -104,17 +143,22 @@ void MovingMesh::move(std::span<const VertexMove> moves) {
     if (a < first_to_move && b < first_to_move && c < first_to_move) return false;
     return (move_at[a] != none || move_at[b] != none || move_at[c] != none) && !repeats_vertex(mesh.triangles[f]);
   });
-  if (2 * touched.size() > mesh.triangles.size()) swept_.reset();
+  if (2 * touched.size() > mesh.triangles.size()) {
+    swept_.reset();
+    stars_.reset();
+    runs_.clear();
+  }
   if (is_as_given()) moved_.resize(touched.size());
   const std::size_t before = swept_ ? swept_->size() : 0;
   if (swept_) swept_->resize(before + touched.size());
   std::vector<char> is_elsewhere(touched.size(), 0);
   tbb::parallel_for(std::size_t{0}, touched.size(), [&](std::size_t n) {
     const std::uint32_t f = touched[n];
+    const Triangle corners = mesh.triangles[f];
     if (swept_) (*swept_)[before + n] = box_around(mesh, f);
     double way = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t v = mesh.triangles[f][i];
+      const std::uint32_t v = corners[i];
       if (move_at[v] == none) continue;
       const VertexMove& m = moves[move_at[v]];
       if (swept_) (*swept_)[before + n].include(m.to);
@@ -122,13 +166,17 @@ void MovingMesh::move(std::span<const VertexMove> moves) {
       if (m.way > 0 || m.to != mesh.vertices[v]) is_elsewhere[n] = 1;
       if (!is_as_given()) mesh_.triangles[f][i] = m.becomes;
     }
+    if (is_elsewhere[n] != 0) forget_stars(corners);
     moved_[is_as_given() ? n : f] += way;
   });
   for (const VertexMove& m : moves) {
     if (is_as_given()) break;
     mesh_.vertices[m.vertex] = m.to;
     has_unused_ = has_unused_ || m.becomes != m.vertex;
+    if (stars_ && m.becomes != m.vertex && !stars_->at(m.vertex)) stars_->forget(m.becomes);
   }
+  for (std::size_t n = 0; n < touched.size() && !runs_.empty(); ++n)
+    if (is_elsewhere[n] != 0) include_in_run(touched[n]);
   if (!swept_ && !is_as_given()) {  // names of edges do not matter then
     std::size_t kept = 0;
     for (std::size_t n = 0; n < touched.size(); ++n)
@@ -153,6 +201,10 @@ void MovingMesh::flip(std::span<const FlatFlip> flips) {
     source_face_[cap] = source_face_[base];
     moved_[base] += way;
     moved_[cap] = moved_[base];
+    include_in_run(cap);
+    include_in_run(base);
+    forget_stars(t);
+    forget_stars(u);
     lose_side(a, b);
     touched.insert(touched.end(), {cap, base});
   }
@@ -163,6 +215,7 @@ void MovingMesh::cancel(std::span<const std::pair<std::uint32_t, std::uint32_t>>
   copy_given();
   for (const auto& [face, opposite] : opposites) {
     const Triangle t = mesh_.triangles[face];
+    forget_stars(t);
     for (std::size_t i = 0; i < 3; ++i) lose_side(t[i], t[(i + 1) % 3]);
     mesh_.triangles[face] = mesh_.triangles[opposite] = {t[0], t[0], t[0]};
   }
@@ -177,6 +230,7 @@ void MovingMesh::replace(std::span<const std::uint32_t> faces, std::span<const T
     const Triangle t = mesh_.triangles[f];
     passed.include(box(f));
     moved = std::max(moved, moved_[f]);
+    forget_stars(t);
     for (std::size_t i = 0; i < 3; ++i) lose_side(t[i], t[(i + 1) % 3]);
     mesh_.triangles[f] = {t[0], t[0], t[0]};
   }
@@ -185,10 +239,12 @@ void MovingMesh::replace(std::span<const std::uint32_t> faces, std::span<const T
   if (swept_) swept_->push_back(passed);
   std::vector<std::uint32_t> added;
   for (const Triangle& t : by) {
+    forget_stars(t);
     added.push_back(static_cast<std::uint32_t>(mesh_.triangles.size()));
     mesh_.triangles.push_back(t);
     source_face_.push_back(source_face_[faces.front()]);
     moved_.push_back(moved + way);
+    include_in_run(added.back());
   }
   has_unused_ = true;
   add_changed(std::move(added));
@@ -200,17 +256,20 @@ void MovingMesh::resolve(std::span<const std::uint32_t> gone, std::span<const Pa
     mesh_.triangles.push_back(part.corners);
     source_face_.push_back(source_face_[part.of]);
     moved_.push_back(moved_[part.of]);
+    include_in_run(static_cast<std::uint32_t>(mesh_.triangles.size() - 1));
   }
   for (const std::uint32_t f : gone) mesh_.triangles[f].fill(mesh_.triangles[f][0]);
   has_unused_ = true;
   changed_.clear();
   swept_.emplace();
+  stars_.reset();
   lost_sides_.clear();
 }
 
 std::uint32_t MovingMesh::add_vertex(const Vertex& at) {
   copy_given();
   mesh_.vertices.push_back(at);
+  if (stars_) stars_->add_vertex();
   return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
 }
 
@@ -222,6 +281,18 @@ void MovingMesh::set_searched(const std::vector<std::uint32_t>& wrong) {
   if (swept_) return;
   copy_given();
   changed_ = wrong;
+}
+
+void MovingMesh::set_searched(const std::vector<std::uint32_t>& wrong, EmbeddedStars stars) {
+  set_searched(wrong);
+  if (swept_) return;
+  stars_ = std::move(stars);
+  const std::size_t count = mesh_.triangles.size();
+  runs_.assign((count + run_length - 1) / run_length, Box());
+  tbb::parallel_for(std::size_t{0}, runs_.size(), [&](std::size_t r) {
+    for (std::size_t f = r * run_length; f < std::min(count, (r + 1) * run_length); ++f)
+      if (is_left(static_cast<std::uint32_t>(f))) runs_[r].include(box(static_cast<std::uint32_t>(f)));
+  });
 }
 
 void MovingMesh::add_changed(std::vector<std::uint32_t> faces) {

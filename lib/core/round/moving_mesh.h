@@ -6,9 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/containers/box_cover.h"
 #include "core/kernel/box.h"
 #include "core/kernel/grid_rounding.h"
 #include "core/mesh/edge_table.h"
+#include "core/overlap/embedded_stars.h"
 #include "strata/mesh.h"
 
 namespace strata {
@@ -62,6 +64,10 @@ class MovingMesh {
   [[nodiscard]] bool is_left(std::uint32_t face) const { return !repeats_vertex(mesh().triangles[face]); }
   [[nodiscard]] Box box(std::uint32_t face) const { return box_of(mesh(), face); }
 
+  /// Triangles that are left and meet some boxes, by increasing number. O(n) in parallel; after a search of all of
+  /// them, most are passed over in runs where triangles that follow each other are near each other.
+  [[nodiscard]] std::vector<std::uint32_t> faces_that_meet(const BoxCover& boxes) const;
+
   /// At most one move per vertex, by increasing vertex; what a vertex becomes does not move. Once `swept` is
   /// everywhere, a vertex that becomes one in the same place changes no triangle. O(n), in parallel.
   void move(std::span<const VertexMove> moves);
@@ -90,6 +96,10 @@ class MovingMesh {
   [[nodiscard]] const std::vector<double>& moved_of_changed() const { return moved_; }
   /// All triangles were searched for intersections, and these have some.
   void set_searched(const std::vector<std::uint32_t>& wrong);
+  /// The same, and these stars are embedded; vertices in one place are one there.
+  void set_searched(const std::vector<std::uint32_t>& wrong, EmbeddedStars stars);
+  /// Of those, the ones where nothing changed; none if `swept` is kept, or all of it is to be searched.
+  [[nodiscard]] const std::optional<EmbeddedStars>& stars() const { return stars_; }
 
   /// The mesh as it is, without triangles that are no longer there and, if there are vertices that became others,
   /// without vertices that no triangle has.
@@ -102,6 +112,8 @@ class MovingMesh {
 
  private:
   void copy_given();
+  void forget_stars(const Triangle& at);
+  void include_in_run(std::uint32_t face);
   void add_changed(std::vector<std::uint32_t> faces);
   void lose_side(std::uint32_t a, std::uint32_t b);
 
@@ -111,6 +123,9 @@ class MovingMesh {
   std::vector<double> moved_;  ///< of every triangle; with `boundary_`, of the changed ones
   std::vector<std::uint32_t> changed_;
   std::optional<std::vector<Box>> swept_;
+  std::optional<EmbeddedStars> stars_;  ///< since the last search, if `swept_` is everywhere
+  std::vector<Box>
+      runs_;  ///< around triangles that follow each other and are left; none before a search of all of them
   bool has_unused_ = false;  ///< vertices that triangles had
   std::set<std::pair<std::uint32_t, std::uint32_t>> lost_sides_;
 };

@@ -1,6 +1,7 @@
 #include "core/round/wrong_faces.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <atomic>
@@ -33,8 +34,7 @@ std::vector<std::uint32_t> faces_to_search(const MovingMesh& mesh) {
   const std::size_t count = mesh.mesh().triangles.size();
   if (mesh.changed().empty()) return {};
   if (2 * mesh.changed().size() > count) return collect(count, [&](std::uint32_t f) { return mesh.is_left(f); });
-  const BoxCover cover(boxes_to_search(mesh));
-  return collect(count, [&](std::uint32_t f) { return mesh.is_left(f) && cover.meets(mesh.box(f)); });
+  return mesh.faces_that_meet(BoxCover(boxes_to_search(mesh)));
 }
 
 /// Some triangles of a mesh, as a mesh; `numbers` becomes the vertices' numbers in the whole.
@@ -49,6 +49,11 @@ Mesh part_of(MeshView mesh, std::span<const std::uint32_t> faces, std::vector<st
   });
   numbers = collect(mesh.vertices.size(), [&](std::uint32_t v) { return number_in_part[v] != unused; });
   Mesh part;
+  if (faces.size() == mesh.triangles.size() && numbers.size() == mesh.vertices.size()) {
+    tbb::parallel_invoke([&] { part.vertices.assign(mesh.vertices.begin(), mesh.vertices.end()); },
+                         [&] { part.triangles.assign(mesh.triangles.begin(), mesh.triangles.end()); });
+    return part;
+  }
   resize_fresh(part.vertices, numbers.size());
   tbb::parallel_for(std::size_t{0}, numbers.size(), [&](std::size_t n) {
     number_in_part[numbers[n]] = static_cast<std::uint32_t>(n);
@@ -70,20 +75,27 @@ ChangedRegion::ChangedRegion(const MovingMesh& mesh, const Monitor& monitor)
   is_all_ = 2 * mesh.changed().size() > mesh.mesh().triangles.size() || faces_.size() == mesh.mesh().triangles.size();
   part_ = part_of(mesh.mesh(), faces_, vertices_);
   const std::vector<std::uint32_t> first = strata::equal_vertices(part_.vertices);
-  for (std::uint32_t v = 0; v < first.size(); ++v)
-    if (first[v] != v) equal_.emplace_back(vertices_[v], vertices_[first[v]]);
+  for (const std::uint32_t v : collect(first.size(), [&](std::uint32_t v) { return first[v] != v; }))
+    equal_.emplace_back(vertices_[v], vertices_[first[v]]);
   if (equal_.empty()) return;
-  std::size_t kept = 0;
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const auto [a, b, c] = part_.triangles[f];
-    const Triangle t{first[a], first[b], first[c]};
-    if (repeats_vertex(t)) {
-      collapsed_at_.resize(first.size(), false);
-      for (const std::uint32_t v : t) collapsed_at_[v] = true;
-      continue;
-    }
-    part_.triangles[kept] = t;
-    faces_[kept++] = faces_[f];
+  tbb::parallel_for(std::size_t{0}, faces_.size(), [&](std::size_t n) {
+    for (std::uint32_t& v : part_.triangles[n]) v = first[v];
+  });
+  leave_out_collapsed();
+}
+
+void ChangedRegion::leave_out_collapsed() {
+  const std::vector<std::uint32_t> collapsed =
+      collect(faces_.size(), [&](std::uint32_t n) { return repeats_vertex(part_.triangles[n]); });
+  if (collapsed.empty()) return;
+  collapsed_at_.resize(part_.vertices.size(), false);
+  for (const std::uint32_t n : collapsed)
+    for (const std::uint32_t v : part_.triangles[n]) collapsed_at_[v] = true;
+  std::size_t kept = collapsed.front();
+  for (std::size_t n = kept; n < faces_.size(); ++n) {
+    if (repeats_vertex(part_.triangles[n])) continue;
+    part_.triangles[kept] = part_.triangles[n];
+    faces_[kept++] = faces_[n];
   }
   part_.triangles.resize(kept);
   faces_.resize(kept);
@@ -95,7 +107,10 @@ std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor, st
   has_area_everywhere_ = flat.empty() && !has_collapsed();
   std::vector<std::uint32_t> wrong = flat;
   const InputComplex complex = complex_of(part_);
-  if (is_all()) stars_.emplace(complex, monitor);
+  if (is_all())
+    stars_.emplace(complex, monitor);
+  else if (mesh_.stars())
+    stars_.emplace(known_stars(*mesh_.stars()));
   const EmbeddedStars* const stars = stars_ ? &*stars_ : nullptr;
   if (flat.empty()) {
     for (const auto& s : find_self_intersections(complex, stars, monitor, enough)) pairs_.emplace_back(s.face, s.other);
@@ -118,6 +133,16 @@ std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor, st
   wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
   for (std::uint32_t& f : wrong) f = faces_[f];
   return wrong;
+}
+
+/// Of the region's part of the mesh, whose stars these are. Of vertices in one place, all must be embedded.
+EmbeddedStars ChangedRegion::known_stars(const EmbeddedStars& of_mesh) const {
+  EmbeddedStars known = of_mesh.of_part(vertices_);
+  for (const auto& [vertex, first] : equal_)
+    if (!of_mesh.at(vertex))
+      known.forget(
+          static_cast<std::uint32_t>(std::lower_bound(vertices_.begin(), vertices_.end(), first) - vertices_.begin()));
+  return known;
 }
 
 FacePatches ChangedRegion::patches(std::span<const std::uint32_t> wrong) const {

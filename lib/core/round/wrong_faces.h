@@ -53,6 +53,11 @@ class ChangedRegion {
   /// Of that part, if `wrong_faces` needed them.
   [[nodiscard]] const std::optional<EmbeddedStars>& stars() const { return stars_; }
 
+  /// The same, for the numbers of the whole mesh. Requires that the region is all of it, and `wrong_faces`.
+  [[nodiscard]] EmbeddedStars stars_of_mesh() const {
+    return stars_->of_whole(mesh_.mesh().vertices.size(), vertices_, equal_);
+  }
+
   /// The faces of the region by increasing number.
   [[nodiscard]] const std::vector<std::uint32_t>& faces() const { return faces_; }
   /// Their vertices by increasing number, equal ones too.
@@ -62,6 +67,9 @@ class ChangedRegion {
 
  private:
   static constexpr std::size_t many_pairs = 1 << 18;
+
+  void leave_out_collapsed();
+  [[nodiscard]] EmbeddedStars known_stars(const EmbeddedStars& of_mesh) const;
 
   const MovingMesh& mesh_;
   std::vector<std::uint32_t> faces_;

@@ -17,6 +17,37 @@ namespace {
 
 constexpr int many_cells = 16;
 
+/// Rectangles of columns, by squares of them: a bit each.
+class CoarseGrid {
+ public:
+  using Corner = std::array<std::uint16_t, 2>;
+
+  /// Of so many columns in a row.
+  explicit CoarseGrid(std::uint32_t width) {
+    while (((width - 1) >> shift_) >= squares) ++shift_;
+  }
+  void mark(const Corner& lower, const Corner& upper) {
+    for (unsigned z = row(lower); z <= row(upper); ++z) rows_[z] |= bits(lower, upper);
+  }
+  /// False only where no marked rectangle has a column of this one.
+  [[nodiscard]] bool meets(const Corner& lower, const Corner& upper) const {
+    std::uint64_t marked = 0;
+    for (unsigned z = row(lower); z <= row(upper); ++z) marked |= rows_[z];
+    return (marked & bits(lower, upper)) != 0;
+  }
+
+ private:
+  static constexpr unsigned squares = 64;  // in a row
+  [[nodiscard]] unsigned row(const Corner& at) const { return static_cast<unsigned>(at[1]) >> shift_; }
+  [[nodiscard]] std::uint64_t bits(const Corner& lower, const Corner& upper) const {
+    const unsigned first = static_cast<unsigned>(lower[0]) >> shift_, last = static_cast<unsigned>(upper[0]) >> shift_;
+    return (~std::uint64_t{0} >> (squares - 1 - (last - first))) << first;
+  }
+
+  unsigned shift_ = 0;
+  std::array<std::uint64_t, squares> rows_{};
+};
+
 /// The side of a face's plane to which the ray's start counts as moved, or along which the ray runs.
 Sign side_of_ray(const InputComplex& input, std::uint32_t face) {
   for (int axis = 0; axis < 3; ++axis)
@@ -35,28 +66,50 @@ RayWindings::RayWindings(const InputComplex& input, std::span<const std::uint32_
     const double cells = width_ / 2.0 / (bounds.upper[i + 1] / 2 - bounds.lower[i + 1] / 2);
     per_cell_[i] = cells > 0 && cells < Box::infinity ? cells : 0;
   }
+  std::vector<Cells> of_vertex;
+  resize_fresh(of_vertex, input.vertex_count());
+  tbb::parallel_for(std::size_t{0}, of_vertex.size(),
+                    [&](std::size_t v) { of_vertex[v] = cells_of(static_cast<std::uint32_t>(v)); });
+  const auto cells_of_face = [&](std::uint32_t face) {
+    const auto& [a, b, c] = input.faces(0)[face];
+    Cells cells = of_vertex[a];
+    for (const std::uint32_t v : {b, c})
+      for (std::size_t i = 0; i < 2; ++i) {
+        cells.lower[i] = std::min(cells.lower[i], of_vertex[v].lower[i]);
+        cells.upper[i] = std::max(cells.upper[i], of_vertex[v].upper[i]);
+      }
+    return cells;
+  };
   is_made_.resize(std::size_t{width_} * width_);
-  for (const std::uint32_t f : asked)
-    for_each_column_of(cells_of(f), [&](std::uint32_t column) { is_made_[column] = true; });
+  CoarseGrid near_made(width_);
+  for (const std::uint32_t f : asked) {
+    const Cells cells = cells_of_face(f);
+    near_made.mark(cells.lower, cells.upper);
+    for_each_column_of(cells, [&](std::uint32_t column) { is_made_[column] = true; });
+  }
 
   const std::vector<std::uint32_t> listed = collect(count, [&](std::uint32_t f) {
+    const Cells cells = cells_of_face(f);
+    if (!near_made.meets(cells.lower, cells.upper)) return false;
     bool is_listed = false;
-    return !for_each_column(cells_of(f), [&](std::uint32_t column) { is_listed = is_listed || is_made_[column]; }) ||
+    return !for_each_column(cells, [&](std::uint32_t column) { is_listed = is_listed || is_made_[column]; }) ||
            is_listed;
   });
   first_.assign(is_made_.size() + 1, 0);
   for (const std::uint32_t f : listed)
-    if (!for_each_column(cells_of(f), [&](std::uint32_t column) { ++first_[column + 1]; })) wide_.push_back(f);
+    if (!for_each_column(cells_of_face(f), [&](std::uint32_t column) { ++first_[column + 1]; })) wide_.push_back(f);
   for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
   resize_fresh(faces_, first_.back());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (const std::uint32_t f : listed)
-    for_each_column(cells_of(f), [&](std::uint32_t column) { faces_[next[column]++] = f; });
+    for_each_column(cells_of_face(f), [&](std::uint32_t column) { faces_[next[column]++] = f; });
 }
 
-RayWindings::Cells RayWindings::cells_of(std::uint32_t face) const {
-  const Box box = face_box(input_, face);
-  return cells_of(box.lower[1], box.upper[1], box.lower[2], box.upper[2]);
+RayWindings::Cells RayWindings::cells_of(std::uint32_t vertex) const {
+  const double y = input_.points(0)[vertex][1], z = input_.points(0)[vertex][2];
+  if (input_.has_doubles(vertex)) return cells_of(y, y, z, z);
+  constexpr double far = Box::infinity;
+  return cells_of(std::nextafter(y, -far), std::nextafter(y, far), std::nextafter(z, -far), std::nextafter(z, far));
 }
 
 template <class Visit>

@@ -28,7 +28,8 @@ class RayWindings final : public WindingOracle {
     std::array<std::uint16_t, 2> lower, upper;
   };
   [[nodiscard]] Cells cells_of(double low_y, double high_y, double low_z, double high_z) const;
-  [[nodiscard]] Cells cells_of(std::uint32_t face) const;
+  /// Of the box of a vertex.
+  [[nodiscard]] Cells cells_of(std::uint32_t vertex) const;
   /// Calls `visit(column)` for the columns of a face, unless they are many: then it returns false.
   template <class Visit>
   bool for_each_column(const Cells& cells, const Visit& visit) const;
