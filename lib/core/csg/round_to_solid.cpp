@@ -285,7 +285,9 @@ class SolidRounding {
     resize_fresh(is_of_others, exact_.mesh.vertices.size());
     tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t f) {
       if (is_other[f] != 0)
-        for (const std::uint32_t v : triangles[f]) std::atomic_ref(is_of_others[v]).store(1, std::memory_order_relaxed);
+        for (const std::uint32_t v : triangles[f])
+          if (const std::atomic_ref at(is_of_others[v]); at.load(std::memory_order_relaxed) == 0)
+            at.store(1, std::memory_order_relaxed);
     });
     DisjointSets<std::uint32_t> connected(is_of_others.size());
     for (const std::uint32_t f : faces)

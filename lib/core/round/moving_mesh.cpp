@@ -307,16 +307,15 @@ void MovingMesh::add_changed(std::vector<std::uint32_t> faces) {
 MovingMesh::Parts MovingMesh::take() && {
   copy_given();
   const auto gone = collect(mesh_.triangles.size(), [&](std::uint32_t f) { return !is_left(f); });
-  std::size_t kept = gone.empty() ? mesh_.triangles.size() : gone.front();
-  for (auto f = static_cast<std::uint32_t>(kept); f < mesh_.triangles.size(); ++f) {
-    if (!is_left(f)) continue;
-    mesh_.triangles[kept] = mesh_.triangles[f];
-    source_face_[kept] = source_face_[f];
-    moved_[kept++] = moved_[f];
-  }
-  mesh_.triangles.resize(kept);
-  source_face_.resize(kept);
-  moved_.resize(kept);
+  const auto leave_out = [&gone](auto& list) {
+    if (gone.empty()) return;
+    auto to = list.begin() + gone.front();
+    for (std::size_t n = 0; n < gone.size(); ++n)
+      to = std::copy(list.begin() + gone[n] + 1, n + 1 < gone.size() ? list.begin() + gone[n + 1] : list.end(), to);
+    list.erase(to, list.end());
+  };
+  tbb::parallel_invoke([&] { leave_out(mesh_.triangles); }, [&] { leave_out(source_face_); },
+                       [&] { leave_out(moved_); });
   if (has_unused_) drop_unused_vertices(mesh_);
   return {std::move(mesh_), std::move(source_face_), std::move(moved_)};
 }

@@ -102,16 +102,19 @@ void ChangedRegion::leave_out_collapsed() {
 }
 
 std::vector<std::uint32_t> ChangedRegion::wrong_faces(const Monitor& monitor, std::size_t enough) {
-  const ZeroAreaTest has_no_area(part_);
-  const std::vector<std::uint32_t> flat = collect(faces_.size(), has_no_area);
-  has_area_everywhere_ = flat.empty() && !has_collapsed();
-  std::vector<std::uint32_t> wrong = flat;
   const InputComplex complex = complex_of(part_);
   if (is_all())
     stars_.emplace(complex, monitor);
   else if (mesh_.stars())
     stars_.emplace(known_stars(*mesh_.stars()));
   const EmbeddedStars* const stars = stars_ ? &*stars_ : nullptr;
+  const ZeroAreaTest has_no_area(part_);
+  const std::vector<std::uint32_t> flat = collect(faces_.size(), [&](std::uint32_t f) {
+    const auto [a, b, c] = part_.triangles[f];  // each face of an embedded star is seen from one side
+    return (stars == nullptr || !(stars->at(a) || stars->at(b) || stars->at(c))) && has_no_area(f);
+  });
+  has_area_everywhere_ = flat.empty() && !has_collapsed();
+  std::vector<std::uint32_t> wrong = flat;
   if (flat.empty()) {
     for (const auto& s : find_self_intersections(complex, stars, monitor, enough)) pairs_.emplace_back(s.face, s.other);
   } else {

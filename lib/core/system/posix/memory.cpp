@@ -3,6 +3,11 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 
+#include <limits>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace strata::system {
 
 void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
@@ -11,6 +16,14 @@ void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size
   if (bytes < large) return;
   const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;
   ::madvise(static_cast<char*>(memory) + before, (bytes - before) / page * page, MADV_HUGEPAGE);
+#endif
+}
+
+void keep_freed_memory() {
+#if defined(__GLIBC__)
+  constexpr int from_the_system_at_once = 1 << 30;
+  ::mallopt(M_MMAP_THRESHOLD, from_the_system_at_once);
+  ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 #endif
 }
 
