@@ -126,3 +126,19 @@ TEST_CASE("stars that are known after changes are embedded", "[round][property]"
   }
   CHECK(known > 100'000);
 }
+
+TEST_CASE("stars stay known where most vertices are moved to where they are", "[round]") {
+  test::Random random(44);
+  MovingMesh mesh = searched(random);
+  const auto embedded = [&] {
+    std::size_t count = 0;
+    for (std::uint32_t v = 0; v < mesh.mesh().vertices.size(); ++v) count += mesh.stars()->at(v) ? 1 : 0;
+    return count;
+  };
+  const std::size_t before = embedded();
+  std::vector<VertexMove> moves;
+  for (std::uint32_t v = 0; v < mesh.mesh().vertices.size(); ++v) moves.push_back({v, v, mesh.mesh().vertices[v], 0});
+  mesh.move(moves);
+  REQUIRE(mesh.stars());
+  CHECK(embedded() == before);
+}

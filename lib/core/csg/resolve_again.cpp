@@ -37,14 +37,15 @@ void join_equal_vertices(MovingMesh& mesh, const ChangedRegion& region) {
   mesh.move(moves);
 }
 
-/// Of a whole mesh but for the faces that cross, whose stars are known.
-FacePatches patches_of(const MovingMesh& mesh, const FacePairs& crossings) {
+/// Of a whole mesh but for the faces that cross. Where stars are not known, they are found.
+FacePatches patches_of(const MovingMesh& mesh, const FacePairs& crossings, const Monitor& monitor) {
   const std::size_t count = mesh.mesh().triangles.size();
   std::vector<bool> is_other(count, false);  // it crosses others, or is no longer there
   for (const auto& [face, other] : crossings) is_other[face] = is_other[other] = true;
   for (std::uint32_t f = 0; f < count; ++f)
     if (!mesh.is_left(f)) is_other[f] = true;
-  const Shells shells = find_patches(complex_of(mesh.mesh()), *mesh.stars(), is_other);
+  const InputComplex complex = complex_of(mesh.mesh());
+  const Shells shells = find_patches(complex, mesh.stars() ? *mesh.stars() : EmbeddedStars(complex, monitor), is_other);
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> number(shells.count, none);
   FacePatches patches;
@@ -67,7 +68,7 @@ std::optional<std::vector<VertexMove>> resolve_few(MovingMesh& mesh, const Chang
   std::optional<FacePatches> patches;
   if (mesh.swept()) patches = region.patches(wrong);
   join_equal_vertices(mesh, region);
-  if (!patches) patches = patches_of(mesh, region.wrong_pairs());
+  if (!patches) patches = patches_of(mesh, region.wrong_pairs(), monitor);
   return resolve_in_place(mesh, region.wrong_pairs(), *patches, grid, monitor);
 }
 

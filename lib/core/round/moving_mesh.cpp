@@ -143,11 +143,7 @@ void MovingMesh::move(std::span<const VertexMove> moves) {
     if (a < first_to_move && b < first_to_move && c < first_to_move) return false;
     return (move_at[a] != none || move_at[b] != none || move_at[c] != none) && !repeats_vertex(mesh.triangles[f]);
   });
-  if (2 * touched.size() > mesh.triangles.size()) {
-    swept_.reset();
-    stars_.reset();
-    runs_.clear();
-  }
+  if (2 * touched.size() > mesh.triangles.size()) swept_.reset();
   if (is_as_given()) moved_.resize(touched.size());
   const std::size_t before = swept_ ? swept_->size() : 0;
   if (swept_) swept_->resize(before + touched.size());

@@ -98,7 +98,7 @@ class MovingMesh {
   void set_searched(const std::vector<std::uint32_t>& wrong);
   /// The same, and these stars are embedded; vertices in one place are one there.
   void set_searched(const std::vector<std::uint32_t>& wrong, EmbeddedStars stars);
-  /// Of those, the ones where nothing changed; none if `swept` is kept, or all of it is to be searched.
+  /// Of those, the ones where nothing changed since; none if there was no such search, or `swept` is kept.
   [[nodiscard]] const std::optional<EmbeddedStars>& stars() const { return stars_; }
 
   /// The mesh as it is, without triangles that are no longer there and, if there are vertices that became others,
