@@ -1,10 +1,13 @@
 #include "strata/measure.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <random>
 #include <set>
 #include <utility>
@@ -12,6 +15,7 @@
 
 #include "core/mesh/closed_volume.h"
 #include "core/mesh/edge_table.h"
+#include "core/mesh/split_vertices.h"
 #include "shapes.h"
 
 using namespace strata;
@@ -142,6 +146,45 @@ TEST_CASE("the nearest volume is that of the fraction, whatever the places of ra
   CHECK(nearest_volume(in_thirds(scaled(box({0, 0, 0}, {1, 1, 1}), 1e-100))) > 0);
 }
 
+TEST_CASE("two doubles and a lattice decide the volume, for coordinates on it and beside it", "[mesh][property]") {
+  std::mt19937_64 random(6);
+  std::uniform_int_distribution<int> numerator(-1000, 1000), denominator(1, 1000), exponent(-60, 0), scale(-300, 300);
+  for (int round = 0; round < 100; ++round) {
+    ExactMesh mesh{globe(4), {}};
+    const int size = scale(random);
+    for (std::uint32_t v = 0; v < mesh.mesh.vertices.size(); ++v) {
+      RationalPoint p;
+      bool is_rounded = false;
+      for (int i = 0; i < 3; ++i) {
+        double& x = mesh.mesh.vertices[v][i];
+        x = std::ldexp(round % 2 == 0 && v % 5 == 0 ? std::ldexp(x, exponent(random)) : x, size);
+        p[i] = to_rational(x);
+        if (round % 3 != 0)
+          p[i] += to_rational(std::ldexp(1.0, size)) * Rational(numerator(random), denominator(random) * 100000);
+        x = to_nearest_double(p[i]);
+        is_rounded = is_rounded || to_rational(x) != p[i];
+      }
+      if (is_rounded) mesh.exact.push_back({v, p});
+    }
+    const auto decided = decided_volume(mesh.mesh, SplitVertices(mesh), {});
+    REQUIRE(decided.has_value());
+    REQUIRE(*decided == to_nearest_double(volume_by_rationals(mesh)));
+  }
+}
+
+TEST_CASE("the volume is not decided where two doubles cannot tell between two doubles", "[mesh]") {
+  // A box whose volume lies between two doubles but for what a rational vertex adds, far below the rest of two doubles.
+  ExactMesh mesh{box({0, 0, 0}, {1, 1, 1}), {}};
+  for (std::uint32_t v = 0; v < mesh.mesh.vertices.size(); ++v)
+    if (mesh.mesh.vertices[v][0] == 1)
+      mesh.exact.push_back({v, {1 + Rational(1, Integer(1) << 53), mesh.position(v)[1], mesh.position(v)[2]}});
+  CHECK(decided_volume(mesh.mesh, SplitVertices(mesh), {}) == std::nullopt);
+  CHECK(nearest_volume(mesh) == 1);  // to even
+  for (ExactVertex& e : mesh.exact) e.position[0] += Rational(1, Integer(1) << 300);
+  CHECK(decided_volume(mesh.mesh, SplitVertices(mesh), {}) == std::nullopt);
+  CHECK(nearest_volume(mesh) == 1 + 0x1p-52);
+}
+
 TEST_CASE("the area of triangles between rational vertices that round to one double is right", "[mesh]") {
   ExactMesh mesh{{{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}}, {}};
   const Rational tiny(1, Integer(1) << 200);
@@ -163,6 +206,31 @@ TEST_CASE("the area is right to the last bits, for slivers and extreme magnitude
   const Mesh sliver{{{0, 0, 0}, {1, 1, 1}, {1 + d, 1, 1}}, {{0, 1, 2}}};
   CHECK(area({sliver, {}}) == Approx(d * std::sqrt(2.0) / 2).epsilon(1e-15));
   CHECK(area(in_thirds(box({0, 0, 0}, {1, 1, 1}))) == Approx(6.0 / 9).epsilon(1e-15));
+}
+
+TEST_CASE("the area of triangles of all angles and magnitudes is right to a few units", "[mesh][property]") {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> fraction(-1, 1);
+  std::uniform_int_distribution<int> exponent(-400, 400), narrow(-30, 0);
+  for (int round = 0; round < 20000; ++round) {
+    const int size = exponent(random), thin = round % 2 == 0 ? 0 : narrow(random);
+    Mesh mesh{{}, {{0, 1, 2}}};
+    for (int i = 0; i < 3; ++i)
+      mesh.vertices.push_back({std::ldexp(fraction(random), size), std::ldexp(fraction(random), size + thin),
+                               std::ldexp(fraction(random), size + thin)});
+    std::array<Rational, 3> u, v;
+    for (int k = 0; k < 3; ++k) {
+      u[k] = to_rational(std::ldexp(mesh.vertices[1][k], -size)) - to_rational(std::ldexp(mesh.vertices[0][k], -size));
+      v[k] = to_rational(std::ldexp(mesh.vertices[2][k], -size)) - to_rational(std::ldexp(mesh.vertices[0][k], -size));
+    }
+    Rational squared = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Rational n = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+      squared += n * n;
+    }
+    const double expected = std::ldexp(std::sqrt(to_nearest_double(squared)) / 2, 2 * size);
+    REQUIRE(std::abs(area({mesh, {}}) - expected) <= expected * (7 * 0x1p-52));
+  }
 }
 
 TEST_CASE("a box is one component of Euler characteristic two, whether its vertices are shared or not", "[mesh]") {

@@ -106,8 +106,10 @@ class StarCensus {
 
   void operator()(const tbb::blocked_range<Index>& range) {
     monitor_.check();
-    for (Index v = range.begin(); v != range.end(); ++v)
+    for (Index v = range.begin(); v != range.end(); ++v) {
+      if (v + ahead < stars_.vertex_count()) fetch(stars_.at(v + ahead));
       if (!stars_.at(v).empty()) visit(v, stars_.at(v));
+    }
   }
   void join(const StarCensus& other) {
     vertices += other.vertices;
@@ -122,6 +124,12 @@ class StarCensus {
   std::vector<FlatPair> flat_pairs;
 
  private:
+  static constexpr Index ahead = 8;  ///< so many vertices before a star is visited its triangles are fetched
+
+  void fetch(std::span<const Index> star) const {
+    for (const Index t : star) __builtin_prefetch(&triangles_[t]);
+  }
+
   void visit(Index v, std::span<const Index> star) {
     ++vertices;
     if (!visit_inner(v, star)) visit_any(v, star);

@@ -9,6 +9,7 @@
 #include <bit>
 #include <utility>
 
+#include "core/containers/distinct_hashes.h"
 #include "core/containers/hash_index.h"
 #include "core/containers/huge_pages.h"
 #include "core/containers/point_hash.h"
@@ -26,24 +27,34 @@ Bits bits(const Vertex& v) {
 
 using Numbers = std::vector<std::uint32_t>;
 
+std::vector<std::uint64_t> hashes_of(std::span<const Vertex> vertices, const Monitor& monitor) {
+  std::vector<std::uint64_t> hashes;
+  resize_fresh(hashes, vertices.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices.size(), 1 << 12), [&](const auto& range) {
+    monitor.check();
+    for (std::size_t v = range.begin(); v != range.end(); ++v) hashes[v] = hash_of(vertices[v]);
+  });
+  return hashes;
+}
+
 /// For each vertex the first of its equal ones; none if no two are equal. `equal` decides among vertices whose doubles
 /// are the same.
 template <class Equal>
 std::optional<Numbers> first_equal(std::span<const Vertex> vertices, Equal equal, const Monitor& monitor = {}) {
+  const std::vector<std::uint64_t> hashes = hashes_of(vertices, monitor);
+  if (are_distinct(hashes)) return std::nullopt;
   ConcurrentHashIndex table(vertices.size());
   const auto for_each_vertex = [&](const auto& visit) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices.size(), 1 << 12), [&](const auto& range) {
       monitor.check();
       constexpr std::size_t at_once = 16;  // searches that wait for memory together
-      std::array<std::uint64_t, at_once> hashes{};
       for (std::size_t begin = range.begin(); begin < range.end(); begin += at_once) {
         const std::size_t end = std::min(begin + at_once, range.end());
-        for (std::size_t n = begin; n != end; ++n) table.prefetch(hashes[n - begin] = hash_of(vertices[n]));
+        for (std::size_t n = begin; n != end; ++n) table.prefetch(hashes[n]);
         for (std::size_t n = begin; n != end; ++n) {
           const auto v = static_cast<std::uint32_t>(n);
           const Bits key = bits(vertices[v]);
-          visit(v, hashes[n - begin],
-                [&](std::uint32_t there) { return bits(vertices[there]) == key && equal(there, v); });
+          visit(v, hashes[n], [&](std::uint32_t there) { return bits(vertices[there]) == key && equal(there, v); });
         }
       }
     });

@@ -66,6 +66,13 @@ bool LatticeSum::add_determinant(const Vertex& a, const Vertex& b, const Vertex&
   return true;
 }
 
+Vertex LatticeSum::nearest_point(const Vertex& p) const {
+  LatticePoint integers;
+  to_lattice(p, scale_, unit_, integers);
+  return {static_cast<double>(integers[0]) * unit_, static_cast<double>(integers[1]) * unit_,
+          static_cast<double>(integers[2]) * unit_};
+}
+
 // The sum of heights is below 3 * 2^61, differences are below 2^62, their products below 2^124, and twice the area
 // below 2^125. Of the product `high` is below 2^124 and `low` below 3 * 2^125.
 bool LatticeSum::add_prism(const Vertex& a, const Vertex& b, const Vertex& c) {

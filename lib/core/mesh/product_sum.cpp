@@ -53,6 +53,7 @@ void ProductSum::add_shifted(Limbs& sum, unsigned shift, std::uint64_t w0, std::
 }
 
 void ProductSum::add(double a, double b, double c) {
+  if (a == 0 || b == 0 || c == 0) return;
   const Parts p = parts(a);
   const Parts q = parts(b);
   const Parts r = parts(c);
