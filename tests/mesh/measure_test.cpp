@@ -13,6 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/exact/big_integer.h"
+#include "core/exact/scaled_root.h"
+#include "core/exact/vector.h"
 #include "core/mesh/closed_volume.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/split_vertices.h"
@@ -44,6 +47,25 @@ ExactMesh in_thirds(const Mesh& mesh) {
     result.exact.push_back({v, p});
   }
   return result;
+}
+
+/// The area of the first triangle, in units of 4^size.
+double scaled_area(const Mesh& mesh, int size) {
+  const auto side = [&](std::size_t i) {
+    RationalPoint u;
+    for (std::size_t k = 0; k < 3; ++k)
+      u[k] =
+          (to_rational(mesh.vertices[i][k]) - to_rational(mesh.vertices[0][k])) * to_rational(std::ldexp(1.0, -size));
+    return u;
+  };
+  const RationalPoint normal = cross(side(1), side(2));
+  const Rational squared = dot(normal, normal);
+  const int half = -static_cast<int>(binary_size(squared) / 2);  // a square about 1 has a root that is a double
+  return std::ldexp(std::sqrt(to_nearest_double(
+                        Rational(squared * Rational(half > 0 ? Integer(1) << (2 * half) : Integer(1),
+                                                    half > 0 ? Integer(1) : Integer(1) << (-2 * half))))),
+                    -half) /
+         2;
 }
 
 }  // namespace
@@ -172,6 +194,16 @@ TEST_CASE("two doubles and a lattice decide the volume, for coordinates on it an
   }
 }
 
+TEST_CASE("a mesh that is not rounded to nearest has a volume", "[mesh]") {
+  ExactMesh mesh{scaled(box({0, 0, 0}, {1, 1, 1}), 1e-100), {}};
+  for (std::uint32_t v = 0; v < mesh.mesh.vertices.size(); ++v) {
+    RationalPoint p = mesh.position(v);
+    for (Rational& x : p) x *= to_rational(1e150);
+    mesh.exact.push_back({v, p});
+  }
+  CHECK(nearest_volume(mesh) == Approx(1e150));
+}
+
 TEST_CASE("the volume is not decided where two doubles cannot tell between two doubles", "[mesh]") {
   // A box whose volume lies between two doubles but for what a rational vertex adds, far below the rest of two doubles.
   ExactMesh mesh{box({0, 0, 0}, {1, 1, 1}), {}};
@@ -211,26 +243,25 @@ TEST_CASE("the area is right to the last bits, for slivers and extreme magnitude
 TEST_CASE("the area of triangles of all angles and magnitudes is right to a few units", "[mesh][property]") {
   std::mt19937_64 random(9);
   std::uniform_real_distribution<double> fraction(-1, 1);
-  std::uniform_int_distribution<int> exponent(-400, 400), narrow(-30, 0);
+  std::uniform_int_distribution<int> exponent(-200, 200), narrow(-30, 0), wide(-600, 0);
   for (int round = 0; round < 20000; ++round) {
     const int size = exponent(random), thin = round % 2 == 0 ? 0 : narrow(random);
     Mesh mesh{{}, {{0, 1, 2}}};
     for (int i = 0; i < 3; ++i)
       mesh.vertices.push_back({std::ldexp(fraction(random), size), std::ldexp(fraction(random), size + thin),
                                std::ldexp(fraction(random), size + thin)});
-    std::array<Rational, 3> u, v;
-    for (int k = 0; k < 3; ++k) {
-      u[k] = to_rational(std::ldexp(mesh.vertices[1][k], -size)) - to_rational(std::ldexp(mesh.vertices[0][k], -size));
-      v[k] = to_rational(std::ldexp(mesh.vertices[2][k], -size)) - to_rational(std::ldexp(mesh.vertices[0][k], -size));
+    if (round % 3 == 0) {  // a side far shorter than the others
+      mesh.vertices[0] = {};
+      const int shorter = wide(random);
+      for (double& x : mesh.vertices[1 + round % 2]) x = std::ldexp(x, shorter);
     }
-    Rational squared = 0;
-    for (int k = 0; k < 3; ++k) {
-      const Rational n = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
-      squared += n * n;
-    }
-    const double expected = std::ldexp(std::sqrt(to_nearest_double(squared)) / 2, 2 * size);
-    REQUIRE(std::abs(area({mesh, {}}) - expected) <= expected * (7 * 0x1p-52));
+    const double unit = std::ldexp(1.0, 2 * size);
+    REQUIRE(std::abs(area({mesh, {}}) / unit - scaled_area(mesh, size)) <= scaled_area(mesh, size) * (7 * 0x1p-52));
   }
+  const double tiny = std::ldexp(1.0, -550), large = std::ldexp(1.0, 250);
+  const Mesh thin{{{0, 0, 0}, {3 * tiny, 5 * tiny, 7 * tiny}, {3 * large, 5 * large, std::nextafter(7, 8) * large}},
+                  {{0, 1, 2}}};
+  CHECK(area({thin, {}}) == Approx(scaled_area(thin, 0)).epsilon(1e-15).scale(0));
 }
 
 TEST_CASE("a box is one component of Euler characteristic two, whether its vertices are shared or not", "[mesh]") {

@@ -20,18 +20,19 @@ using Hashes = std::span<const std::uint64_t>;
 /// Hashes sorted by their upper bits: a part for each value of these.
 class HashParts {
  public:
-  explicit HashParts(Hashes hashes)
-      : bits_(std::bit_width(hashes.size() / of_part)),
-        blocks_(std::clamp<std::size_t>(hashes.size() / of_block, 1, most_blocks)) {
+  HashParts(Hashes hashes, const Monitor& monitor)
+      : bits_(std::bit_width(hashes.size() / hashes_per_part)),
+        blocks_(std::clamp<std::size_t>(hashes.size() / hashes_per_block, 1, most_blocks)) {
     const std::size_t parts = count();
     const auto for_each_block = [&](const auto& visit) {
       tbb::parallel_for(std::size_t{0}, blocks_, [&](std::size_t b) {
+        monitor.check();
         const std::size_t first = hashes.size() * b / blocks_, last = hashes.size() * (b + 1) / blocks_;
         visit(b, hashes.subspan(first, last - first));
       });
     };
-    std::vector<std::uint32_t> next(blocks_ * parts,
-                                    0);  // per block and part: the counts, then where the next one goes
+    // Per block and part: how many, and then where the next one goes.
+    std::vector<std::uint32_t> next(blocks_ * parts, 0);
     for_each_block([&](std::size_t b, Hashes block) {
       for (const std::uint64_t h : block) ++next[b * parts + part_of(h)];
     });
@@ -54,7 +55,7 @@ class HashParts {
   }
 
  private:
-  static constexpr std::size_t of_part = 1 << 10, of_block = 1 << 13, most_blocks = 64;
+  static constexpr std::size_t hashes_per_part = 1 << 10, hashes_per_block = 1 << 13, most_blocks = 64;
 
   // In two steps: a shift by 64 is not defined.
   [[nodiscard]] std::size_t part_of(std::uint64_t hash) const { return hash >> 1 >> (63 - bits_); }
@@ -81,10 +82,11 @@ bool are_distinct_in(Hashes part, std::vector<std::uint64_t>& table) {
 
 }  // namespace
 
-bool are_distinct(Hashes hashes) {
-  const HashParts parts(hashes);
+bool are_distinct(Hashes hashes, const Monitor& monitor) {
+  const HashParts parts(hashes, monitor);
   std::atomic<bool> result = true;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.count(), 16), [&](const auto& range) {
+    monitor.check();
     std::vector<std::uint64_t> table;
     for (std::size_t p = range.begin(); p != range.end() && result.load(std::memory_order_relaxed); ++p)
       if (!are_distinct_in(parts.at(p), table)) result.store(false, std::memory_order_relaxed);

@@ -2,8 +2,9 @@
 
 namespace strata {
 
-/// A sum with what its roundings lost (Neumaier 1974): n terms are off by about 2^-64 of the sum and n^2 2^-128 of the
-/// sum of their magnitudes, where long double has 64 bits. Sums in another order differ by as much.
+/// A sum with what its roundings lost (Neumaier 1974). With e half a unit in the last place of long double, which is at
+/// least a double, n terms are off by e of the sum and n^2 e^2 of the sum of their magnitudes. Sums in another order
+/// differ by as much.
 class CompensatedSum {
  public:
   void add(long double term) {

@@ -42,19 +42,20 @@ long double exact_double_area(ExactMeshView mesh, const Triangle& t) {
 }
 
 /// Twice the area of a triangle of doubles whose angle at `a` is between 30 and 150 degrees; negative for others, and
-/// where squares are beyond the range of doubles. Components of the sides u and v are off by 2^-53 of them, products of
-/// two by 3 times as much, and the cross product by 3 sqrt(2) |u||v| + |u x v| of these. That is below 9.5 |u x v|;
-/// with square and root it is below 12.
+/// where squares are beyond the range of doubles. With e = 2^-53, components of the sides u and v are off by e of
+/// themselves, products of two by 3 e, and the cross product by (3 sqrt(2) |u||v| + |u x v|) e, which is below
+/// 9.5 e |u x v|. With square and root the area is off by less than 12 e of itself.
 double plain_double_area(const Vertex& a, const Vertex& b, const Vertex& c) {
   const Vertex u = minus(b, a), v = minus(c, a), normal = cross(u, v);
-  const double squared = dot(normal, normal);
-  const bool is_plain = squared * 4 > dot(u, u) * dot(v, v) && squared > 0x1p-900 && squared < 0x1p+900;
+  const double squared = dot(normal, normal), uu = dot(u, u), vv = dot(v, v);
+  constexpr double least = 0x1p-450, most = 0x1p+450;
+  const bool is_plain = squared * 4 > uu * vv && std::min(uu, vv) > least && std::max(uu, vv) < most;
   return is_plain ? std::sqrt(squared) : -1;
 }
 
 /// |u x v|; negative when cancellation may have lost more than 8 bits. Requires that u and v are off by at most 3
 /// halves of a unit in the last place of their lengths. So a component of the cross product is off by at most 4 units
-/// of |u||v|. 8 of the 11 bits beyond a double's remain where |u x v| > |u||v| / 256.
+/// of |u||v|, and where |u x v| > |u||v| / 256 by 2^10 of its own, which are half a unit of a double.
 long double fast_double_area(const LongVector& u, const LongVector& v) {
   const long double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
   const long double squared = x * x + y * y + z * z;

@@ -42,7 +42,7 @@ std::vector<std::uint64_t> hashes_of(std::span<const Vertex> vertices, const Mon
 template <class Equal>
 std::optional<Numbers> first_equal(std::span<const Vertex> vertices, Equal equal, const Monitor& monitor = {}) {
   const std::vector<std::uint64_t> hashes = hashes_of(vertices, monitor);
-  if (are_distinct(hashes)) return std::nullopt;
+  if (are_distinct(hashes, monitor)) return std::nullopt;
   ConcurrentHashIndex table(vertices.size());
   const auto for_each_vertex = [&](const auto& visit) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices.size(), 1 << 12), [&](const auto& range) {

@@ -16,7 +16,7 @@ using Wide = __int128;
 using Unsigned = unsigned __int128;
 using LatticePoint = std::array<std::int64_t, 3>;
 
-/// p / unit in integers, if it consists of integers below 2^61.
+/// p / unit, truncated to integers, which are below 2^61. Returns whether nothing was lost.
 bool to_lattice(const Vertex& p, double scale, double unit, LatticePoint& integers) {
   bool is_exact = true;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -66,7 +66,7 @@ bool LatticeSum::add_determinant(const Vertex& a, const Vertex& b, const Vertex&
   return true;
 }
 
-Vertex LatticeSum::nearest_point(const Vertex& p) const {
+Vertex LatticeSum::truncated(const Vertex& p) const {
   LatticePoint integers;
   to_lattice(p, scale_, unit_, integers);
   return {static_cast<double>(integers[0]) * unit_, static_cast<double>(integers[1]) * unit_,

@@ -17,9 +17,9 @@ class LatticeSum {
 
   /// Adds det(a, b, c). If a coordinate is not on the lattice, adds nothing and returns false. O(1).
   [[nodiscard]] bool add_determinant(const Vertex& a, const Vertex& b, const Vertex& c);
-  /// The point of the lattice next to one whose coordinates are not larger than the largest, towards 0. Coordinates
-  /// change by less than one unit, and their changes are doubles.
-  [[nodiscard]] Vertex nearest_point(const Vertex& p) const;
+  /// The next point of the lattice towards 0, from one whose coordinates are not larger than the largest. Coordinates
+  /// change by less than one unit, and the changes are doubles.
+  [[nodiscard]] Vertex truncated(const Vertex& p) const;
   /// Adds six times the signed volume between the triangle a b c and the plane z = 0, in the same way.
   [[nodiscard]] bool add_prism(const Vertex& a, const Vertex& b, const Vertex& c);
   /// Adds a sum on the same lattice.

@@ -23,17 +23,18 @@ namespace {
 using Range = tbb::blocked_range<std::size_t>;
 constexpr std::size_t triangles_at_once = 1 << 13;
 
-/// Six times the volume of some triangles of doubles. Most are on a lattice. Of the others the points next to their
-/// corners are, and with p, q and r in place of a, b and c
-///   det(a, b, c) = det(p, q, r) + det(a - p, b, c) + det(p, b - q, c) + det(p, q, c - r),
-/// where most of the differences are 0.
+/// Six times the volume of some triangles of doubles, most of which are on a lattice. With p, q and r, the corners of
+/// another one truncated to the lattice,
+///   det(a, b, c) = det(p, q, r) + det(a - p, b, c) + det(p, b - q, c) + det(p, q, c - r).
+/// Each coordinate that is not on the lattice, often a single one, leaves two products.
 class DoublesSum {
  public:
   explicit DoublesSum(double largest) : lattice_(largest) {}
 
   void add_determinant(const Vertex& a, const Vertex& b, const Vertex& c) {
     if (lattice_.add_determinant(a, b, c)) return;
-    const Vertex p = lattice_.nearest_point(a), q = lattice_.nearest_point(b), r = lattice_.nearest_point(c);
+    const Vertex p = lattice_.truncated(a), q = lattice_.truncated(b), r = lattice_.truncated(c);
+    if (differences(a, p) + differences(b, q) + differences(c, r) > 2) return rest_.add_determinant(a, b, c);
     static_cast<void>(lattice_.add_determinant(p, q, r));
     rest_.add_determinant(minus(a, p), b, c);
     rest_.add_determinant(p, minus(b, q), c);
@@ -46,6 +47,11 @@ class DoublesSum {
   [[nodiscard]] Rational value() const { return lattice_.value() + rest_.value(); }
 
  private:
+  /// In how many coordinates.
+  static int differences(const Vertex& a, const Vertex& p) {
+    return static_cast<int>(a[0] != p[0]) + static_cast<int>(a[1] != p[1]) + static_cast<int>(a[2] != p[2]);
+  }
+
   LatticeSum lattice_;
   ProductSum rest_;
 };
@@ -86,7 +92,7 @@ class VolumeSum {
 
 /// Six times the volume of some triangles whose vertices are sums of two doubles, with a bound on the error. Each
 /// corner is a point of a lattice and a rest. The determinants of the former are exact; to these the terms of first
-/// order in the rests are added, in doubles.
+/// order in the rests are added, in doubles: what is rounded depends on the order of the triangles.
 class FirstOrderSum {
  public:
   FirstOrderSum(MeshView mesh, const SplitVertices& split, double largest, const Monitor& monitor)
@@ -105,24 +111,29 @@ class FirstOrderSum {
     inexact_triangles_ += other.inexact_triangles_;
   }
 
-  /// Where all corners are on the lattice, the exact sum.
+  /// False where a rest is as large as the coordinates: then there is no bound. The rests of nearest doubles are small.
+  [[nodiscard]] bool is_bounded() const { return largest_rest_ < coordinates_below; }
+  /// The exact sum where all corners are on the lattice and three doubles.
   [[nodiscard]] Rational value() const {
     const long double first_order = first_order_.value();
     const auto high = static_cast<double>(first_order), low = static_cast<double>(first_order - high);
     return lattice_.value() + (to_rational(high) + to_rational(low)) * unit_volume();
   }
 
-  /// How much the value is off. In units of the lattice, let points be below L and rests at most D. A determinant with
-  /// one rest has six products, of at most D L^2 each. Of these, 18 for a triangle, each is off by the rounding of the
-  /// rest and by seven more. What is left out is below 18 L D^2 + 6 D^3.
+  /// How much the value is off, if it is bounded. In units of the lattice, let points be below L and rests at most D. A
+  /// determinant with one rest has six products, of at most D L^2 each. Of these, 18 for a triangle, each is off by the
+  /// rounding of the rest and by seven more. The sum of n triangles is off by 18 n D L^2 times 2^-53 and n^2 2^-106.
+  /// What is left out is below 18 L D^2 + 6 D^3.
   [[nodiscard]] Rational error() const {
-    constexpr double L = 0x1p+61;
-    const double rest = largest_rest_, of_triangle = (200 * 0x1p-53 * L * L + 18 * L * rest + 6 * rest * rest) * rest;
-    return to_rational(static_cast<double>(inexact_triangles_) * (of_triangle * 1.01 + 0x1p-900)) * unit_volume();
+    constexpr double L = coordinates_below;
+    const double n = static_cast<double>(inexact_triangles_), D = largest_rest_;
+    const double rounding = (200 + n * n * 0x1p-48) * 0x1p-53, of_triangle = (rounding * L + 24 * D) * L * D;
+    return to_rational(n * (of_triangle * 1.01 + 0x1p-900)) * unit_volume();
   }
   [[nodiscard]] std::uint64_t inexact_triangles() const { return inexact_triangles_; }  ///< those with a rest
 
  private:
+  static constexpr double coordinates_below = 0x1p+61;  ///< in units of the lattice
   using Corners = std::array<Vertex, 3>;
 
   void add(const Triangle& t) {
@@ -131,7 +142,7 @@ class FirstOrderSum {
     if (is_on_lattice && !split_.any_low(t)) return;
     if (!is_on_lattice) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const Vertex point = lattice_.nearest_point(points[i]);
+        const Vertex point = lattice_.truncated(points[i]);
         rests[i] = minus(points[i], point);
         points[i] = point;
       }
@@ -219,7 +230,8 @@ double nearest_volume_of(ExactMeshView mesh, const Monitor& monitor) {
 std::optional<double> decided_volume(MeshView mesh, const SplitVertices& split, const Monitor& monitor) {
   const double largest = largest_coordinate(mesh.vertices);
   FirstOrderSum sum(mesh, split, largest, monitor);
-  tbb::parallel_reduce(Range(0, mesh.triangles.size(), triangles_at_once), sum);
+  tbb::parallel_deterministic_reduce(Range(0, mesh.triangles.size(), triangles_at_once), sum);
+  if (!sum.is_bounded()) return std::nullopt;
   const Rational error = to_rational(split.error()), size = 2 * to_rational(largest) + 2 * error;
   const Rational bound = 18 * Rational(sum.inexact_triangles()) * size * size * error + sum.error();
   const double lower = to_nearest_double(Rational((sum.value() - bound) / 6));

@@ -16,6 +16,20 @@ void parallel_reduce(const Range& range, Body& body) {
 }
 
 /// Divides in halves down to the grain, as oneTBB does, since what is rounded depends on it.
+template <class Range, class Body>
+void parallel_deterministic_reduce(Range range, Body& body) {
+  if (!range.is_divisible()) {
+    if (!range.empty()) body(range);
+    return;
+  }
+  const Range upper(range, split{});
+  Body above(body, split{});
+  parallel_deterministic_reduce(range, body);
+  parallel_deterministic_reduce(upper, above);
+  body.join(above);
+}
+
+/// The same for values.
 template <class Range, class Value, class Work, class Join>
 [[nodiscard]] Value parallel_deterministic_reduce(Range range, const Value& identity, const Work& work,
                                                   const Join& join) {
