@@ -50,12 +50,11 @@ ExactMesh in_thirds(const Mesh& mesh) {
 }
 
 /// The area of the first triangle, in units of 4^size.
-double scaled_area(const Mesh& mesh, int size) {
-  const auto side = [&](std::size_t i) {
+double scaled_area(ExactMeshView mesh, int size) {
+  const auto side = [&](std::uint32_t i) {
     RationalPoint u;
     for (std::size_t k = 0; k < 3; ++k)
-      u[k] =
-          (to_rational(mesh.vertices[i][k]) - to_rational(mesh.vertices[0][k])) * to_rational(std::ldexp(1.0, -size));
+      u[k] = (mesh.position(i)[k] - mesh.position(0)[k]) * to_rational(std::ldexp(1.0, -size));
     return u;
   };
   const RationalPoint normal = cross(side(1), side(2));
@@ -256,12 +255,33 @@ TEST_CASE("the area of triangles of all angles and magnitudes is right to a few 
       for (double& x : mesh.vertices[1 + round % 2]) x = std::ldexp(x, shorter);
     }
     const double unit = std::ldexp(1.0, 2 * size);
-    REQUIRE(std::abs(area({mesh, {}}) / unit - scaled_area(mesh, size)) <= scaled_area(mesh, size) * (7 * 0x1p-52));
+    REQUIRE(std::abs(area({mesh, {}}) / unit - scaled_area({mesh, {}}, size)) <=
+            scaled_area({mesh, {}}, size) * (7 * 0x1p-52));
   }
   const double tiny = std::ldexp(1.0, -550), large = std::ldexp(1.0, 250);
   const Mesh thin{{{0, 0, 0}, {3 * tiny, 5 * tiny, 7 * tiny}, {3 * large, 5 * large, std::nextafter(7, 8) * large}},
                   {{0, 1, 2}}};
-  CHECK(area({thin, {}}) == Approx(scaled_area(thin, 0)).epsilon(1e-15).scale(0));
+  CHECK(area({thin, {}}) == Approx(scaled_area({thin, {}}, 0)).epsilon(1e-15).scale(0));
+}
+
+TEST_CASE("the area of triangles with rational vertices is right to a few units, however small these are",
+          "[mesh][property]") {
+  std::mt19937_64 random(10);
+  std::uniform_int_distribution<int> numerator(-1000, 1000), denominator(1, 1000), smaller(0, 70);
+  for (int round = 0; round < 5000; ++round) {
+    ExactMesh mesh{{{}, {{0, 1, 2}}}, {}};
+    const Rational size(1, Integer(1) << smaller(random));
+    RationalPoint middle;
+    for (Rational& x : middle) x = Rational(numerator(random), denominator(random));
+    for (std::uint32_t v = 0; v < 3; ++v) {
+      RationalPoint p = middle;
+      for (Rational& x : p) x += size * Rational(numerator(random), denominator(random));
+      mesh.mesh.vertices.push_back({to_nearest_double(p[0]), to_nearest_double(p[1]), to_nearest_double(p[2])});
+      if (mesh.position(v) != p) mesh.exact.push_back({v, p});
+    }
+    const double expected = scaled_area(mesh, 0);
+    REQUIRE(std::abs(area(mesh) - expected) <= expected * (9 * 0x1p-52));
+  }
 }
 
 TEST_CASE("a box is one component of Euler characteristic two, whether its vertices are shared or not", "[mesh]") {
