@@ -21,7 +21,7 @@ using Hashes = std::span<const std::uint64_t>;
 class HashParts {
  public:
   HashParts(Hashes hashes, const Monitor& monitor)
-      : bits_(std::bit_width(hashes.size() / hashes_per_part)),
+      : bits_(static_cast<int>(std::bit_width(hashes.size() / hashes_per_part))),
         blocks_(std::clamp<std::size_t>(hashes.size() / hashes_per_block, 1, most_blocks)) {
     const std::size_t parts = count();
     const auto for_each_block = [&](const auto& visit) {
