@@ -72,6 +72,14 @@ TEST_CASE("rational vertices listed twice are joined where they are equal exactl
   CHECK(is_refused(mesh, DefectKind::open_edge));
 }
 
+TEST_CASE("an exact place of a vertex that is not there is not looked at", "[mesh]") {
+  ExactMesh mesh{box({0, 0, 0}, {1, 1, 1}), {}};
+  mesh.exact = {{1u << 30, {Rational(1, 3), 0, 0}}};
+  CHECK_THROWS_AS(diagnose(mesh), std::invalid_argument);
+  mesh.exact = {{2, mesh.position(2)}, {2, mesh.position(2)}};
+  CHECK_THROWS_AS(diagnose(mesh), std::invalid_argument);
+}
+
 TEST_CASE("exact places that are not those of the mesh are the caller's error", "[mesh]") {
   ExactMesh mesh = nudged(shapes::box({0, 0, 0}, {1, 1, 1}), 3, 2, tiny);
   CHECK_NOTHROW(prepare_exact(mesh));

@@ -134,6 +134,7 @@ std::vector<Defect> diagnose(MeshView mesh, std::size_t listed, const Monitor& m
 }
 
 std::vector<Defect> diagnose(ExactMeshView given, std::size_t listed, const Monitor& monitor) {
+  require_increasing_vertices(given);
   const MeshView mesh = given.mesh;
   std::vector<Defect> defects;
   if (mesh.triangles.empty()) {

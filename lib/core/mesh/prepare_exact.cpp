@@ -61,18 +61,24 @@ bool has_zero_area(ExactMeshView mesh, const Monitor& monitor) {
 
 }  // namespace
 
+void require_increasing_vertices(ExactMeshView mesh) {
+  std::uint64_t least = 0;
+  for (const ExactVertex& e : mesh.exact) {
+    if (e.vertex < least || e.vertex >= mesh.mesh.vertices.size())
+      throw std::invalid_argument("exact places are not those of vertices by increasing index");
+    least = std::uint64_t{e.vertex} + 1;
+  }
+}
+
 void require_nearest_doubles(ExactMeshView mesh, const Monitor& monitor) {
+  require_increasing_vertices(mesh);
   Pace pace(monitor);
-  const ExactVertex* before = nullptr;
   for (const ExactVertex& e : mesh.exact) {
     pace.step();
-    if (e.vertex >= mesh.mesh.vertices.size() || (before != nullptr && before->vertex >= e.vertex))
-      throw std::invalid_argument("exact places are not those of vertices by increasing index");
     for (std::size_t i = 0; i < 3; ++i)
       if (to_nearest_double(e.position[i]) != mesh.mesh.vertices[e.vertex][i])
         throw std::invalid_argument("the mesh does not hold the double nearest to the exact place of vertex " +
                                     std::to_string(e.vertex));
-    before = &e;
   }
 }
 

@@ -11,6 +11,9 @@
 // Steps common to preparation, repair and diagnosis.
 namespace strata {
 
+/// Throws std::invalid_argument when `exact` is not by increasing index of vertices.
+void require_increasing_vertices(ExactMeshView mesh);
+
 /// Throws std::invalid_argument when `exact` is not by increasing index or the mesh does not hold the nearest doubles.
 void require_nearest_doubles(ExactMeshView mesh, const Monitor& monitor = {});
 
