@@ -18,7 +18,8 @@ namespace strata {
 /// O(n log n).
 [[nodiscard]] std::vector<Defect> diagnose(MeshView mesh, std::size_t listed = few_defects,
                                            const Monitor& monitor = {});
-/// The same for exact positions. Nothing is repaired: with rationals, triangles of zero area are errors.
+/// The same for exact positions. Nothing is repaired: with rationals, triangles of zero area are errors. Throws
+/// std::invalid_argument when `exact` is not by increasing index of vertices.
 [[nodiscard]] std::vector<Defect> diagnose(ExactMeshView mesh, std::size_t listed = few_defects,
                                            const Monitor& monitor = {});
 

@@ -73,7 +73,7 @@ TEST_CASE("rational vertices listed twice are joined where they are equal exactl
 }
 
 TEST_CASE("an exact place of a vertex that is not there is not looked at", "[mesh]") {
-  ExactMesh mesh{box({0, 0, 0}, {1, 1, 1}), {}};
+  ExactMesh mesh{shapes::box({0, 0, 0}, {1, 1, 1}), {}};
   mesh.exact = {{1u << 30, {Rational(1, 3), 0, 0}}};
   CHECK_THROWS_AS(diagnose(mesh), std::invalid_argument);
   mesh.exact = {{2, mesh.position(2)}, {2, mesh.position(2)}};

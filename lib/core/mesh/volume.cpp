@@ -125,9 +125,9 @@ class FirstOrderSum {
   /// rounding of the rest and by seven more. The sum of n triangles is off by 18 n D L^2 times 2^-53 and n^2 2^-106.
   /// What is left out is below 18 L D^2 + 6 D^3.
   [[nodiscard]] Rational error() const {
-    constexpr double L = coordinates_below;
-    const double n = static_cast<double>(inexact_triangles_), D = largest_rest_;
-    const double rounding = (200 + n * n * 0x1p-48) * 0x1p-53, of_triangle = (rounding * L + 24 * D) * L * D;
+    const double n = static_cast<double>(inexact_triangles_), point = coordinates_below, rest = largest_rest_;
+    const double rounding = (200 + n * n * 0x1p-48) * 0x1p-53;
+    const double of_triangle = (rounding * point + 24 * rest) * point * rest;
     return to_rational(n * (of_triangle * 1.01 + 0x1p-900)) * unit_volume();
   }
   [[nodiscard]] std::uint64_t inexact_triangles() const { return inexact_triangles_; }  ///< those with a rest
