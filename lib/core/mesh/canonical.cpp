@@ -50,26 +50,20 @@ std::vector<Region> regions_in_plane(PointTable& points, Projection axes, const 
   return {single_region(chain, facing)};
 }
 
-CanonicalPlane oriented(const Coefficients& plane, Facing facing) {
-  CanonicalPlane result{plane};
-  if (facing == Facing::back) {
-    for (Integer& c : result.coefficients) c = -c;
-  }
-  return result;
-}
-
 /// Adds the boundary loops of one plane, for each orientation, to the form. Vertices are still names in the table.
-void add_facets(PointTable& points, const PlaneFacets& facets, CanonicalForm& form) {
+/// Takes what the facets have: there may be millions of planes.
+void add_facets(PointTable& points, PlaneFacets facets, CanonicalForm& form) {
   const Projection axes = projection_of(facets.plane);
-  std::vector<std::vector<std::uint32_t>> loops[2];
+  std::vector<std::vector<std::uint32_t>> fronts, backs;
   for (const Region& region : regions_in_plane(points, axes, facets)) {
-    auto& list = loops[region.facing == Facing::back];
+    auto& list = region.facing == Facing::back ? backs : fronts;
     for (Loop& loop : boundary_loops(points, axes, region)) list.push_back(std::move(loop));
   }
-  for (const Facing facing : {Facing::front, Facing::back}) {
-    auto& list = loops[facing == Facing::back];
-    if (!list.empty()) form.planes.push_back({oriented(facets.plane, facing), std::move(list)});
-  }
+  if (!fronts.empty())
+    form.planes.push_back({{backs.empty() ? std::move(facets.plane) : facets.plane}, std::move(fronts)});
+  if (backs.empty()) return;
+  for (Integer& c : facets.plane) c = -c;
+  form.planes.push_back({{std::move(facets.plane)}, std::move(backs)});
 }
 
 /// Numbers the points of the loops in lexicographic order, and stores them as the vertices of the form.
@@ -118,9 +112,9 @@ void rotate_to_smallest(std::vector<std::uint32_t>& loop) {
 
 CanonicalForm form_of(FacetsByPlane facets, const Monitor& monitor) {
   CanonicalForm form;
-  for (const PlaneFacets& plane : facets.planes) {
+  for (PlaneFacets& plane : facets.planes) {
     monitor.check();
-    add_facets(facets.points, plane, form);
+    add_facets(facets.points, std::move(plane), form);
   }
   number_vertices(facets.points, form, monitor);
   Pace pace(monitor);

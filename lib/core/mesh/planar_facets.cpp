@@ -2,7 +2,7 @@
 
 #include <optional>
 #include <stdexcept>
-#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "core/exact/big_integer.h"
@@ -44,18 +44,41 @@ std::optional<Unoriented> unoriented(Coefficients plane) {
 /// Groups facets by their planes.
 class PlaneIndex {
  public:
-  PlaneFacets& facets_in(const Unoriented& key) {
-    const auto [entry, is_new] = number_.try_emplace(key.plane, planes.size());
-    if (is_new) planes.push_back({key.plane, {}, false, false});
-    PlaneFacets& facets = planes[entry->second];
+  PlaneIndex() = default;
+  PlaneIndex(const PlaneIndex&) = delete;
+  PlaneIndex& operator=(const PlaneIndex&) = delete;
+
+  PlaneFacets& facets_in(Unoriented&& key) {
+    auto found = numbers_.find(key.plane);
+    if (found == numbers_.end()) {
+      planes_.push_back({std::move(key.plane), {}, false, false});
+      found = numbers_.insert(planes_.size() - 1).first;
+    }
+    PlaneFacets& facets = planes_[*found];
     (key.flipped ? facets.has_back : facets.has_front) = true;
     return facets;
   }
-
-  std::vector<PlaneFacets> planes;
+  /// In the order in which they were first asked for.
+  [[nodiscard]] std::vector<PlaneFacets> take() && { return std::move(planes_); }
 
  private:
-  std::unordered_map<Coefficients, std::size_t, HashCoefficients> number_;
+  /// A plane of the list stands for its coefficients, which are kept there alone: there may be millions.
+  struct Hash {
+    using is_transparent = void;
+    const std::vector<PlaneFacets>& planes;
+    std::size_t operator()(const Coefficients& plane) const { return HashCoefficients()(plane); }
+    std::size_t operator()(std::size_t n) const { return HashCoefficients()(planes[n].plane); }
+  };
+  struct Equal {
+    using is_transparent = void;
+    const std::vector<PlaneFacets>& planes;
+    bool operator()(std::size_t n, std::size_t m) const { return n == m; }
+    bool operator()(const Coefficients& plane, std::size_t n) const { return plane == planes[n].plane; }
+    bool operator()(std::size_t n, const Coefficients& plane) const { return plane == planes[n].plane; }
+  };
+
+  std::vector<PlaneFacets> planes_;
+  std::unordered_set<std::size_t, Hash, Equal> numbers_{0, Hash{planes_}, Equal{planes_}};
 };
 
 /// (q - p) times a positive number.
@@ -154,12 +177,12 @@ FacetsByPlane facets_by_plane(const ExactMesh& mesh, const Monitor& monitor) {
     monitor.check();
     const std::uint32_t a = name[t[0]], b = name[t[1]], c = name[t[2]];
     if (a == b || b == c || c == a) continue;
-    const auto key = unoriented(plane_through(points[a], points[b], points[c]));
+    auto key = unoriented(plane_through(points[a], points[b], points[c]));
     if (!key) continue;
-    std::vector<Side>& sides = index.facets_in(*key).sides;
+    std::vector<Side>& sides = index.facets_in(*std::move(key)).sides;
     sides.insert(sides.end(), {{a, b}, {b, c}, {c, a}});
   }
-  return {std::move(points), std::move(index.planes)};
+  return {std::move(points), std::move(index).take()};
 }
 
 FacetsByPlane facets_by_plane(const IndexedFacets& facets, const Monitor& monitor) {
@@ -176,16 +199,16 @@ FacetsByPlane facets_by_plane(const IndexedFacets& facets, const Monitor& monito
     monitor.check();
     const Loops facet(facets, first, count);
     first += count;
-    const auto key = plane_of(facet);
+    auto key = plane_of(facet);
     if (!key) continue;
-    std::vector<Side>& sides = index.facets_in(*key).sides;
+    std::vector<Side>& sides = index.facets_in(*std::move(key)).sides;
     for (std::size_t n = 0; n < facet.size(); ++n) {
       const auto loop = facet[n];
       for (std::size_t i = 0; i < loop.size(); ++i)
         sides.push_back({name[loop[i]], name[loop[i + 1 == loop.size() ? 0 : i + 1]]});
     }
   }
-  return {std::move(points), std::move(index.planes)};
+  return {std::move(points), std::move(index).take()};
 }
 
 }  // namespace strata::facets
