@@ -8,15 +8,25 @@ namespace strata {
 FilteredFace::FilteredFace(const InputComplex& input, std::uint32_t f)
     : FilteredFace(input, input.operand_of_face(f), f) {}
 
-FilteredFace::FilteredFace(const InputComplex& input, std::uint32_t operand, std::uint32_t f)
-    : face(f), vertices(input.face(f)), is_exact(input.has_doubles(vertices)) {
+FilteredFace::FilteredFace(const InputComplex& input, std::uint32_t operand, std::uint32_t f) {
+  set_corners(input, operand, f);
+  find_plane(input);
+}
+
+void FilteredFace::set_corners(const InputComplex& input, std::uint32_t operand, std::uint32_t f) {
+  face = f;
+  vertices = input.face(f);
+  is_exact = input.has_doubles(vertices);
   const auto points = input.points(operand);
   const auto& t = input.faces(operand)[f - input.first_face(operand)];
   for (std::size_t i = 0; i < 3; ++i) corners[i] = points[t[i]];
+}
+
+void FilteredFace::find_plane(const InputComplex& input) {
   if (is_exact) {
     plane = FilteredPlane(corners[0], corners[1], corners[2]);
   } else {
-    rational_plane = approximate_plane<Bounded>(input, f);
+    rational_plane = approximate_plane<Bounded>(input, face);
   }
 }
 

@@ -22,6 +22,11 @@ struct FilteredFace {
   FilteredFace(const InputComplex& input, std::uint32_t face);
   FilteredFace(const InputComplex& input, std::uint32_t operand, std::uint32_t face);
 
+  /// Becomes another face in two steps. After the first, its plane is not known: it can only be compared with the
+  /// planes of others, which is enough for most.
+  void set_corners(const InputComplex& input, std::uint32_t operand, std::uint32_t face);
+  void find_plane(const InputComplex& input);
+
   /// Sides of this face's plane on which another face's vertices lie: above positive; zero when doubles do not decide.
   [[nodiscard]] Signs sides_of(const FilteredFace& other) const;
   /// True when a face with these sides, except vertices that both have, is strictly on one side of this face's plane.

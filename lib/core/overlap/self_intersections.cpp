@@ -23,15 +23,17 @@ class PairTest {
   explicit PairTest(const InputComplex& input) : input_(input) {}
 
   void operator()(std::uint32_t a, std::uint32_t b, std::vector<SelfIntersection>& found) {
+    if (!has_first_ || first_.face != a) first_ = FilteredFace(input_, 0, a);
+    has_first_ = true;
+    second_.set_corners(input_, 0, b);
+    if (first_.is_beside(second_, first_.sides_of(second_))) return;
+    second_.find_plane(input_);
     const std::uint32_t face = std::min(a, b), other = std::max(a, b);
     intersections_.constraints.clear();
     intersections_.constructed.clear();
     intersections_.equal.clear();
-    if (!has_first_ || first_.face != a) first_ = FilteredFace(input_, 0, a);
-    has_first_ = true;
-    const FilteredFace second(input_, 0, b);
-    if (!(a < b ? meet_faces(input_, first_, second, intersections_)
-                : meet_faces(input_, second, first_, intersections_)))
+    if (!(a < b ? meet_faces(input_, first_, second_, intersections_)
+                : meet_faces(input_, second_, first_, intersections_)))
       return;
     found.push_back({face, other, false, input_.vertex(input_.face(face)[0])});
     if (intersections_.constraints.empty()) return;
@@ -49,7 +51,7 @@ class PairTest {
   }
 
   const InputComplex& input_;
-  FilteredFace first_;
+  FilteredFace first_, second_;
   bool has_first_ = false;
   PairIntersections intersections_;
 };
