@@ -131,6 +131,12 @@ def plates(names):
     return [read_off(f"plate_{name}.off") for name in names]
 
 
+def stacks(count, thickness):
+    """Two stacks of plates, each turned by angles of its own."""
+    plates = joined([box([-1, -1, k / count - 0.5], [1, 1, k / count - 0.5 + thickness]) for k in range(count)])
+    return [(turned(plates[0], turn, (0, 0, 0)), plates[1]) for turn in (TURN, (0.3, 1.2, 2.5))]
+
+
 def chain_step(name):
     """A file of a chain of Booleans through floats, and the tool of the next step."""
     places, faces = {}, []
@@ -153,6 +159,7 @@ CASES = [("needles", needles, "a | b", True), ("needles, taken out", needles, "a
          ("1,000 sheets", fan, "a & b", True), ("1,000 sheets, taken out", fan, "b - a", True),
          ("checkerboard", checkerboard, "a & b", True), ("checkerboard, taken out", checkerboard, "b - a", True),
          ("smallest numbers", smallest, "a | b", True), ("plates", lambda: plates("abcd"), "a ^ b ^ c ^ d", True),
+         ("stacks of plates", lambda: stacks(40, 0.01), "a | b", True), ("stacks of sheets", lambda: stacks(20, 1e-7), "a | b", True),
          ("six plates", lambda: plates("efghij"), "a ^ b ^ c ^ d ^ e ^ f", True), ("chain step", lambda: chain_step("chain"), "a ^ b", True),
          ("chain step, other order", lambda: chain_step("chain"), "b ^ a", True), ("chain step b", lambda: chain_step("chain_b"), "a ^ b", True), ("1e39", beyond_floats, "a | b", False)]
 

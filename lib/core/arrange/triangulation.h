@@ -77,6 +77,10 @@ class Triangulation {
   /// Inserts a segment between two local vertices as constraint number `constraint`, carried by `line`.
   void add_segment(std::int32_t tail, std::int32_t head, std::int32_t constraint, const ConstraintLine& line);
 
+  /// Flips diagonals beside triangles with an angle of nearly 180 degrees, as long as fewer of these are left: rounding
+  /// turns them over. Angles are computed in doubles; every choice is correct. No polygon is filled afterwards. O(n).
+  void avoid_flat_angles();
+
   /// Reports, for every vertex in which lines of different faces' operands meet, the names that those lines give it. A
   /// point found under one name here may have another name in the faces that carry those lines. `same_operand`: lines
   /// of one operand count as well. Only vertices for which `wanted` is not negative are reported.
@@ -100,6 +104,7 @@ class Triangulation {
     std::int32_t triangle = -1;
     int index = 0;
   };
+  using Corners = std::array<std::int32_t, 3>;
   /// The first step of a segment that leaves a vertex.
   struct Departure {
     Side side;                 ///< the side it crosses, if it does
@@ -126,6 +131,8 @@ class Triangulation {
   [[nodiscard]] bool is_flippable(Side s) const;
   void improve(std::int32_t vertex);
   [[nodiscard]] bool prefers_flip(Side s) const;
+  [[nodiscard]] bool has_flat_angle(const Corners& corners) const;
+  [[nodiscard]] bool leaves_fewer_flat(Side s) const;
 
   /// A side of the polygon from which ears are cut.
   struct PolygonSide {
@@ -167,7 +174,7 @@ class Triangulation {
   std::vector<OtherName> other_names_;
   std::vector<std::pair<std::int32_t, std::int32_t>> crossed_;
   std::vector<std::pair<std::int32_t, std::int32_t>> ends_;  ///< of the constraints that are added
-  std::vector<std::int32_t> stack_;  ///< triangles at a new vertex whose opposite sides are to be tested
+  std::vector<std::int32_t> stack_;                          ///< triangles whose sides are to be tested
   std::int32_t last_ = 0;
 };
 

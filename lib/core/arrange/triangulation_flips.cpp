@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "core/arrange/triangle_index.h"
 #include "core/arrange/triangulation.h"
 
@@ -131,6 +133,60 @@ void Triangulation::improve(std::int32_t vertex) {
     flip(s);
     stack_.push_back(t);
     stack_.push_back(beyond);
+  }
+}
+
+/// True where, in the face's projection, an angle differs from 180 degrees by less than 3.6. The same for the corners
+/// in any order.
+bool Triangulation::has_flat_angle(const Corners& corners) const {
+  constexpr double tangent = 0x1p-4;
+  const auto [first, second] = points_.projection();
+  const auto is_flat_at = [&](std::int32_t v, std::int32_t a, std::int32_t b) {
+    const auto &at_v = points_[v].at, &at_a = points_[a].at, &at_b = points_[b].at;
+    const double ax = at_a[first].value - at_v[first].value, ay = at_a[second].value - at_v[second].value;
+    const double bx = at_b[first].value - at_v[first].value, by = at_b[second].value - at_v[second].value;
+    const double dot = ax * bx + ay * by;
+    return dot < 0 && std::abs(ax * by - ay * bx) < -tangent * dot;
+  };
+  const auto [a, b, c] = corners;
+  return is_flat_at(a, b, c) || is_flat_at(b, c, a) || is_flat_at(c, a, b);
+}
+
+bool Triangulation::leaves_fewer_flat(Side s) const {
+  const Side o = partner(s);
+  const std::int32_t p = tri(s.triangle).v[at(s.index)], q = tri(s.triangle).v[at(next(s.index))],
+                     c = tri(s.triangle).v[at(previous(s.index))], d = tri(o.triangle).v[at(previous(o.index))];
+  const auto flat = [this](const Corners& t, const Corners& u) {
+    return static_cast<int>(has_flat_angle(t)) + static_cast<int>(has_flat_angle(u));
+  };
+  return flat({p, d, c}, {d, q, c}) < flat({p, q, c}, {q, p, d});
+}
+
+/// Each flip leaves fewer flat angles than there were, so there are at most as many flips. After a flip, the neighbours
+/// of both triangles are tested again.
+void Triangulation::avoid_flat_angles() {
+  stack_.clear();
+  const auto has_diagonal = [](const Triangle& t) {
+    return (t.n[0] >= 0 && t.c[0] < 0) || (t.n[1] >= 0 && t.c[1] < 0) || (t.n[2] >= 0 && t.c[2] < 0);
+  };
+  for (std::size_t t = triangles_.size(); t-- > 0;)
+    if (has_diagonal(triangles_[t]) && has_flat_angle(triangles_[t].v)) stack_.push_back(static_cast<std::int32_t>(t));
+  while (!stack_.empty()) {
+    const std::int32_t t = stack_.back();
+    stack_.pop_back();
+    if (!has_flat_angle(tri(t).v)) continue;
+    for (int i = 0; i < 3; ++i) {
+      const Side s{t, i};
+      const std::int32_t beyond = tri(t).n[at(i)];
+      if (beyond < 0 || tri(t).c[at(i)] >= 0 || !leaves_fewer_flat(s) || !is_flippable(s)) continue;
+      flip(s);
+      for (const std::int32_t changed : {t, beyond}) {
+        stack_.push_back(changed);
+        for (std::size_t k = 0; k < 3; ++k)
+          if (tri(changed).n[k] >= 0 && tri(changed).c[k] < 0) stack_.push_back(tri(changed).n[k]);
+      }
+      break;
+    }
   }
 }
 

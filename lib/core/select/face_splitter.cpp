@@ -63,6 +63,7 @@ void FaceSplitter::collect_pieces(const std::optional<FreeCorner>& corner, NewPo
   bool are_paths = polygons != nullptr;
   if (!are_paths || !corner || !is_crossed_by_one_solid() || !fill_kept(*polygons, *corner)) {
     are_paths = triangulate(polygons);
+    triangulation_.avoid_flat_angles();
     if (triangulation_.triangles().size() <= most_validated)
       ensure("subdivide", [&] { return validate(triangulation_, constraints_); });
     spread(corner ? Start{triangle_at_corner(corner->index), {corner->windings, {}}} : start_inside());
@@ -90,6 +91,7 @@ bool FaceSplitter::fill_kept(const PathPolygons& polygons, const FreeCorner& cor
     if (!triangulation_.fill(i)) return false;
     region_of_.resize(triangulation_.triangles().size(), region);
   }
+  triangulation_.avoid_flat_angles();
   return true;
 }
 

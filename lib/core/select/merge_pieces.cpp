@@ -179,6 +179,7 @@ class FaceMerger {
     for (std::size_t i = 0; i < ends.size(); ++i)
       triangulation_.add_segment(ends[i].first, ends[i].second, static_cast<std::int32_t>(i), {});
     if (triangulation_.points().size() != points) fail("boundary loops of pieces cross", face.face);
+    triangulation_.avoid_flat_angles();
   }
 
   std::int32_t add_point(Id id) {

@@ -33,6 +33,7 @@ void FaceCutter::cut(std::span<const Constraint> constraints) {
 void FaceCutter::triangulate() {
   triangulation_.start(face_, Triangulation::Names::lowest);
   triangulation_.add_constraints(constraints_);
+  triangulation_.avoid_flat_angles();
 }
 
 void FaceCutter::list_coplanar() {
