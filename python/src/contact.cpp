@@ -4,6 +4,9 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <utility>
+#include <vector>
+
 #include "module.h"
 #include "names.h"
 #include "run.h"
@@ -15,11 +18,37 @@ namespace {
 using namespace nb::literals;
 using contact::Assembly;
 
+/// What Python is told of the region in which two parts touch.
+struct Touch {
+  std::vector<RationalPoint> points;
+  std::vector<std::vector<std::vector<std::uint32_t>>> facets;  ///< by their loops
+  std::vector<contact::ContactEdge> edges;
+  std::vector<std::uint32_t> vertices;
+  double area = 0, length = 0;
+};
+
+/// Takes a region apart. What is left over of it has many small parts, which are given back here: not while lists of
+/// Python are made, where a signal would wait for them.
+Touch touch_of(contact::ContactRegion region, const Monitor& monitor) {
+  Touch touch;
+  touch.area = region.area();
+  touch.length = region.length();
+  touch.facets.reserve(region.facets.size());
+  for (contact::ContactFacet& facet : region.facets) {
+    monitor.check();
+    touch.facets.push_back(std::move(std::exchange(facet, {}).loops));
+  }
+  touch.points = std::move(region.points);
+  touch.edges = std::move(region.edges);
+  touch.vertices = std::move(region.vertices);
+  return touch;
+}
+
 /// Two parts that are not apart, and where they meet.
 struct Meeting {
   contact::RelatedPair pair;
-  Solid overlap;                  ///< where they interfere
-  contact::ContactRegion region;  ///< where they only touch
+  Solid overlap;  ///< where they interfere
+  Touch touch;    ///< where they only touch
 };
 
 std::vector<Meeting> meetings_of(const std::vector<Solid>& parts, const Computation& computation) {
@@ -32,7 +61,7 @@ std::vector<Meeting> meetings_of(const std::vector<Solid>& parts, const Computat
     if (m.pair.relation == contact::Relation::interfering)
       m.overlap = assembly.overlap(m.pair.a, m.pair.b, options);
     else
-      m.region = assembly.contact_region(m.pair.a, m.pair.b, Monitor(options.cancel));
+      m.touch = touch_of(assembly.contact_region(m.pair.a, m.pair.b, Monitor(options.cancel)), Monitor(options.cancel));
   return meetings;
 }
 
@@ -45,16 +74,16 @@ nb::dict record_of(const Meeting& meeting) {
     record["overlap"] = meeting.overlap;
     return record;
   }
-  const contact::ContactRegion& region = meeting.region;
+  const Touch& touch = meeting.touch;
   nb::list points;
-  for (const RationalPoint& p : region.points) points.append(to_python(p));
-  record["area"] = region.area();
-  record["length"] = region.length();
+  for (const RationalPoint& p : touch.points) points.append(to_python(p));
+  record["area"] = touch.area;
+  record["length"] = touch.length;
   record["points"] = points;
   nb::list facets, edges, vertices;
-  for (const contact::ContactFacet& facet : region.facets) facets.append(nb::cast(facet.loops));
-  for (const contact::ContactEdge& edge : region.edges) edges.append(nb::make_tuple(edge.ends[0], edge.ends[1]));
-  for (const std::uint32_t vertex : region.vertices) vertices.append(vertex);
+  for (const auto& loops : touch.facets) facets.append(nb::cast(loops));
+  for (const contact::ContactEdge& edge : touch.edges) edges.append(nb::make_tuple(edge.ends[0], edge.ends[1]));
+  for (const std::uint32_t vertex : touch.vertices) vertices.append(vertex);
   record["facets"] = facets;
   record["edges"] = edges;
   record["vertices"] = vertices;

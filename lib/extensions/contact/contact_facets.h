@@ -13,7 +13,8 @@ struct ContactFacets {
   std::vector<ContactFacet> facets;
 };
 
-/// Throws Cancelled.
-[[nodiscard]] ContactFacets contact_facets(const SharedPieces& pieces, const Monitor& monitor);
+/// Takes the pieces, and gives their memory back before facets are made: there may be millions of both. Throws
+/// Cancelled.
+[[nodiscard]] ContactFacets contact_facets(SharedPieces pieces, const Monitor& monitor);
 
 }  // namespace strata::contact

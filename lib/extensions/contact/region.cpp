@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "core/kernel/filters.h"
 #include "extensions/contact/contact_edges.h"
@@ -51,10 +52,10 @@ double ContactRegion::length() const {
 
 ContactRegion region_of(const Parts& parts, std::uint32_t a, std::uint32_t b, const Monitor& monitor) {
   if (parts.common_box(a, b).empty()) return {};
-  const SharedPieces pieces = shared_pieces(parts, a, b, monitor);
-  ContactFacets faces = contact_facets(pieces, monitor);
+  SharedPieces pieces = shared_pieces(parts, a, b, monitor);
   const std::vector<RationalSegment> edges = contact_edges(pieces, monitor);
   const std::vector<RationalPoint> isolated = isolated_points(pieces, edges, monitor);
+  ContactFacets faces = contact_facets(std::move(pieces), monitor);
 
   std::vector<RationalPoint> others = isolated;
   for (const RationalSegment& e : edges) others.insert(others.end(), e.begin(), e.end());
