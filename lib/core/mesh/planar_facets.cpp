@@ -64,13 +64,13 @@ class PlaneIndex {
  private:
   /// A plane of the list stands for its coefficients, which are kept there alone: there may be millions.
   struct Hash {
-    using is_transparent = void;
+    using is_transparent = void;  // NOLINT(readability-identifier-naming): the standard's name
     const std::vector<PlaneFacets>& planes;
     std::size_t operator()(const Coefficients& plane) const { return HashCoefficients()(plane); }
     std::size_t operator()(std::size_t n) const { return HashCoefficients()(planes[n].plane); }
   };
   struct Equal {
-    using is_transparent = void;
+    using is_transparent = void;  // NOLINT(readability-identifier-naming): the standard's name
     const std::vector<PlaneFacets>& planes;
     bool operator()(std::size_t n, std::size_t m) const { return n == m; }
     bool operator()(const Coefficients& plane, std::size_t n) const { return plane == planes[n].plane; }

@@ -95,7 +95,7 @@ class Nesting {
   std::vector<Loop*> outer_, holes_;
 };
 
-CanonicalForm form_of(SharedPieces pieces, const Monitor& monitor) {
+CanonicalForm form_of(const SharedPieces& pieces, const Monitor& monitor) {
   facets::IndexedFacets polygons;
   polygons.points = pieces.places.positions();
   for (const auto& polygon : pieces.polygons) {
@@ -109,7 +109,8 @@ CanonicalForm form_of(SharedPieces pieces, const Monitor& monitor) {
 }  // namespace
 
 ContactFacets contact_facets(SharedPieces pieces, const Monitor& monitor) {
-  CanonicalForm form = form_of(std::move(pieces), monitor);
+  CanonicalForm form = form_of(pieces, monitor);
+  pieces = {};
   ContactFacets result;
   for (CanonicalFacets& plane : form.planes) Nesting(form.vertices, plane).add_facets(result.facets, monitor);
   result.points = std::move(form.vertices);
