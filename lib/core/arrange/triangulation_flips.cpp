@@ -140,7 +140,7 @@ void Triangulation::improve(std::int32_t vertex) {
 /// in any order.
 bool Triangulation::has_flat_angle(const Corners& corners) const {
   constexpr double tangent = 0x1p-4;
-  const auto [first, second] = points_.projection();
+  const auto first = at(points_.projection().u), second = at(points_.projection().v);
   const auto is_flat_at = [&](std::int32_t v, std::int32_t a, std::int32_t b) {
     const auto &at_v = points_[v].at, &at_a = points_[a].at, &at_b = points_[b].at;
     const double ax = at_a[first].value - at_v[first].value, ay = at_a[second].value - at_v[second].value;

@@ -95,6 +95,8 @@ class Nesting {
   std::vector<Loop*> outer_, holes_;
 };
 
+}  // namespace
+
 CanonicalForm form_of(const SharedPieces& pieces, const Monitor& monitor) {
   facets::IndexedFacets polygons;
   polygons.points = pieces.places.positions();
@@ -106,11 +108,7 @@ CanonicalForm form_of(const SharedPieces& pieces, const Monitor& monitor) {
   return facets::canonical_form(polygons, monitor);
 }
 
-}  // namespace
-
-ContactFacets contact_facets(SharedPieces pieces, const Monitor& monitor) {
-  CanonicalForm form = form_of(pieces, monitor);
-  pieces = {};
+ContactFacets contact_facets(CanonicalForm form, const Monitor& monitor) {
   ContactFacets result;
   for (CanonicalFacets& plane : form.planes) Nesting(form.vertices, plane).add_facets(result.facets, monitor);
   result.points = std::move(form.vertices);

@@ -3,6 +3,7 @@
 
 #include "extensions/contact/region.h"
 #include "extensions/contact/shared_pieces.h"
+#include "strata/measure.h"
 #include "strata/monitor.h"
 
 namespace strata::contact {
@@ -13,8 +14,10 @@ struct ContactFacets {
   std::vector<ContactFacet> facets;
 };
 
-/// Takes the pieces, and gives their memory back before facets are made: there may be millions of both. Throws
-/// Cancelled.
-[[nodiscard]] ContactFacets contact_facets(SharedPieces pieces, const Monitor& monitor);
+/// The polygons by planes. Throws Cancelled.
+[[nodiscard]] CanonicalForm form_of(const SharedPieces& pieces, const Monitor& monitor);
+
+/// Of the polygons of a form, which is all that is needed of them: there may be millions. Throws Cancelled.
+[[nodiscard]] ContactFacets contact_facets(CanonicalForm form, const Monitor& monitor);
 
 }  // namespace strata::contact

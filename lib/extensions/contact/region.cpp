@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "core/kernel/filters.h"
@@ -52,10 +53,12 @@ double ContactRegion::length() const {
 
 ContactRegion region_of(const Parts& parts, std::uint32_t a, std::uint32_t b, const Monitor& monitor) {
   if (parts.common_box(a, b).empty()) return {};
-  SharedPieces pieces = shared_pieces(parts, a, b, monitor);
-  const std::vector<RationalSegment> edges = contact_edges(pieces, monitor);
-  const std::vector<RationalPoint> isolated = isolated_points(pieces, edges, monitor);
-  ContactFacets faces = contact_facets(std::move(pieces), monitor);
+  std::optional<SharedPieces> pieces(shared_pieces(parts, a, b, monitor));
+  const std::vector<RationalSegment> edges = contact_edges(*pieces, monitor);
+  const std::vector<RationalPoint> isolated = isolated_points(*pieces, edges, monitor);
+  CanonicalForm form = form_of(*pieces, monitor);
+  pieces.reset();
+  ContactFacets faces = contact_facets(std::move(form), monitor);
 
   std::vector<RationalPoint> others = isolated;
   for (const RationalSegment& e : edges) others.insert(others.end(), e.begin(), e.end());
