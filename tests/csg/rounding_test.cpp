@@ -374,7 +374,7 @@ Mesh turned_stack(int count, const Vertex& turns) {
 
 TEST_CASE("where facets bend in their diagonals, rounding has nothing to repair", "[csg][rounding][regression]") {
   // Each line in which two facets cross is bent by less than a unit where it meets a diagonal. Flat triangles beside
-  // those bends crossed when rounded, and repairs of two stacks of 40 plates took 470 seconds.
+  // those bends crossed when rounded, and repairs of two stacks of 40 plates took minutes.
   const Solid solid = Solid(turned_stack(12, {1.1, 0.7, 1.4})) | Solid(turned_stack(12, {0.3, 1.2, 2.5}));
   for (const CoordinateGrid& grid : {CoordinateGrid(), floats()})
     CHECK(check_rounded(solid.exact_mesh(), grid).report.rounds == 0);
