@@ -28,10 +28,10 @@ class Stop(ToolTest):
 
     def test_a_time_limit_while_rounding_is_told(self):
         worst = DATA.parent / "tools/bench/worst"
-        done = self.run_tool("eval", "b ^ a", f"a={worst / 'chain.stl'}", f"b={worst / 'chain_tool.off'}", "-o", self.path("out.stl"),
-                             "--timeout", "4", expect=STOPPED)
+        plates = [f"{name}={worst / f'plate_{plate}.off'}" for name, plate in zip("abcdef", "efghij")]
+        done = self.run_tool("eval", "a ^ b ^ c ^ d ^ e ^ f", *plates, "-o", self.path("out.ply"), "--timeout", "0.5", expect=STOPPED)
         self.assertIn("time limit", done.stderr.decode())
-        self.assertFalse(self.path("out.stl").exists())
+        self.assertFalse(self.path("out.ply").exists())
 
     def test_a_signal_stops_the_work_soon(self):
         for number in (signal.SIGINT, signal.SIGTERM):
