@@ -1,9 +1,15 @@
 #include "strata/resolve.h"
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "strata/check.h"
+#include "strata/combine.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/shuffled.h"
@@ -29,6 +35,19 @@ Mesh two_boxes(double shift, bool is_reversed = false) {
   Mesh mesh = test::box({0, 0, 0}, {2, 2, 2});
   append(mesh, test::box({shift, 0, 0}, {shift + 2, 2, 2}), is_reversed);
   return mesh;
+}
+
+/// The corners of each triangle from its lowest one, and the face that it is a part of: sorted.
+std::vector<std::pair<std::array<Vertex, 3>, std::uint32_t>> triangles_of(const BooleanResult& result) {
+  std::vector<std::pair<std::array<Vertex, 3>, std::uint32_t>> all;
+  for (std::size_t n = 0; n < result.mesh.triangles.size(); ++n) {
+    std::array<Vertex, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = result.mesh.vertices[result.mesh.triangles[n][i]];
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    all.emplace_back(corners, result.sources[n].face);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 }  // namespace
@@ -146,6 +165,34 @@ TEST_CASE("meshes of which few faces cross are resolved as those of which many d
     add(test::box({8.75, -0.25, -0.25}, {9.25, 0.25, 0.25}), true);
     CHECK(resolve({all, {}}, Inside::winding) == united);
   }
+}
+
+// Class `automatic` finds the pairs that cross before it resolves them, class `overlapping` while it does.
+TEST_CASE("what crosses is the same, whoever searches for it", "[csg][resolve][property]") {
+  const unsigned seed = GENERATE(range(0u, 60u));
+  test::Random random(seed);
+  const auto at = [&] { return static_cast<double>(random.between(-2, 2)); };
+  Mesh mesh;
+  for (int n = random.between(2, 4); n > 0; --n) {
+    const Vertex low{at(), at(), at()};
+    const bool is_ball = random.between(0, 1) == 0;
+    append(mesh, is_ball ? test::icosphere(low, 1.5, static_cast<int>(random.between(0, 3)))
+                         : test::box(low, {low[0] + 1, low[1] + 2, low[2] + 1}));
+  }
+  if (random.between(0, 2) == 0) {  // a vertex on an edge, and a face of zero area: to be prepared
+    const auto [a, b, c] = mesh.triangles.front();
+    const Vertex p = mesh.vertices[a], q = mesh.vertices[b];
+    const auto m = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2});
+    mesh.triangles.front() = {a, m, c};
+    mesh.triangles.push_back({m, b, c});
+    mesh.triangles.push_back({a, b, m});
+  }
+  const MeshView operand = mesh;
+  const auto united = [&](InputClass input) {
+    return triangles_of(combine(Operation::union_, std::span(&operand, 1), {.input = input}));
+  };
+  CHECK(united(InputClass::automatic) == united(InputClass::overlapping));
 }
 
 TEST_CASE("a large mesh in any order is inspected as it is", "[csg]") {

@@ -102,14 +102,14 @@ BooleanResult finished(const InputComplex& input, const std::vector<Verdict>& ve
 }
 
 /// The stages after `prepare`, by cells.
-BooleanResult evaluate_in_cells(const Rule& rule, InputComplex complex, const Options& options, const Monitor& monitor,
-                                Stages& stages) {
+BooleanResult evaluate_in_cells(const Rule& rule, InputComplex complex, const KnownPairs& known, const Options& options,
+                                const Monitor& monitor, Stages& stages) {
   Candidates candidates = find_candidates(std::move(complex), monitor);
   const InputComplex& input = candidates.input();
   count(candidates, stages.profile());
   stages.end("find_candidates", 0.3);
 
-  Intersections intersections = intersect(candidates, monitor);
+  Intersections intersections = known ? intersect(input, *known, monitor) : intersect(candidates, monitor);
   count(intersections, stages.profile());
   stages.end("intersect", 0.55);
 
@@ -173,23 +173,27 @@ class WeldedMesh {
   InputComplex complex_{SelfIntersections::possible};
 };
 
-BooleanResult evaluate(const Rule& rule, InputComplex complex, const Options& options, const Monitor& monitor,
-                       Stages& stages) {
+BooleanResult evaluate(const Rule& rule, InputComplex complex, const KnownPairs& known, const Options& options,
+                       const Monitor& monitor, Stages& stages) {
   if (complex.operand_count() == 1 && complex.may_self_intersect() && rule.looks_around() && !complex.has_rationals() &&
       !complex.has_planes()) {
     const WeldedMesh mesh(complex);
-    const EmbeddedStars stars(mesh.complex(), monitor);
     const std::size_t enough = few_pairs(complex.face_count());
-    const std::vector<SelfIntersection> pairs = find_self_intersections(mesh.complex(), &stars, monitor, enough);
+    if (known && known->size() >= enough)
+      return evaluate_in_cells(rule, mesh.complex(), known, options, monitor, stages);
+    const EmbeddedStars stars(mesh.complex(), monitor);
+    const std::vector<SelfIntersection> pairs =
+        known ? *known : find_self_intersections(mesh.complex(), &stars, monitor, enough);
     stages.end("find_candidates", 0.3);
     if (pairs.size() < enough) return evaluate_in_patches(rule, mesh.complex(), stars, pairs, options, monitor, stages);
   }
-  return evaluate_in_cells(rule, std::move(complex), options, monitor, stages);
+  return evaluate_in_cells(rule, std::move(complex), {}, options, monitor, stages);
 }
 
 }  // namespace
 
-BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options) {
+BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options,
+                      const KnownPairs& known) {
   Profile profile;
   const Monitor monitor(options.cancel, &options.progress);
   const TierCounts tiers = tier_counts_now();
@@ -199,7 +203,7 @@ BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Op
   stages.end("prepare", 0.05);
 
   BooleanResult result = refusing_broken_operands(
-      given, options, [&] { return evaluate(rule, operands.complex(), options, monitor, stages); });
+      given, options, [&] { return evaluate(rule, operands.complex(), known, options, monitor, stages); });
   operands.restore(result.sources);
   count_tiers(tiers, profile);
   stages.end("round", 1);
@@ -213,7 +217,7 @@ BooleanResult resolved(InputComplex input, Inside inside, const Monitor& monitor
   options.exact_vertices = true;
   Profile profile;
   Stages stages(profile, monitor);
-  return evaluate(Rule::of_one(inside), std::move(input), options, monitor, stages);
+  return evaluate(Rule::of_one(inside), std::move(input), {}, options, monitor, stages);
 }
 
 }  // namespace strata

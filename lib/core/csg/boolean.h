@@ -1,12 +1,19 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "core/kernel/input_complex.h"
+#include "core/overlap/self_intersections.h"
 #include "core/select/rule.h"
 #include "strata/combine.h"
 
 namespace strata {
+
+/// All pairs of faces of the only operand that intersect, after its preparation, on the first of equal vertices: if who
+/// asks has found them already.
+using KnownPairs = std::optional<std::vector<SelfIntersection>>;
 
 /// The Boolean itself, stage by stage, in the current task arena:
 ///
@@ -23,7 +30,8 @@ namespace strata {
 /// Every stage takes values and returns a value. All decisions are made before `round`. The names are those of
 /// Profile::seconds; the lap `validate`, before `round`, ensures that the boundary is closed.
 /// Throws as `combine` does.
-[[nodiscard]] BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options);
+[[nodiscard]] BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options,
+                                    const KnownPairs& known = std::nullopt);
 
 /// The stages after `prepare` for one closed mesh of any orientation, with exact vertices. Requires faces of positive
 /// area. Throws Cancelled.

@@ -14,14 +14,23 @@ namespace strata {
 namespace {
 
 /// What keeps an operand from being a solid as it is.
-std::vector<Defect> to_resolve(const Operand& operand, std::size_t number, const Monitor& monitor) {
+struct Found {
+  std::vector<Defect> notes;
+  KnownPairs pairs;
+};
+
+Found to_resolve(const Operand& operand, std::size_t number, const Monitor& monitor) {
   if (operand.is_checked || operand.mesh.triangles.empty()) return {};
-  if (operand.exact.empty() && is_plainly_solid(operand.mesh, monitor)) return {};
+  FirstLook look;
+  if (operand.exact.empty()) look = first_look(operand.mesh, monitor);
+  if (look.is_solid) return {};
   const Prepared prepared = prepare({operand.mesh, operand.exact}, Options{}, number);
   const ExactMeshView ready(prepared.mesh ? MeshView(*prepared.mesh) : operand.mesh, operand.exact);
   const OnFirstVertices welded(ready, monitor);
-  return Inspection({{ready.mesh.vertices, welded.triangles()}, operand.exact}, monitor)
-      .defects(Severity::note, prepared.source_face);
+  const Inspection inspection = look.inspection && !prepared.mesh && welded.are_given()
+                                    ? std::move(*look.inspection)
+                                    : Inspection({{ready.mesh.vertices, welded.triangles()}, operand.exact}, monitor);
+  return {inspection.defects(Severity::note, prepared.source_face), inspection.intersections()};
 }
 
 }  // namespace
@@ -29,11 +38,11 @@ std::vector<Defect> to_resolve(const Operand& operand, std::size_t number, const
 // Operands are searched at the same time, so that what is serial of one goes with what is parallel of others. Of
 // several errors, that of the first operand is thrown.
 FoundClass find_class(std::span<const Operand> operands, const Monitor& monitor) {
-  std::vector<std::vector<Defect>> notes_of(operands.size());
+  std::vector<Found> found_of(operands.size());
   std::vector<std::exception_ptr> errors(operands.size());
   tbb::parallel_for(std::size_t{0}, operands.size(), [&](std::size_t i) {
     try {
-      notes_of[i] = to_resolve(operands[i], i, monitor);
+      found_of[i] = to_resolve(operands[i], i, monitor);
     } catch (...) {
       errors[i] = std::current_exception();
     }
@@ -41,10 +50,11 @@ FoundClass find_class(std::span<const Operand> operands, const Monitor& monitor)
   FoundClass found;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     if (errors[i]) std::rethrow_exception(errors[i]);
-    const std::vector<Defect>& notes = notes_of[i];
+    const std::vector<Defect>& notes = found_of[i].notes;
     if (!notes.empty()) found.input = InputClass::overlapping;
     found.notes.insert(found.notes.end(), notes.begin(), notes.end());
   }
+  if (operands.size() == 1) found.pairs = std::move(found_of.front().pairs);
   return found;
 }
 

@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "core/csg/boolean.h"
 #include "strata/combine.h"
 
 namespace strata {
@@ -10,6 +11,7 @@ namespace strata {
 struct FoundClass {
   InputClass input = InputClass::solid;  ///< or `overlapping`, if one of them crosses itself or has a shell in a shell
   std::vector<Defect> notes;             ///< what there is to resolve
+  KnownPairs pairs;                      ///< if the only operand was searched
 };
 
 /// Inspects operands, unless they are known to bound solids. Runs in the current task arena. Throws InputError, which

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/overlap/embedded_stars.h"
@@ -27,6 +28,9 @@ class Inspection {
   /// True when the mesh bounds a solid.
   [[nodiscard]] bool finds_nothing() const;
 
+  /// All pairs of faces that intersect, if these are fewer than `enough`.
+  [[nodiscard]] const std::vector<SelfIntersection>& intersections() const { return intersections_; }
+
   /// As errors, or as notes on what is resolved; so many of each kind are listed. `source` maps to the caller's face
   /// numbers; empty: the same numbers.
   [[nodiscard]] std::vector<Defect> defects(Severity severity, const std::vector<std::uint32_t>& source,
@@ -39,9 +43,14 @@ class Inspection {
   std::vector<std::int32_t> above_;  ///< per shell
 };
 
-/// True when the mesh bounds a solid and has none of the defects that preparation resolves. Any mesh. A few streaming
-/// passes, and the search for intersections. False as soon as one is found.
-[[nodiscard]] bool is_plainly_solid(MeshView mesh, const Monitor& monitor);
+/// What is seen of a mesh before anything of it is prepared.
+struct FirstLook {
+  bool is_solid = false;                 ///< it bounds one, and has none of the defects that preparation resolves
+  std::optional<Inspection> inspection;  ///< of the mesh as it is; none where preparation has to come first
+};
+
+/// Any mesh, which must outlive what is returned. A few streaming passes, and the search for intersections.
+[[nodiscard]] FirstLook first_look(MeshView mesh, const Monitor& monitor);
 
 /// True when the winding numbers of a mesh are 0 and 1. Requires that no faces share a point other than vertices of the
 /// same number and their edges, and what an Inspection does. `stars`: of this mesh, or null.

@@ -1,5 +1,6 @@
 #include "strata/resolve.h"
 
+#include <array>
 #include <utility>
 
 #include "core/csg/arena.h"
@@ -19,27 +20,30 @@ bool has_negative_volume(ExactMeshView mesh) {
 
 /// What `automatic` operands turn out to be; notes of others come from the operation.
 FoundClass class_of(const Operand& operand, const Options& options) {
-  if (options.input != InputClass::automatic) return {options.input, {}};
+  if (options.input != InputClass::automatic) return {options.input, {}, {}};
   return find_class({&operand, 1}, Monitor(options.cancel));
 }
 
 }  // namespace
 
 Solid resolve(ExactMesh mesh, Inside inside, const Options& options) {
-  BooleanResult result;
+  Options now = options;
+  now.exact_vertices = true;
+  now.measure = false;
+  FoundClass found;
   arena_for(options, mesh.mesh.triangles.size()).execute([&] {
     // Reversed as a whole, a mesh has the negative winding numbers: odd where they were odd, and not 0 where they were.
     if (inside != Inside::winding && has_negative_volume(mesh))
       for (Triangle& t : mesh.mesh.triangles) std::swap(t[1], t[2]);
-    const Operand operand{mesh.mesh, mesh.exact};
-    FoundClass found = class_of(operand, options);
-    Options now = options;
-    now.input = found.input;
-    now.exact_vertices = true;
-    now.measure = false;
-    result = boolean(Rule::of_one(inside), {&operand, 1}, now);
-    result.notes.insert(result.notes.begin(), found.notes.begin(), found.notes.end());
+    found = class_of({mesh.mesh, mesh.exact}, options);
   });
+  now.input = found.input;
+  const std::array operand{Operand{mesh.mesh, mesh.exact}};
+  BooleanResult result;
+  arena_for(options, worth_in_faces(operand, found.input)).execute([&] {
+    result = boolean(Rule::of_one(inside), operand, now, found.pairs);
+  });
+  result.notes.insert(result.notes.begin(), found.notes.begin(), found.notes.end());
   Solid solid(Shared<Solid::Data>::make(Solid::Data{
       {std::move(result.mesh), std::move(result.exact)}, std::move(result.sources), std::move(result.notes)}));
   return inside == Inside::outer ? solid.without_cavities(options) : solid;

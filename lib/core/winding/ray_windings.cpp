@@ -96,8 +96,14 @@ RayWindings::RayWindings(const InputComplex& input, std::span<const std::uint32_
            is_listed;
   });
   first_.assign(is_made_.size() + 1, 0);
+  std::vector<std::uint32_t> wide;
   for (const std::uint32_t f : listed)
-    if (!for_each_column(cells_of_face(f), [&](std::uint32_t column) { ++first_[column + 1]; })) wide_.push_back(f);
+    if (!for_each_column(cells_of_face(f), [&](std::uint32_t column) { ++first_[column + 1]; })) wide.push_back(f);
+  wide_ = BoxTree::by_order(std::move(wide), [&](std::span<const std::uint32_t> faces) {
+    Box box;
+    for (const std::uint32_t f : faces) box.include(face_box(input, f));
+    return box;
+  });
   for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
   resize_fresh(faces_, first_.back());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
@@ -159,7 +165,11 @@ std::int32_t RayWindings::crossings(const Point& q) const {
     for (std::uint32_t f = 0; f < input_.face_count(); ++f) count(f);
     return sum;
   }
-  for (const std::uint32_t f : wide_) count(f);
+  at.upper[0] = Box::infinity;
+  wide_.for_each_near(at, [&](std::uint32_t face) {
+    count(face);
+    return true;
+  });
   std::vector<std::uint32_t> near;
   for (const std::uint32_t column : columns)
     near.insert(near.end(), faces_.begin() + first_[column], faces_.begin() + first_[column + 1]);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/containers/box_tree.h"
 #include "core/kernel/input_complex.h"
 #include "core/winding/winding_oracle.h"
 
@@ -43,7 +44,7 @@ class RayWindings final : public WindingOracle {
   std::array<double, 2> origin_{}, per_cell_{};
   std::vector<bool> is_made_;                 ///< per column
   std::vector<std::uint32_t> first_, faces_;  ///< faces of each column that is made
-  std::vector<std::uint32_t> wide_;           ///< those in many columns
+  BoxTree wide_;                              ///< those in many columns
 };
 
 }  // namespace strata
