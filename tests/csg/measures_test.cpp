@@ -17,6 +17,19 @@ namespace {
 Solid box(const Vertex& lower, const Vertex& upper) { return Solid(test::box(lower, upper)); }
 Solid unit(double x, double y, double z) { return box({x, y, z}, {x + 1, y + 1, z + 1}); }
 
+/// What `measure` finds against `topology`, with facets and without.
+void check_topology(const ExactMesh& mesh) {
+  const Topology t = topology(mesh);
+  for (const bool with_facets : {false, true}) {
+    const Topology found = measure(mesh, {}, with_facets).topology;
+    CHECK(found.components == t.components);
+    CHECK(found.euler == t.euler);
+    CHECK(found.non_manifold_edges == t.non_manifold_edges);
+    CHECK(found.non_manifold_vertices == t.non_manifold_vertices);
+    CHECK(found.open_edges == t.open_edges);
+  }
+}
+
 /// `measure` against the functions of which it is made; facets against those of the canonical form.
 void check_measures(const Solid& solid) {
   const ExactMesh& mesh = solid.exact_mesh();
@@ -25,11 +38,7 @@ void check_measures(const Solid& solid) {
   CHECK(*m.volume == to_nearest_double(solid.volume()));
   CHECK(m.area == solid.area());
   CHECK(m.facets == canonical_form(mesh).facet_count());
-  const Topology t = topology(mesh);
-  CHECK(m.topology.components == t.components);
-  CHECK(m.topology.euler == t.euler);
-  CHECK(m.topology.non_manifold_edges == t.non_manifold_edges);
-  CHECK(m.topology.non_manifold_vertices == t.non_manifold_vertices);
+  check_topology(mesh);
 }
 
 /// Bars along x, side by side, turned about z and then tilted about x.
@@ -78,6 +87,26 @@ std::size_t check_measured(Operation operation, std::span<const Operand> operand
 }
 
 }  // namespace
+
+TEST_CASE("the topology of starlike meshes, and of some that nearly are", "[csg][measure]") {
+  const std::vector<std::array<double, 2>> star = {{4, 0},  {1, 1},   {0, 4},  {-1, 1},
+                                                   {-4, 0}, {-1, -1}, {0, -4}, {1, -1}};
+  for (const Mesh& mesh :
+       {test::box({0, 0, 0}, {3, 2, 1}), test::octahedron({1, 2, 3}, 5), test::icosphere({0, 0, 0}, 1, 4),
+        test::prism(star, -2, 2), test::pyramid(star, 0, {0, 0, 3}), test::cube_grid(9), test::l_shape(),
+        test::box_with_hole(), test::box_with_cavity(2), test::edge_sharing_cells(), test::vertex_sharing_cells()}) {
+    check_topology({mesh, {}});
+    Mesh more = mesh;
+    more.vertices.push_back({0, 0, 0});  // not used
+    check_topology({more, {}});
+    Mesh open = mesh;
+    open.triangles.pop_back();
+    check_topology({open, {}});
+    Mesh doubled = mesh;  // every face twice
+    doubled.triangles.insert(doubled.triangles.end(), mesh.triangles.begin(), mesh.triangles.end());
+    check_topology({doubled, {}});
+  }
+}
 
 TEST_CASE("facets are joined over edges, not over vertices", "[csg]") {
   CHECK(measure(unit(0, 0, 0).exact_mesh()).facets == 6);

@@ -11,6 +11,7 @@
 #include "core/kernel/predicates.h"
 #include "core/mesh/closed_volume.h"
 #include "core/mesh/split_vertices.h"
+#include "core/overlap/starlike.h"
 #include "core/round/rounding.h"
 
 namespace strata {
@@ -42,13 +43,20 @@ bool are_coplanar(const InputComplex& input, std::uint32_t f, std::uint32_t g) {
   });
 }
 
+/// Boundaries of starlike solids are spheres, which needs less than a look at all of their stars.
+Connections connections_of(ExactMeshView mesh, Facets facets, const Monitor& monitor) {
+  constexpr Topology sphere{.components = 1, .euler = 2};
+  if (facets == Facets::skip && mesh.exact.empty() && is_found_starlike(mesh.mesh, monitor)) return {sphere, 0};
+  return connections(mesh, facets, monitor);
+}
+
 }  // namespace
 
 Measures measures_of(ExactMeshView mesh, Facets facets, const Monitor& monitor) {
   Measures result;
   Connections connected;
   ClosedVolume volume;
-  tbb::parallel_invoke([&] { connected = connections(mesh, facets, monitor); },
+  tbb::parallel_invoke([&] { connected = connections_of(mesh, facets, monitor); },
                        [&] { volume = volume_of_closed(mesh, monitor); },
                        [&] { result.area = area_of(mesh, monitor); });
   result.topology = connected.topology;

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -140,24 +143,44 @@ class StarCensus {
   bool visit_inner(Index v, std::span<const Index> star) {
     const std::size_t degree = star.size();
     if (degree > Flatness::most_corners) return false;
-    std::array<Corner, Flatness::most_corners> storage;
-    const std::span<Corner> ring(storage.data(), degree);
-    for (std::size_t i = 0; i < degree; ++i) ring[i] = corner_of(star[i], v);
-    for (std::size_t i = 1; i < degree; ++i) {
-      const Index at = ring[i - 1].last;
-      std::size_t following = 0, count = 0;
-      for (std::size_t j = i; j < degree; ++j)
-        if (ring[j].next == at) {
-          following = j;
-          ++count;
-        }
-      if (count != 1 || at == ring.front().next) return false;
-      std::swap(ring[i], ring[following]);
+    std::array<Corner, Flatness::most_corners> corners;
+    std::array<Index, Flatness::most_corners> nexts;
+    nexts.fill(std::numeric_limits<Index>::max());
+    for (std::size_t i = 0; i < degree; ++i) {
+      corners[i] = corner_of(star[i], v);
+      nexts[i] = corners[i].next;
     }
-    if (ring.back().last != ring.front().next) return false;
-    for (const Corner& c : ring) edges += v < c.next;
-    if (flatness_ != nullptr) list_flat_pairs(v, ring);
+    std::array<std::uint8_t, Flatness::most_corners> following;
+    Index lower = 0;
+    for (std::size_t i = 0; i < degree; ++i) {
+      const std::uint32_t places = places_of(corners[i].last, nexts);
+      if (places == 0 || (places & (places - 1)) != 0) return false;  // none, or several
+      following[i] = static_cast<std::uint8_t>(std::countr_zero(places));
+      lower += v < corners[i].next;
+    }
+    std::array<Corner, Flatness::most_corners> ring;
+    std::size_t at = 0, length = 0;
+    do {
+      ring[length++] = corners[at];
+      at = following[at];
+    } while (at != 0 && length != degree);
+    if (at != 0 || length != degree) return false;
+    edges += lower;
+    if (flatness_ != nullptr) list_flat_pairs(v, std::span(ring).first(degree));
     return true;
+  }
+
+  /// A bit for each place of the vertex in the list.
+  static std::uint32_t places_of(Index vertex, const std::array<Index, Flatness::most_corners>& list) {
+    using FourVertices [[gnu::vector_size(16)]] = Index;
+    using FourBits [[gnu::vector_size(16)]] = std::int32_t;
+    std::array<FourVertices, 3> fours;
+    static_assert(sizeof fours == sizeof list);
+    std::memcpy(&fours, &list, sizeof fours);
+    const FourBits bits = ((fours[0] == vertex) & FourBits{1, 2, 4, 8}) |
+                          ((fours[1] == vertex) & FourBits{16, 32, 64, 128}) |
+                          ((fours[2] == vertex) & FourBits{256, 512, 1024, 2048});
+    return static_cast<std::uint32_t>((bits[0] | bits[1]) | (bits[2] | bits[3]));
   }
 
   void list_flat_pairs(Index v, std::span<const Corner> ring) {
@@ -170,9 +193,10 @@ class StarCensus {
   }
 
   [[nodiscard]] Corner corner_of(Index triangle, Index v) const {
+    static constexpr std::array<std::uint8_t, 5> cyclic{0, 1, 2, 0, 1};
     const Triangle& t = triangles_[triangle];
-    if (t[0] == v) return {triangle, t[1], t[2]};
-    return t[1] == v ? Corner{triangle, t[2], t[0]} : Corner{triangle, t[0], t[1]};
+    const std::size_t at = static_cast<std::size_t>(t[1] == v) + 2 * static_cast<std::size_t>(t[2] == v);  // no branch
+    return {triangle, t[cyclic[at + 1]], t[cyclic[at + 2]]};
   }
 
   void visit_any(Index v, std::span<const Index> star) {
