@@ -187,9 +187,11 @@ TEST_CASE("two doubles and a lattice decide the volume, for coordinates on it an
       }
       if (is_rounded) mesh.exact.push_back({v, p});
     }
-    const auto decided = decided_volume(mesh.mesh, SplitVertices(mesh), {});
-    REQUIRE(decided.has_value());
-    REQUIRE(*decided == to_nearest_double(volume_by_rationals(mesh)));
+    for (const Closed closed : {Closed::unknown, Closed::known}) {
+      const auto decided = decided_volume(mesh.mesh, SplitVertices(mesh), closed, {});
+      REQUIRE(decided.has_value());
+      REQUIRE(*decided == to_nearest_double(volume_by_rationals(mesh)));
+    }
   }
 }
 
@@ -209,10 +211,10 @@ TEST_CASE("the volume is not decided where two doubles cannot tell between two d
   for (std::uint32_t v = 0; v < mesh.mesh.vertices.size(); ++v)
     if (mesh.mesh.vertices[v][0] == 1)
       mesh.exact.push_back({v, {1 + Rational(1, Integer(1) << 53), mesh.position(v)[1], mesh.position(v)[2]}});
-  CHECK(decided_volume(mesh.mesh, SplitVertices(mesh), {}) == std::nullopt);
+  CHECK(decided_volume(mesh.mesh, SplitVertices(mesh), Closed::known, {}) == std::nullopt);
   CHECK(nearest_volume(mesh) == 1);  // to even
   for (ExactVertex& e : mesh.exact) e.position[0] += Rational(1, Integer(1) << 300);
-  CHECK(decided_volume(mesh.mesh, SplitVertices(mesh), {}) == std::nullopt);
+  CHECK(decided_volume(mesh.mesh, SplitVertices(mesh), Closed::known, {}) == std::nullopt);
   CHECK(nearest_volume(mesh) == 1 + 0x1p-52);
 }
 

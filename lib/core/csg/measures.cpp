@@ -85,7 +85,7 @@ Measures measures_of(const InputComplex& input, const Boundary& boundary, const 
   Connections connected;
   std::optional<double> volume, area;
   tbb::parallel_invoke([&] { connected = connections(mesh, is_one_plane, monitor); },
-                       [&] { volume = decided_volume(mesh.mesh, split, monitor); },
+                       [&] { volume = decided_volume(mesh.mesh, split, Closed::known, monitor); },
                        [&] { area = decided_area(mesh.mesh, split, monitor); });
   if (!volume || !area) return exactly();
   Measures result{connected.topology, {}, {}, *area, connected.facets};

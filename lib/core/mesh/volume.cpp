@@ -91,14 +91,15 @@ class VolumeSum {
 };
 
 /// Six times the volume of some triangles whose vertices are sums of two doubles, with a bound on the error. Each
-/// corner is a point of a lattice and a rest. The determinants of the former are exact; to these the terms of first
-/// order in the rests are added, in doubles: what is rounded depends on the order of the triangles.
+/// corner is a point of a lattice and a rest. The determinants of the former are exact, and so are the prisms that have
+/// the same sum over a closed chain; to these the terms of first order in the rests are added, in doubles: what is
+/// rounded depends on the order of the triangles.
 class FirstOrderSum {
  public:
-  FirstOrderSum(MeshView mesh, const SplitVertices& split, double largest, const Monitor& monitor)
-      : mesh_(mesh), split_(split), largest_(largest), monitor_(monitor), lattice_(largest) {}
+  FirstOrderSum(MeshView mesh, const SplitVertices& split, Closed closed, double largest, const Monitor& monitor)
+      : mesh_(mesh), split_(split), closed_(closed), largest_(largest), monitor_(monitor), lattice_(largest) {}
   FirstOrderSum(FirstOrderSum& other, tbb::split)
-      : FirstOrderSum(other.mesh_, other.split_, other.largest_, other.monitor_) {}
+      : FirstOrderSum(other.mesh_, other.split_, other.closed_, other.largest_, other.monitor_) {}
 
   void operator()(const Range& range) {
     monitor_.check();
@@ -138,7 +139,7 @@ class FirstOrderSum {
 
   void add(const Triangle& t) {
     Corners points{mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]}, rests{};
-    const bool is_on_lattice = lattice_.add_determinant(points[0], points[1], points[2]);
+    const bool is_on_lattice = add_exactly(points);
     if (is_on_lattice && !split_.any_low(t)) return;
     if (!is_on_lattice) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -146,12 +147,18 @@ class FirstOrderSum {
         rests[i] = minus(points[i], point);
         points[i] = point;
       }
-      static_cast<void>(lattice_.add_determinant(points[0], points[1], points[2]));
+      static_cast<void>(add_exactly(points));
     }
     for (std::size_t i = 0; i < 3; ++i)
       if (const Vertex* const low = split_.low(t[i]); low != nullptr)
         for (std::size_t k = 0; k < 3; ++k) rests[i][k] += (*low)[k];
     add_first_order(points, rests);
+  }
+
+  /// Returns false, and adds nothing, where a corner is not on the lattice.
+  [[nodiscard]] bool add_exactly(const Corners& points) {
+    const auto& [a, b, c] = points;
+    return closed_ == Closed::known ? lattice_.add_prism(a, b, c) : lattice_.add_determinant(a, b, c);
   }
 
   void add_first_order(Corners points, Corners rests) {
@@ -173,6 +180,7 @@ class FirstOrderSum {
 
   MeshView mesh_;
   const SplitVertices& split_;
+  Closed closed_;
   double largest_;
   const Monitor& monitor_;
   LatticeSum lattice_;
@@ -218,8 +226,8 @@ Rational volume_of(ExactMeshView mesh, const Monitor& monitor) {
   return sum.value() / 6;
 }
 
-double nearest_volume_of(ExactMeshView mesh, const Monitor& monitor) {
-  if (const auto volume = decided_volume(mesh.mesh, SplitVertices(mesh), monitor)) return *volume;
+double nearest_volume_of(ExactMeshView mesh, Closed closed, const Monitor& monitor) {
+  if (const auto volume = decided_volume(mesh.mesh, SplitVertices(mesh), closed, monitor)) return *volume;
   return to_nearest_double(volume_of(mesh, monitor));
 }
 
@@ -227,9 +235,9 @@ double nearest_volume_of(ExactMeshView mesh, const Monitor& monitor) {
 
 // If coordinates are below L in magnitude and change by at most e, a determinant, of six products, changes by at most
 // 6 ((L + e)^3 - L^3) <= 18 (L + e)^2 e.
-std::optional<double> decided_volume(MeshView mesh, const SplitVertices& split, const Monitor& monitor) {
+std::optional<double> decided_volume(MeshView mesh, const SplitVertices& split, Closed closed, const Monitor& monitor) {
   const double largest = largest_coordinate(mesh.vertices);
-  FirstOrderSum sum(mesh, split, largest, monitor);
+  FirstOrderSum sum(mesh, split, closed, largest, monitor);
   tbb::parallel_deterministic_reduce(Range(0, mesh.triangles.size(), triangles_at_once), sum);
   if (!sum.is_bounded()) return std::nullopt;
   const Rational error = to_rational(split.error()), size = 2 * to_rational(largest) + 2 * error;
@@ -240,10 +248,11 @@ std::optional<double> decided_volume(MeshView mesh, const SplitVertices& split, 
 }
 
 Rational volume(ExactMeshView mesh) { return volume_of(mesh, {}); }
-double nearest_volume(ExactMeshView mesh) { return nearest_volume_of(mesh, {}); }
+double nearest_volume(ExactMeshView mesh) { return nearest_volume_of(mesh, Closed::unknown, {}); }
 
 ClosedVolume volume_of_closed(ExactMeshView mesh, const Monitor& monitor) {
-  if (mesh.exact.size() > most_rational_vertices) return {nearest_volume_of(mesh, monitor), std::nullopt};
+  if (mesh.exact.size() > most_rational_vertices)
+    return {nearest_volume_of(mesh, Closed::known, monitor), std::nullopt};
   if (!mesh.exact.empty()) {
     Rational exact = volume_of(mesh, monitor);
     const double nearest = to_nearest_double(exact);
