@@ -49,9 +49,9 @@ std::vector<Defect> check(ExactMeshView mesh, const Options& options, std::size_
     const Prepared prepared = mesh.exact.empty() ? prepare_closed(mesh.mesh, true) : prepare_exact(mesh);
     const ExactMeshView ready(prepared.mesh ? MeshView(*prepared.mesh) : mesh.mesh, mesh.exact);
     const OnFirstVertices welded(ready, monitor);
-    const Inspection inspection = look.inspection && !prepared.mesh && welded.are_given()
-                                      ? std::move(*look.inspection)
-                                      : Inspection({{ready.mesh.vertices, welded.triangles()}, mesh.exact}, monitor);
+    const bool is_as_it_was = !prepared.mesh && welded.are_given();
+    const Inspection inspection =
+        inspect({{ready.mesh.vertices, welded.triangles()}, mesh.exact}, is_as_it_was, std::move(look), monitor);
     const auto more = inspection.defects(Severity::error, prepared.source_face, listed);
     defects.insert(defects.end(), more.begin(), more.end());
     return defects;

@@ -26,7 +26,7 @@ struct Shell {
 /// The boundary of a solid as shells.
 class ShelledBoundary {
  public:
-  explicit ShelledBoundary(const ExactMesh& mesh) : boundary_(mesh), mesh_(mesh) {}
+  explicit ShelledBoundary(ExactMeshView mesh) : boundary_(mesh), mesh_(mesh) {}
 
   [[nodiscard]] const InputComplex& input() const { return boundary_.input(); }
   [[nodiscard]] const Triangle& triangle(std::uint32_t face) const { return boundary_.triangles()[face]; }
@@ -71,7 +71,7 @@ class ShelledBoundary {
   }
 
   SolidBoundary boundary_;
-  const ExactMesh& mesh_;
+  ExactMeshView mesh_;
 };
 
 /// A point inside a face of a cavity's boundary, from where a ray runs in the direction of x.
@@ -144,11 +144,6 @@ std::vector<std::size_t> outer_shells(const ShelledBoundary& boundary, const std
   return outer;
 }
 
-ExactMesh reversed(ExactMesh mesh) {
-  for (Triangle& t : mesh.mesh.triangles) std::swap(t[1], t[2]);
-  return mesh;
-}
-
 /// Some triangles of a mesh, which bound a solid. Where sheets touch and are listed apart, each with a sheet that is
 /// not among them, equal vertices become one.
 std::vector<Triangle> closed_part_of(const ExactMesh& whole, const std::vector<std::uint32_t>& faces) {
@@ -212,8 +207,9 @@ std::vector<Solid> Solid::components() const {
 Solid Solid::without_cavities(const Options& options) const {
   if (is_empty()) return *this;
   // What is closed off is a component of the exterior, which may touch others, and infinity, in edges and vertices.
-  const ExactMesh exterior = reversed(exact_mesh());
-  std::vector<Shell> shells = ShelledBoundary(exterior).shells();
+  std::vector<Triangle> reversed = mesh().triangles;
+  for (Triangle& t : reversed) std::swap(t[1], t[2]);
+  std::vector<Shell> shells = ShelledBoundary({{mesh().vertices, reversed}, exact_mesh().exact}).shells();
   for (Shell& s : shells) s.is_outer = !s.is_outer;
   if (std::all_of(shells.begin(), shells.end(), [](const Shell& s) { return s.is_outer; })) return *this;
   std::vector<Solid> parts;

@@ -27,9 +27,9 @@ Found to_resolve(const Operand& operand, std::size_t number, const Monitor& moni
   const Prepared prepared = prepare({operand.mesh, operand.exact}, Options{}, number);
   const ExactMeshView ready(prepared.mesh ? MeshView(*prepared.mesh) : operand.mesh, operand.exact);
   const OnFirstVertices welded(ready, monitor);
-  const Inspection inspection = look.inspection && !prepared.mesh && welded.are_given()
-                                    ? std::move(*look.inspection)
-                                    : Inspection({{ready.mesh.vertices, welded.triangles()}, operand.exact}, monitor);
+  const bool is_as_it_was = !prepared.mesh && welded.are_given();
+  const Inspection inspection =
+      inspect({{ready.mesh.vertices, welded.triangles()}, operand.exact}, is_as_it_was, std::move(look), monitor);
   return {inspection.defects(Severity::note, prepared.source_face), inspection.intersections()};
 }
 

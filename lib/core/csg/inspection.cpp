@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/csg/shell_windings.h"
 #include "core/exact/finite.h"
@@ -93,6 +94,10 @@ FirstLook first_look(MeshView mesh, const Monitor& monitor) {
   FirstLook look{false, Inspection(ExactMeshView(mesh, {}), monitor)};
   look.is_solid = look.inspection->finds_nothing();
   return look;
+}
+
+Inspection inspect(ExactMeshView mesh, bool is_as_it_was, FirstLook look, const Monitor& monitor) {
+  return is_as_it_was && look.inspection ? std::move(*look.inspection) : Inspection(mesh, monitor);
 }
 
 bool windings_are_those_of_a_solid(MeshView mesh, const EmbeddedStars* stars, const Monitor& monitor) {

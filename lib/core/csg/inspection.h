@@ -52,6 +52,10 @@ struct FirstLook {
 /// Any mesh, which must outlive what is returned. A few streaming passes, and the search for intersections.
 [[nodiscard]] FirstLook first_look(MeshView mesh, const Monitor& monitor);
 
+/// The inspection of a mesh that is prepared and on the first of equal vertices. Where it is the one of the first look,
+/// as it was then, that has found what there is.
+[[nodiscard]] Inspection inspect(ExactMeshView mesh, bool is_as_it_was, FirstLook look, const Monitor& monitor);
+
 /// True when the winding numbers of a mesh are 0 and 1. Requires that no faces share a point other than vertices of the
 /// same number and their edges, and what an Inspection does. `stars`: of this mesh, or null.
 [[nodiscard]] bool windings_are_those_of_a_solid(MeshView mesh, const EmbeddedStars* stars, const Monitor& monitor);

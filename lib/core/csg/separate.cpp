@@ -74,8 +74,7 @@ Index add_vertex(ExactMesh& mesh, const RationalPoint& p) {
 }
 
 /// A vertex per set of corners: its own number where another set has not taken it, else a copy at the end.
-ExactMesh with_copies(const SolidBoundary& boundary, Corners& corners) {
-  ExactMesh mesh = boundary.mesh();
+ExactMesh with_copies(ExactMesh mesh, const SolidBoundary& boundary, Corners& corners) {
   mesh.mesh.triangles = boundary.triangles();
   std::vector<bool> is_taken(mesh.mesh.vertices.size(), false);
   for (Index corner = 0; corner < 3 * mesh.mesh.triangles.size(); ++corner) {
@@ -154,7 +153,7 @@ Solid Solid::separated() const {
   if (is_empty()) return *this;
   const SolidBoundary boundary(exact_mesh());
   Corners corners(boundary);
-  Data data{with_copies(boundary, corners), {}, notes()};
+  Data data{with_copies(exact_mesh(), boundary, corners), {}, notes()};
   for (Index t = 0; t < mesh().triangles.size(); ++t) data.sources.push_back({0, t});
   Divider(data.boundary, data.sources).divide(corners.wedges_to_divide());
   if (!attributes().empty())

@@ -15,7 +15,8 @@ namespace strata {
 /// The boundary of a solid, with one number for equal vertices. Refers to the mesh.
 class SolidBoundary {
  public:
-  explicit SolidBoundary(const ExactMesh& mesh) : mesh_(mesh), triangles_(mesh.mesh.triangles) {
+  explicit SolidBoundary(ExactMeshView mesh)
+      : mesh_(mesh), triangles_(mesh.mesh.triangles.begin(), mesh.mesh.triangles.end()) {
     const std::vector<std::uint32_t> first = equal_vertices(mesh);
     for (Triangle& t : triangles_)
       for (std::uint32_t& v : t) v = first[v];
@@ -24,7 +25,7 @@ class SolidBoundary {
   SolidBoundary(const SolidBoundary&) = delete;
   SolidBoundary& operator=(const SolidBoundary&) = delete;
 
-  [[nodiscard]] const ExactMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const ExactMeshView& mesh() const { return mesh_; }
   [[nodiscard]] const InputComplex& input() const { return input_; }
   [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
 
@@ -46,7 +47,7 @@ class SolidBoundary {
   }
 
  private:
-  const ExactMesh& mesh_;
+  ExactMeshView mesh_;
   std::vector<Triangle> triangles_;
   InputComplex input_;
 };
