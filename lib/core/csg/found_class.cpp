@@ -21,15 +21,11 @@ struct Found {
 
 Found to_resolve(const Operand& operand, std::size_t number, const Monitor& monitor) {
   if (operand.is_checked || operand.mesh.triangles.empty()) return {};
-  FirstLook look;
-  if (operand.exact.empty()) look = first_look(operand.mesh, monitor);
-  if (look.is_solid) return {};
+  if (operand.exact.empty() && is_plainly_solid(operand.mesh, monitor)) return {};
   const Prepared prepared = prepare({operand.mesh, operand.exact}, Options{}, number);
   const ExactMeshView ready(prepared.mesh ? MeshView(*prepared.mesh) : operand.mesh, operand.exact);
   const OnFirstVertices welded(ready, monitor);
-  const bool is_as_it_was = !prepared.mesh && welded.are_given();
-  const Inspection inspection =
-      inspect({{ready.mesh.vertices, welded.triangles()}, operand.exact}, is_as_it_was, std::move(look), monitor);
+  const Inspection inspection({{ready.mesh.vertices, welded.triangles()}, operand.exact}, monitor);
   return {inspection.defects(Severity::note, prepared.source_face), inspection.intersections()};
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "core/csg/shell_windings.h"
 #include "core/exact/finite.h"
@@ -70,9 +69,10 @@ std::vector<Defect> Inspection::defects(Severity severity, const std::vector<std
 
 namespace {
 
-bool needs_no_preparation(MeshView mesh) {
+bool bounds_plainly(MeshView mesh, const Monitor& monitor) {
   const Screening facts = screen(mesh);
-  return facts.finite && facts.indices_valid && facts.chain_closed && !facts.degenerate && facts.orientation > 0;
+  return facts.finite && facts.indices_valid && facts.chain_closed && !facts.degenerate && facts.orientation > 0 &&
+         Inspection(ExactMeshView(mesh, {}), monitor, 1).finds_nothing();
 }
 
 bool are_usable(MeshView mesh) {
@@ -83,21 +83,11 @@ bool are_usable(MeshView mesh) {
 
 }  // namespace
 
-FirstLook first_look(MeshView mesh, const Monitor& monitor) {
-  if (mesh.triangles.empty()) return {};
-  if (is_found_starlike(mesh, monitor)) return {true, {}};
-  if (is_scattered(mesh) && are_usable(mesh)) {
-    const Mesh near = gathered(mesh, monitor);
-    return {needs_no_preparation(near) && Inspection(ExactMeshView(near, {}), monitor, 1).finds_nothing(), {}};
-  }
-  if (!needs_no_preparation(mesh)) return {};
-  FirstLook look{false, Inspection(ExactMeshView(mesh, {}), monitor)};
-  look.is_solid = look.inspection->finds_nothing();
-  return look;
-}
-
-Inspection inspect(ExactMeshView mesh, bool is_as_it_was, FirstLook look, const Monitor& monitor) {
-  return is_as_it_was && look.inspection ? std::move(*look.inspection) : Inspection(mesh, monitor);
+bool is_plainly_solid(MeshView mesh, const Monitor& monitor) {
+  if (mesh.triangles.empty()) return false;
+  if (is_found_starlike(mesh, monitor)) return true;
+  if (is_scattered(mesh) && are_usable(mesh)) return bounds_plainly(gathered(mesh, monitor), monitor);
+  return bounds_plainly(mesh, monitor);
 }
 
 bool windings_are_those_of_a_solid(MeshView mesh, const EmbeddedStars* stars, const Monitor& monitor) {

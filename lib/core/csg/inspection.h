@@ -2,7 +2,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "core/overlap/embedded_stars.h"
@@ -43,18 +42,9 @@ class Inspection {
   std::vector<std::int32_t> above_;  ///< per shell
 };
 
-/// What is seen of a mesh before anything of it is prepared.
-struct FirstLook {
-  bool is_solid = false;                 ///< it bounds one, and has none of the defects that preparation resolves
-  std::optional<Inspection> inspection;  ///< of the mesh as it is; none where preparation has to come first
-};
-
-/// Any mesh, which must outlive what is returned. A few streaming passes, and the search for intersections.
-[[nodiscard]] FirstLook first_look(MeshView mesh, const Monitor& monitor);
-
-/// The inspection of a mesh that is prepared and on the first of equal vertices. Where it is the one of the first look,
-/// as it was then, that has found what there is.
-[[nodiscard]] Inspection inspect(ExactMeshView mesh, bool is_as_it_was, FirstLook look, const Monitor& monitor);
+/// True when the mesh bounds a solid and has none of the defects that preparation resolves. Any mesh. A few streaming
+/// passes, and the search for intersections. False as soon as one is found.
+[[nodiscard]] bool is_plainly_solid(MeshView mesh, const Monitor& monitor);
 
 /// True when the winding numbers of a mesh are 0 and 1. Requires that no faces share a point other than vertices of the
 /// same number and their edges, and what an Inspection does. `stars`: of this mesh, or null.
