@@ -102,14 +102,14 @@ BooleanResult finished(const InputComplex& input, const std::vector<Verdict>& ve
 }
 
 /// The stages after `prepare`, by cells.
-BooleanResult evaluate_in_cells(const Rule& rule, InputComplex complex, const KnownPairs& known, const Options& options,
-                                const Monitor& monitor, Stages& stages) {
+BooleanResult evaluate_in_cells(const Rule& rule, InputComplex complex, const Options& options, const Monitor& monitor,
+                                Stages& stages) {
   Candidates candidates = find_candidates(std::move(complex), monitor);
   const InputComplex& input = candidates.input();
   count(candidates, stages.profile());
   stages.end("find_candidates", 0.3);
 
-  Intersections intersections = known ? intersect(input, *known, monitor) : intersect(candidates, monitor);
+  Intersections intersections = intersect(candidates, monitor);
   count(intersections, stages.profile());
   stages.end("intersect", 0.55);
 
@@ -133,20 +133,40 @@ std::vector<std::uint32_t> first_faces(const Shells& patches) {
   return first;
 }
 
+/// Of so many faces, pairs that cross are few.
+std::size_t few_pairs(std::size_t faces) { return faces / 8 + 1; }
+
+/// Winding numbers of points of patches: by rays where these are few, else by cells.
+class PatchWindings {
+ public:
+  PatchWindings(const InputComplex& input, const Shells& patches, bool are_many, const Monitor& monitor) {
+    if (!are_many) {
+      oracle_ = std::make_unique<RayWindings>(input, first_faces(patches));
+      return;
+    }
+    candidates_.emplace(find_candidates(input, monitor));
+    oracle_ = std::make_unique<LocalWindings>(candidates_->input(), candidates_->cells());
+  }
+  [[nodiscard]] const WindingOracle& oracle() const { return *oracle_; }
+
+ private:
+  std::optional<Candidates> candidates_;
+  std::unique_ptr<const WindingOracle> oracle_;
+};
+
 /// The stages after `prepare` for one mesh of which few faces cross: no cells are made, and points are decided for
 /// whole patches.
-BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, const EmbeddedStars& stars,
-                                  std::span<const SelfIntersection> pairs, const Options& options,
-                                  const Monitor& monitor, Stages& stages) {
-  Intersections intersections = intersect(input, pairs, monitor);
+BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, const SelfCrossings& crossings,
+                                  const Options& options, const Monitor& monitor, Stages& stages) {
+  Intersections intersections = intersect(input, crossings.pairs, monitor);
   count(intersections, stages.profile());
   stages.end("intersect", 0.55);
 
   std::vector<bool> crossing(input.face_count(), false);
-  for (const SelfIntersection& p : pairs) crossing[p.face] = crossing[p.other] = true;
-  const Shells patches = find_patches(input, stars, crossing);
-  const RayWindings windings(input, first_faces(patches));
-  const Classifier classifier{rule, windings};
+  for (const SelfIntersection& p : crossings.pairs) crossing[p.face] = crossing[p.other] = true;
+  const Shells patches = find_patches(input, crossings.stars, crossing);
+  const PatchWindings windings(input, patches, crossings.pairs.size() >= few_pairs(input.face_count()), monitor);
+  const Classifier classifier{rule, windings.oracle()};
   Subdivision subdivision = subdivide(input, std::move(intersections), classifier, monitor);
   count(subdivision, stages.profile());
   stages.end("subdivide", 0.8);
@@ -155,9 +175,6 @@ BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, c
   stages.end("label", 0.85);
   return finished(input, verdicts, std::move(subdivision), options, monitor, stages);
 }
-
-/// Of so many faces, pairs that cross are few.
-std::size_t few_pairs(std::size_t faces) { return faces / 8 + 1; }
 
 /// One mesh of doubles, each vertex of which is the first of those in its place.
 class WeldedMesh {
@@ -173,27 +190,29 @@ class WeldedMesh {
   InputComplex complex_{SelfIntersections::possible};
 };
 
-BooleanResult evaluate(const Rule& rule, InputComplex complex, const KnownPairs& known, const Options& options,
+BooleanResult evaluate(const Rule& rule, InputComplex complex, const KnownCrossings& known, const Options& options,
                        const Monitor& monitor, Stages& stages) {
   if (complex.operand_count() == 1 && complex.may_self_intersect() && rule.looks_around() && !complex.has_rationals() &&
       !complex.has_planes()) {
     const WeldedMesh mesh(complex);
-    const std::size_t enough = few_pairs(complex.face_count());
-    if (known && known->size() >= enough)
-      return evaluate_in_cells(rule, mesh.complex(), known, options, monitor, stages);
-    const EmbeddedStars stars(mesh.complex(), monitor);
-    const std::vector<SelfIntersection> pairs =
-        known ? *known : find_self_intersections(mesh.complex(), &stars, monitor, enough);
-    stages.end("find_candidates", 0.3);
-    if (pairs.size() < enough) return evaluate_in_patches(rule, mesh.complex(), stars, pairs, options, monitor, stages);
+    KnownCrossings found;
+    if (!known) {
+      const std::size_t enough = few_pairs(complex.face_count());
+      EmbeddedStars stars(mesh.complex(), monitor);
+      std::vector<SelfIntersection> pairs = find_self_intersections(mesh.complex(), &stars, monitor, enough);
+      if (pairs.size() < enough) found.emplace(SelfCrossings{std::move(stars), std::move(pairs)});
+      stages.end("find_candidates", 0.3);
+    }
+    if (known || found)
+      return evaluate_in_patches(rule, mesh.complex(), known ? *known : *found, options, monitor, stages);
   }
-  return evaluate_in_cells(rule, std::move(complex), {}, options, monitor, stages);
+  return evaluate_in_cells(rule, std::move(complex), options, monitor, stages);
 }
 
 }  // namespace
 
 BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options,
-                      const KnownPairs& known) {
+                      const KnownCrossings& known) {
   Profile profile;
   const Monitor monitor(options.cancel, &options.progress);
   const TierCounts tiers = tier_counts_now();

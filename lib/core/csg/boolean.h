@@ -11,9 +11,9 @@
 
 namespace strata {
 
-/// All pairs of faces of the only operand that intersect, after its preparation, on the first of equal vertices: if who
-/// asks has found them already.
-using KnownPairs = std::optional<std::vector<SelfIntersection>>;
+/// Where faces of the only operand intersect, after its preparation, on the first of equal vertices: if who asks has
+/// found it already.
+using KnownCrossings = std::optional<SelfCrossings>;
 
 /// The Boolean itself, stage by stage, in the current task arena:
 ///
@@ -31,7 +31,7 @@ using KnownPairs = std::optional<std::vector<SelfIntersection>>;
 /// Profile::seconds; the lap `validate`, before `round`, ensures that the boundary is closed.
 /// Throws as `combine` does.
 [[nodiscard]] BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options,
-                                    const KnownPairs& known = std::nullopt);
+                                    const KnownCrossings& known = std::nullopt);
 
 /// The stages after `prepare` for one closed mesh of any orientation, with exact vertices. Requires faces of positive
 /// area. Throws Cancelled.

@@ -40,14 +40,14 @@ std::vector<Defect> check(MeshView mesh, const Options& options, std::size_t lis
 std::vector<Defect> check(ExactMeshView mesh, const Options& options, std::size_t listed) {
   return in_arena(options, mesh, [&] {
     const Monitor monitor(options.cancel);
-    if (mesh.exact.empty() && is_plainly_solid(mesh.mesh, monitor)) return std::vector<Defect>{};
+    const FirstLook look = mesh.exact.empty() ? look_at(mesh.mesh, monitor) : FirstLook{};
+    if (look.is_solid) return std::vector<Defect>{};
+    if (look.all) return look.all->defects(Severity::error, {}, listed);
     std::vector<Defect> defects = diagnose(mesh, listed);
     if (std::any_of(defects.begin(), defects.end(), is_error) || mesh.mesh.triangles.empty()) return defects;
     const Prepared prepared = mesh.exact.empty() ? prepare_closed(mesh.mesh, true) : prepare_exact(mesh);
     const ExactMeshView ready(prepared.mesh ? MeshView(*prepared.mesh) : mesh.mesh, mesh.exact);
-    const OnFirstVertices welded(ready, monitor);
-    const auto more = Inspection({{ready.mesh.vertices, welded.triangles()}, mesh.exact}, monitor)
-                          .defects(Severity::error, prepared.source_face, listed);
+    const auto more = Inspection(ready, monitor).defects(Severity::error, prepared.source_face, listed);
     defects.insert(defects.end(), more.begin(), more.end());
     return defects;
   });

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/csg/inspection.h"
-#include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
 
 namespace strata {
@@ -16,17 +15,24 @@ namespace {
 /// What keeps an operand from being a solid as it is.
 struct Found {
   std::vector<Defect> notes;
-  KnownPairs pairs;
+  KnownCrossings crossings;
 };
+
+Found found_by(Inspection inspection, const std::vector<std::uint32_t>& source) {
+  std::vector<Defect> notes = inspection.defects(Severity::note, source);
+  return {std::move(notes), std::move(inspection).take_crossings()};
+}
 
 Found to_resolve(const Operand& operand, std::size_t number, const Monitor& monitor) {
   if (operand.is_checked || operand.mesh.triangles.empty()) return {};
-  if (operand.exact.empty() && is_plainly_solid(operand.mesh, monitor)) return {};
+  if (operand.exact.empty()) {
+    FirstLook look = look_at(operand.mesh, monitor);
+    if (look.is_solid) return {};
+    if (look.all) return found_by(*std::move(look.all), {});
+  }
   const Prepared prepared = prepare({operand.mesh, operand.exact}, Options{}, number);
   const ExactMeshView ready(prepared.mesh ? MeshView(*prepared.mesh) : operand.mesh, operand.exact);
-  const OnFirstVertices welded(ready, monitor);
-  const Inspection inspection({{ready.mesh.vertices, welded.triangles()}, operand.exact}, monitor);
-  return {inspection.defects(Severity::note, prepared.source_face), inspection.intersections()};
+  return found_by(Inspection(ready, monitor), prepared.source_face);
 }
 
 }  // namespace
@@ -50,7 +56,7 @@ FoundClass find_class(std::span<const Operand> operands, const Monitor& monitor)
     if (!notes.empty()) found.input = InputClass::overlapping;
     found.notes.insert(found.notes.end(), notes.begin(), notes.end());
   }
-  if (operands.size() == 1) found.pairs = std::move(found_of.front().pairs);
+  if (operands.size() == 1) found.crossings = std::move(found_of.front().crossings);
   return found;
 }
 

@@ -11,7 +11,7 @@ namespace strata {
 struct FoundClass {
   InputClass input = InputClass::solid;  ///< or `overlapping`, if one of them crosses itself or has a shell in a shell
   std::vector<Defect> notes;             ///< what there is to resolve
-  KnownPairs pairs;                      ///< if the only operand was searched
+  KnownCrossings crossings;              ///< if the only operand was searched
 };
 
 /// Inspects operands, unless they are known to bound solids. Runs in the current task arena. Throws InputError, which

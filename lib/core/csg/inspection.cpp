@@ -8,6 +8,7 @@
 #include "core/csg/shell_windings.h"
 #include "core/exact/finite.h"
 #include "core/mesh/defect_list.h"
+#include "core/mesh/equal_vertices.h"
 #include "core/mesh/gathered_mesh.h"
 #include "core/mesh/prepare.h"
 #include "core/overlap/embedded_stars.h"
@@ -28,12 +29,31 @@ std::string sentence(std::uint32_t face, std::int32_t above) {
 
 }  // namespace
 
-Inspection::Inspection(ExactMeshView mesh, const Monitor& monitor, std::size_t enough) : mesh_(mesh) {
+// Faces that share equal vertices of different numbers intersect by these. So where nothing does, no vertices are
+// equal, and only where something does, they are looked for.
+Inspection::Inspection(ExactMeshView mesh, const Monitor& monitor) : mesh_(mesh) {
   const InputComplex complex = complex_of(mesh);
-  const EmbeddedStars stars(complex, monitor);
-  intersections_ = find_self_intersections(complex, &stars, monitor, enough);
-  if (!intersections_.empty()) return;
-  shells_ = find_shells(complex, stars);
+  stars_.emplace(complex, monitor);
+  SelfIntersectionSearch search(complex, &*stars_);
+  if (search.find(monitor, 1).empty()) {
+    find_windings(mesh, complex, monitor);
+    return;
+  }
+
+  const OnFirstVertices joined(mesh, monitor);
+  if (joined.are_given()) {
+    intersections_ = search.find(monitor);
+    return;
+  }
+  const ExactMeshView on_first({mesh.mesh.vertices, joined.triangles()}, mesh.exact);
+  const InputComplex complex_on_first = complex_of(on_first);
+  stars_.emplace(complex_on_first, monitor);
+  intersections_ = find_self_intersections(complex_on_first, &*stars_, monitor);
+  if (intersections_.empty()) find_windings(on_first, complex_on_first, monitor);
+}
+
+void Inspection::find_windings(ExactMeshView mesh, const InputComplex& complex, const Monitor& monitor) {
+  shells_ = find_shells(complex, *stars_);
   above_ = windings_above(mesh, shells_, monitor);
 }
 
@@ -69,10 +89,16 @@ std::vector<Defect> Inspection::defects(Severity severity, const std::vector<std
 
 namespace {
 
-bool bounds_plainly(MeshView mesh, const Monitor& monitor) {
+bool needs_no_preparation(MeshView mesh) {
   const Screening facts = screen(mesh);
-  return facts.finite && facts.indices_valid && facts.chain_closed && !facts.degenerate && facts.orientation > 0 &&
-         Inspection(ExactMeshView(mesh, {}), monitor, 1).finds_nothing();
+  return facts.finite && facts.indices_valid && facts.chain_closed && !facts.degenerate && facts.orientation > 0;
+}
+
+bool is_solid_by_number(MeshView mesh, const Monitor& monitor) {
+  const InputComplex complex = complex_of(mesh);
+  const EmbeddedStars stars(complex, monitor);
+  return find_self_intersections(complex, &stars, monitor, 1).empty() &&
+         windings_are_those_of_a_solid(mesh, &stars, monitor);
 }
 
 bool are_usable(MeshView mesh) {
@@ -83,11 +109,17 @@ bool are_usable(MeshView mesh) {
 
 }  // namespace
 
-bool is_plainly_solid(MeshView mesh, const Monitor& monitor) {
-  if (mesh.triangles.empty()) return false;
-  if (is_found_starlike(mesh, monitor)) return true;
-  if (is_scattered(mesh) && are_usable(mesh)) return bounds_plainly(gathered(mesh, monitor), monitor);
-  return bounds_plainly(mesh, monitor);
+FirstLook look_at(MeshView mesh, const Monitor& monitor) {
+  if (mesh.triangles.empty()) return {};
+  if (is_found_starlike(mesh, monitor)) return {true, {}};
+  if (is_scattered(mesh) && are_usable(mesh)) {
+    const Mesh local = gathered(mesh, monitor);
+    return {needs_no_preparation(local) && is_solid_by_number(local, monitor), {}};
+  }
+  if (!needs_no_preparation(mesh)) return {};
+  Inspection inspection({mesh, {}}, monitor);
+  if (inspection.finds_nothing()) return {true, {}};
+  return {false, std::move(inspection)};
 }
 
 bool windings_are_those_of_a_solid(MeshView mesh, const EmbeddedStars* stars, const Monitor& monitor) {

@@ -1,7 +1,8 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/overlap/embedded_stars.h"
@@ -14,37 +15,43 @@
 namespace strata {
 
 /// What keeps a closed mesh from being the boundary of a solid: faces that intersect, and shells that do not enclose
-/// what is inside them. Requires finite coordinates, valid indices, faces of positive area, and a closed chain.
-/// Vertices are equal where their numbers are. Runs in the current task arena. The mesh must outlive it. Throws
-/// Cancelled.
+/// what is inside them. Requires finite coordinates, valid indices, faces of positive area, and a closed chain. Equal
+/// vertices may have different numbers. Runs in the current task arena. The mesh must outlive it. Throws Cancelled.
 class Inspection {
  public:
-  static constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
-
-  /// Ends when at least `enough` intersecting pairs are found. O(n log n + pairs whose boxes overlap).
-  Inspection(ExactMeshView mesh, const Monitor& monitor, std::size_t enough = all);
+  /// O(n log n + pairs whose boxes overlap).
+  Inspection(ExactMeshView mesh, const Monitor& monitor);
 
   /// True when the mesh bounds a solid.
   [[nodiscard]] bool finds_nothing() const;
-
-  /// All pairs of faces that intersect, if these are fewer than `enough`.
-  [[nodiscard]] const std::vector<SelfIntersection>& intersections() const { return intersections_; }
 
   /// As errors, or as notes on what is resolved; so many of each kind are listed. `source` maps to the caller's face
   /// numbers; empty: the same numbers.
   [[nodiscard]] std::vector<Defect> defects(Severity severity, const std::vector<std::uint32_t>& source,
                                             std::size_t listed = few_defects) const;
 
+  /// What it knows of intersections, with each vertex as the first of its equals.
+  [[nodiscard]] SelfCrossings take_crossings() && { return {std::move(*stars_), std::move(intersections_)}; }
+
  private:
+  void find_windings(ExactMeshView mesh, const InputComplex& complex, const Monitor& monitor);
+
   ExactMeshView mesh_;
+  std::optional<EmbeddedStars> stars_;
   std::vector<SelfIntersection> intersections_;
   Shells shells_;                    ///< if there are no intersections
   std::vector<std::int32_t> above_;  ///< per shell
 };
 
-/// True when the mesh bounds a solid and has none of the defects that preparation resolves. Any mesh. A few streaming
-/// passes, and the search for intersections. False as soon as one is found.
-[[nodiscard]] bool is_plainly_solid(MeshView mesh, const Monitor& monitor);
+/// What a first look at a mesh finds.
+struct FirstLook {
+  bool is_solid = false;          ///< it bounds a solid and has none of the defects that preparation resolves
+  std::optional<Inspection> all;  ///< what else there is to find, if preparation would not change the mesh
+};
+
+/// Looks at any mesh. A few streaming passes, and an Inspection. For a scattered mesh (is_scattered) it says only
+/// whether it is a solid.
+[[nodiscard]] FirstLook look_at(MeshView mesh, const Monitor& monitor);
 
 /// True when the winding numbers of a mesh are 0 and 1. Requires that no faces share a point other than vertices of the
 /// same number and their edges, and what an Inspection does. `stars`: of this mesh, or null.

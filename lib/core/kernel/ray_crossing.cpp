@@ -1,6 +1,7 @@
 #include "core/kernel/ray_crossing.h"
 
 #include <cstddef>
+#include <optional>
 
 #include "core/kernel/predicates.h"
 
@@ -26,6 +27,19 @@ int crossing_along_x(const InputComplex& input, std::uint32_t face, const std::a
   const int winding = winding_yz(input, corners, q);
   if (winding == 0) return 0;
   return winding * to_int(side_of_face(input, face, q)) < 0 ? winding : 0;
+}
+
+// A point of the projected triangle is not on the left of one of its sides and on the right of another.
+bool certainly_passes_beside(const std::array<const InputComplex::Coordinates*, 3>& corners, const BoundedPoint& q) {
+  std::array<BoundedPoint, 3> p;
+  for (std::size_t i = 0; i < 3; ++i) p[i] = {0, (*corners[i])[1], (*corners[i])[2]};
+  bool is_left_of_one = false, is_right_of_one = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::optional<Sign> side = orientation_of(p[i], p[(i + 1) % 3], q, 1, 2).sign();
+    is_left_of_one = is_left_of_one || side == Sign::positive;
+    is_right_of_one = is_right_of_one || side == Sign::negative;
+  }
+  return is_left_of_one && is_right_of_one;
 }
 
 }  // namespace strata

@@ -14,4 +14,9 @@ namespace strata {
 [[nodiscard]] int crossing_along_x(const InputComplex& input, std::uint32_t face, const std::array<Point, 3>& corners,
                                    const Point& q);
 
+/// True only where such a ray, wherever it starts along x, certainly passes beside a triangle with these corners. O(1),
+/// in doubles.
+[[nodiscard]] bool certainly_passes_beside(const std::array<const InputComplex::Coordinates*, 3>& corners,
+                                           const BoundedPoint& q);
+
 }  // namespace strata

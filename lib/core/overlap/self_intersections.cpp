@@ -7,10 +7,8 @@
 #include <span>
 #include <utility>
 
-#include "core/containers/packed_boxes.h"
 #include "core/containers/point_bounds.h"
 #include "core/kernel/face_box.h"
-#include "core/overlap/fans.h"
 #include "core/overlap/meeting.h"
 #include "core/overlap/separation.h"
 
@@ -72,57 +70,72 @@ InputComplex complex_of(ExactMeshView mesh) {
   return complex;
 }
 
-std::vector<SelfIntersection> find_self_intersections(const InputComplex& input, const EmbeddedStars* stars,
-                                                      const Monitor& monitor, std::size_t enough) {
-  // Faces around a vertex where nothing crosses are no pairs; those around a fan are compared there.
-  const Fans fans(input, stars);
-  const auto is_key = [&](std::uint32_t v) { return (stars != nullptr && stars->at(v)) || fans.at(v); };
-  const auto keys_of = [&](std::uint32_t face) {
-    PackedBoxes::Keys keys = input.faces(0)[face];
-    for (std::uint32_t& v : keys)
-      if (!is_key(v)) v = PackedBoxes::no_key;
-    return keys;
-  };
-  const PackedBoxes boxes(
-      input.face_count(0), bounds_of_finite(input.points(0)), [&](std::uint32_t face) { return face_box(input, face); },
-      keys_of);
-  tbb::enumerable_thread_specific<PairTest> tests([&] { return PairTest(input); });
+// Faces around a vertex where nothing crosses are no pairs; those around a fan are compared there.
+SelfIntersectionSearch::SelfIntersectionSearch(const InputComplex& input, const EmbeddedStars* stars)
+    : input_(input),
+      fans_(input, stars),
+      boxes_(
+          input.face_count(0), bounds_of_finite(input.points(0)),
+          [&](std::uint32_t face) { return face_box(input, face); },
+          [&](std::uint32_t face) {
+            PackedBoxes::Keys keys = input.faces(0)[face];
+            for (std::uint32_t& v : keys)
+              if (!((stars != nullptr && stars->at(v)) || fans_.at(v))) v = PackedBoxes::no_key;
+            return keys;
+          }) {}
 
-  // Rounds, and tasks that end by themselves, so that the end does not depend on threads.
-  std::vector<SelfIntersection> all;
-  const auto test_pairs = [&](std::size_t count, const auto& append_pairs_of) {
-    constexpr std::size_t groups_per_task = 8, tasks_per_round = 256;
-    const std::size_t tasks = (count + groups_per_task - 1) / groups_per_task;
-    for (std::size_t first = 0; first < tasks && all.size() < enough; first += tasks_per_round) {
-      std::vector<std::vector<SelfIntersection>> found(std::min(tasks_per_round, tasks - first));
-      tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
-        monitor.check();
-        PairTest& test = tests.local();
-        std::vector<PackedBoxes::Pair> pairs;
-        const std::size_t begin = (first + n) * groups_per_task;
-        for (std::size_t group = begin; group < std::min(begin + groups_per_task, count); ++group) {
-          pairs.clear();
-          append_pairs_of(group, pairs);
-          for (const auto& [a, b] : pairs) {
-            test(a, b, found[n]);
-            if (found[n].size() >= enough) return;
-          }
-        }
-      });
-      for (const auto& f : found) all.insert(all.end(), f.begin(), f.end());
-    }
-  };
+void SelfIntersectionSearch::append_pairs_of(std::size_t part, std::vector<PackedBoxes::Pair>& pairs) const {
   const auto are_apart = [&](std::span<const std::uint32_t> some, std::span<const std::uint32_t> others) {
-    return are_separated(corners_of(input, some), corners_of(input, others));
+    return are_separated(corners_of(input_, some), corners_of(input_, others));
   };
-  test_pairs(boxes.group_count(),
-             [&](std::size_t group, auto& pairs) { boxes.append_pairs_of(group, pairs, are_apart); });
-  test_pairs(fans.part_count(), [&](std::size_t part, auto& pairs) { fans.append_pairs_of(part, pairs); });
+  if (part < boxes_.group_count())
+    boxes_.append_pairs_of(part, pairs, are_apart);
+  else
+    fans_.append_pairs_of(part - boxes_.group_count(), pairs);
+}
 
-  std::sort(all.begin(), all.end(), [](const SelfIntersection& a, const SelfIntersection& b) {
+// Rounds, and tasks that end by themselves, so that the end does not depend on threads. The first rounds are short:
+// what has many pairs is known soon.
+std::vector<SelfIntersection> SelfIntersectionSearch::find(const Monitor& monitor, std::size_t enough) {
+  constexpr std::size_t parts_per_task = 8, least_tasks = 8, most_tasks = 256;
+  const std::size_t parts = boxes_.group_count() + fans_.part_count();
+  const std::size_t tasks = (parts + parts_per_task - 1) / parts_per_task;
+  finds_none_.resize(tasks);
+  tbb::enumerable_thread_specific<PairTest> tests([&] { return PairTest(input_); });
+  std::vector<SelfIntersection> result;
+  std::size_t first = 0, end = 0;
+  for (; first < tasks && result.size() < enough; first = end) {
+    end = std::min(tasks, first + std::clamp(first, least_tasks, most_tasks));
+    std::vector<std::vector<SelfIntersection>> found(end - first);
+    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
+      monitor.check();
+      if (finds_none_[first + n] != 0) return;
+      PairTest& test = tests.local();
+      std::vector<PackedBoxes::Pair> pairs;
+      const std::size_t begin = (first + n) * parts_per_task;
+      for (std::size_t part = begin; part < std::min(begin + parts_per_task, parts); ++part) {
+        pairs.clear();
+        append_pairs_of(part, pairs);
+        for (const auto& [a, b] : pairs) {
+          test(a, b, found[n]);
+          if (found[n].size() >= enough) return;
+        }
+      }
+    });
+    for (const auto& f : found) {
+      finds_none_[static_cast<std::size_t>(&f - found.data()) + first] = f.empty();
+      result.insert(result.end(), f.begin(), f.end());
+    }
+  }
+  std::sort(result.begin(), result.end(), [](const SelfIntersection& a, const SelfIntersection& b) {
     return std::pair(a.face, a.other) < std::pair(b.face, b.other);
   });
-  return all;
+  return result;
+}
+
+std::vector<SelfIntersection> find_self_intersections(const InputComplex& input, const EmbeddedStars* stars,
+                                                      const Monitor& monitor, std::size_t enough) {
+  return SelfIntersectionSearch(input, stars).find(monitor, enough);
 }
 
 }  // namespace strata

@@ -153,8 +153,10 @@ std::int32_t RayWindings::crossings(const Point& q) const {
     if (box.upper[0] < at.lower[0]) return;
     for (std::size_t i = 1; i < 3; ++i)
       if (box.lower[i] > at.upper[i] || box.upper[i] < at.lower[i]) return;
-    std::array<Point, 3> corners;
     const auto vertices = input_.face(face);
+    const auto corner = [&](std::size_t i) { return &input_.vertex(vertices[i]); };
+    if (input_.has_doubles(vertices) && certainly_passes_beside({corner(0), corner(1), corner(2)}, q.at)) return;
+    std::array<Point, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) corners[i] = make_point(input_, SymbolicPoint::input(vertices[i]));
     sum += crossing_along_x(input_, face, corners, q);
   };
