@@ -158,7 +158,7 @@ class PatchWindings {
 /// whole patches.
 BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, const SelfCrossings& crossings,
                                   const Options& options, const Monitor& monitor, Stages& stages) {
-  Intersections intersections = intersect(input, crossings.pairs, monitor);
+  Intersections intersections = intersect(input, crossings.met, monitor);
   count(intersections, stages.profile());
   stages.end("intersect", 0.55);
 
@@ -199,8 +199,9 @@ BooleanResult evaluate(const Rule& rule, InputComplex complex, const KnownCrossi
     if (!known) {
       const std::size_t enough = few_pairs(complex.face_count());
       EmbeddedStars stars(mesh.complex(), monitor);
-      std::vector<SelfIntersection> pairs = find_self_intersections(mesh.complex(), &stars, monitor, enough);
-      if (pairs.size() < enough) found.emplace(SelfCrossings{std::move(stars), std::move(pairs)});
+      std::vector<PairIntersections> met;
+      std::vector<SelfIntersection> pairs = find_self_intersections(mesh.complex(), &stars, monitor, enough, &met);
+      if (pairs.size() < enough) found.emplace(SelfCrossings{std::move(stars), std::move(pairs), std::move(met)});
       stages.end("find_candidates", 0.3);
     }
     if (known || found)

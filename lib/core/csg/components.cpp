@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/csg/arena.h"
 #include "core/csg/solid_boundary.h"
 #include "core/csg/solid_data.h"
 #include "core/kernel/disjoint_sets.h"
@@ -10,6 +11,9 @@
 #include "core/kernel/ray_crossing.h"
 #include "core/mesh/equal_vertices.h"
 #include "core/mesh/prepare.h"
+#include "core/overlap/embedded_stars.h"
+#include "core/overlap/self_intersections.h"
+#include "core/overlap/shells.h"
 #include "strata/carry_attributes.h"
 
 namespace strata {
@@ -179,6 +183,17 @@ Solid::Data part_of(const Solid& solid, const std::vector<std::uint32_t>& faces,
   return part;
 }
 
+/// True where the boundary is one shell as seen from anywhere, since its faces are connected across edges that two
+/// have.
+bool is_plainly_one_shell(const ExactMesh& mesh, const Options& options) {
+  bool is_one = false;
+  arena_for(options, mesh.mesh.triangles.size()).execute([&] {
+    const InputComplex complex = complex_of(mesh);
+    is_one = find_shells(complex, EmbeddedStars(complex, Monitor(options.cancel))).count == 1;
+  });
+  return is_one;
+}
+
 }  // namespace
 
 std::vector<Solid> Solid::components() const {
@@ -205,7 +220,7 @@ std::vector<Solid> Solid::components() const {
 }
 
 Solid Solid::without_cavities(const Options& options) const {
-  if (is_empty()) return *this;
+  if (is_empty() || is_plainly_one_shell(exact_mesh(), options)) return *this;
   // What is closed off is a component of the exterior, which may touch others, and infinity, in edges and vertices.
   std::vector<Triangle> reversed = mesh().triangles;
   for (Triangle& t : reversed) std::swap(t[1], t[2]);

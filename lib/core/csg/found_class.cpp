@@ -23,16 +23,16 @@ Found found_by(Inspection inspection, const std::vector<std::uint32_t>& source) 
   return {std::move(notes), std::move(inspection).take_crossings()};
 }
 
-Found to_resolve(const Operand& operand, std::size_t number, const Monitor& monitor) {
+Found to_resolve(const Operand& operand, std::size_t number, Inspection::Keeps keeps, const Monitor& monitor) {
   if (operand.is_checked || operand.mesh.triangles.empty()) return {};
   if (operand.exact.empty()) {
-    FirstLook look = look_at(operand.mesh, monitor);
+    FirstLook look = look_at(operand.mesh, monitor, keeps);
     if (look.is_solid) return {};
     if (look.all) return found_by(*std::move(look.all), {});
   }
   const Prepared prepared = prepare({operand.mesh, operand.exact}, Options{}, number);
   const ExactMeshView ready(prepared.mesh ? MeshView(*prepared.mesh) : operand.mesh, operand.exact);
-  return found_by(Inspection(ready, monitor), prepared.source_face);
+  return found_by(Inspection(ready, monitor, keeps), prepared.source_face);
 }
 
 }  // namespace
@@ -40,11 +40,12 @@ Found to_resolve(const Operand& operand, std::size_t number, const Monitor& moni
 // Operands are searched at the same time, so that what is serial of one goes with what is parallel of others. Of
 // several errors, that of the first operand is thrown.
 FoundClass find_class(std::span<const Operand> operands, const Monitor& monitor) {
+  const auto keeps = operands.size() == 1 ? Inspection::Keeps::intersections : Inspection::Keeps::pairs;
   std::vector<Found> found_of(operands.size());
   std::vector<std::exception_ptr> errors(operands.size());
   tbb::parallel_for(std::size_t{0}, operands.size(), [&](std::size_t i) {
     try {
-      found_of[i] = to_resolve(operands[i], i, monitor);
+      found_of[i] = to_resolve(operands[i], i, keeps, monitor);
     } catch (...) {
       errors[i] = std::current_exception();
     }

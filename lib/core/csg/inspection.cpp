@@ -31,7 +31,8 @@ std::string sentence(std::uint32_t face, std::int32_t above) {
 
 // Faces that share equal vertices of different numbers intersect by these. So where nothing does, no vertices are
 // equal, and only where something does, they are looked for.
-Inspection::Inspection(ExactMeshView mesh, const Monitor& monitor) : mesh_(mesh) {
+Inspection::Inspection(ExactMeshView mesh, const Monitor& monitor, Keeps keeps) : mesh_(mesh) {
+  std::vector<PairIntersections>* const met = keeps == Keeps::intersections ? &met_ : nullptr;
   const InputComplex complex = complex_of(mesh);
   stars_.emplace(complex, monitor);
   SelfIntersectionSearch search(complex, &*stars_);
@@ -42,13 +43,13 @@ Inspection::Inspection(ExactMeshView mesh, const Monitor& monitor) : mesh_(mesh)
 
   const OnFirstVertices joined(mesh, monitor);
   if (joined.are_given()) {
-    intersections_ = search.find(monitor);
+    intersections_ = search.find(monitor, SelfIntersectionSearch::all, met);
     return;
   }
   const ExactMeshView on_first({mesh.mesh.vertices, joined.triangles()}, mesh.exact);
   const InputComplex complex_on_first = complex_of(on_first);
   stars_.emplace(complex_on_first, monitor);
-  intersections_ = find_self_intersections(complex_on_first, &*stars_, monitor);
+  intersections_ = find_self_intersections(complex_on_first, &*stars_, monitor, SelfIntersectionSearch::all, met);
   if (intersections_.empty()) find_windings(on_first, complex_on_first, monitor);
 }
 
@@ -109,7 +110,7 @@ bool are_usable(MeshView mesh) {
 
 }  // namespace
 
-FirstLook look_at(MeshView mesh, const Monitor& monitor) {
+FirstLook look_at(MeshView mesh, const Monitor& monitor, Inspection::Keeps keeps) {
   if (mesh.triangles.empty()) return {};
   if (is_found_starlike(mesh, monitor)) return {true, {}};
   if (is_scattered(mesh) && are_usable(mesh)) {
@@ -117,7 +118,7 @@ FirstLook look_at(MeshView mesh, const Monitor& monitor) {
     return {needs_no_preparation(local) && is_solid_by_number(local, monitor), {}};
   }
   if (!needs_no_preparation(mesh)) return {};
-  Inspection inspection({mesh, {}}, monitor);
+  Inspection inspection({mesh, {}}, monitor, keeps);
   if (inspection.finds_nothing()) return {true, {}};
   return {false, std::move(inspection)};
 }

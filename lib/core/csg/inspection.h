@@ -19,8 +19,10 @@ namespace strata {
 /// vertices may have different numbers. Runs in the current task arena. The mesh must outlive it. Throws Cancelled.
 class Inspection {
  public:
+  enum class Keeps : bool { pairs, intersections };
+
   /// O(n log n + pairs whose boxes overlap).
-  Inspection(ExactMeshView mesh, const Monitor& monitor);
+  Inspection(ExactMeshView mesh, const Monitor& monitor, Keeps keeps = Keeps::pairs);
 
   /// True when the mesh bounds a solid.
   [[nodiscard]] bool finds_nothing() const;
@@ -30,8 +32,10 @@ class Inspection {
   [[nodiscard]] std::vector<Defect> defects(Severity severity, const std::vector<std::uint32_t>& source,
                                             std::size_t listed = few_defects) const;
 
-  /// What it knows of intersections, with each vertex as the first of its equals.
-  [[nodiscard]] SelfCrossings take_crossings() && { return {std::move(*stars_), std::move(intersections_)}; }
+  /// What it knows of intersections, with each vertex as the first of its equals. Requires that it keeps intersections.
+  [[nodiscard]] SelfCrossings take_crossings() && {
+    return {std::move(*stars_), std::move(intersections_), std::move(met_)};
+  }
 
  private:
   void find_windings(ExactMeshView mesh, const InputComplex& complex, const Monitor& monitor);
@@ -39,6 +43,7 @@ class Inspection {
   ExactMeshView mesh_;
   std::optional<EmbeddedStars> stars_;
   std::vector<SelfIntersection> intersections_;
+  std::vector<PairIntersections> met_;
   Shells shells_;                    ///< if there are no intersections
   std::vector<std::int32_t> above_;  ///< per shell
 };
@@ -51,7 +56,8 @@ struct FirstLook {
 
 /// Looks at any mesh. A few streaming passes, and an Inspection. For a scattered mesh (is_scattered) it says only
 /// whether it is a solid.
-[[nodiscard]] FirstLook look_at(MeshView mesh, const Monitor& monitor);
+[[nodiscard]] FirstLook look_at(MeshView mesh, const Monitor& monitor,
+                                Inspection::Keeps keeps = Inspection::Keeps::pairs);
 
 /// True when the winding numbers of a mesh are 0 and 1. Requires that no faces share a point other than vertices of the
 /// same number and their edges, and what an Inspection does. `stars`: of this mesh, or null.

@@ -52,6 +52,12 @@ struct PairIntersections {
   /// constructed point is appended to that list unless it is among the last entries.
   [[nodiscard]] PointId number(const InputComplex& input, const SymbolicPoint& name);
 
+  void clear() {
+    constraints.clear();
+    constructed.clear();
+    equal.clear();
+  }
+
   std::vector<Constraint> constraints;
   std::vector<SymbolicPoint> constructed;
   std::vector<EqualVertices> equal;

@@ -208,7 +208,11 @@ Intersections intersect(const InputComplex& input, std::span<const SelfIntersect
         ++parts[n].pairs_meeting;
     }
   });
-  Intersections all = gathered(parts, input, monitor);
+  return intersect(input, parts, monitor);
+}
+
+Intersections intersect(const InputComplex& input, const std::vector<PairIntersections>& met, const Monitor& monitor) {
+  Intersections all = gathered(met, input, monitor);
   ensure("intersect", [&] { return validate(input, all); });
   return all;
 }

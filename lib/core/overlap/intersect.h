@@ -25,6 +25,10 @@ struct Intersections {
 /// result for any number of threads. The candidates must outlive it. Throws Cancelled.
 [[nodiscard]] Intersections intersect(const Candidates& candidates, const Monitor& monitor);
 
+/// What a search of self-intersections met, in parts, as the same. The input must outlive it. Throws Cancelled.
+[[nodiscard]] Intersections intersect(const InputComplex& input, const std::vector<PairIntersections>& met,
+                                      const Monitor& monitor);
+
 /// Intersects the given pairs of faces of one operand, each once; all others share nothing but vertices and edges of
 /// both. The same result for any number of threads. The input must outlive it. Throws Cancelled.
 [[nodiscard]] Intersections intersect(const InputComplex& input, std::span<const SelfIntersection> pairs,

@@ -20,30 +20,32 @@ class PairTest {
  public:
   explicit PairTest(const InputComplex& input) : input_(input) {}
 
-  void operator()(std::uint32_t a, std::uint32_t b, std::vector<SelfIntersection>& found) {
+  /// Appends what it finds.
+  void operator()(std::uint32_t a, std::uint32_t b, std::vector<SelfIntersection>& found,
+                  PairIntersections& intersections) {
+    ++intersections.pairs_tested;
     if (!has_first_ || first_.face != a) first_ = FilteredFace(input_, 0, a);
     has_first_ = true;
     second_.set_corners(input_, 0, b);
     if (first_.is_beside(second_, first_.sides_of(second_))) return;
     second_.find_plane(input_);
     const std::uint32_t face = std::min(a, b), other = std::max(a, b);
-    intersections_.constraints.clear();
-    intersections_.constructed.clear();
-    intersections_.equal.clear();
-    if (!(a < b ? meet_faces(input_, first_, second_, intersections_)
-                : meet_faces(input_, second_, first_, intersections_)))
+    const std::size_t known = intersections.constraints.size();
+    if (!(a < b ? meet_faces(input_, first_, second_, intersections)
+                : meet_faces(input_, second_, first_, intersections)))
       return;
+    ++intersections.pairs_meeting;
     found.push_back({face, other, false, input_.vertex(input_.face(face)[0])});
-    if (intersections_.constraints.empty()) return;
-    const Constraint& first = intersections_.constraints.front();
+    if (intersections.constraints.size() == known) return;
+    const Constraint& first = intersections.constraints[known];
     found.back().is_coplanar = first.kind == ConstraintKind::coplanar;
-    found.back().at = position(first.tail);
+    found.back().at = position(first.tail, intersections);
   }
 
  private:
-  [[nodiscard]] Vertex position(PointId id) const {
+  [[nodiscard]] Vertex position(PointId id, const PairIntersections& intersections) const {
     const SymbolicPoint name =
-        id < input_.vertex_count() ? SymbolicPoint::input(id) : intersections_.constructed[id - input_.vertex_count()];
+        id < input_.vertex_count() ? SymbolicPoint::input(id) : intersections.constructed[id - input_.vertex_count()];
     const Point p = make_point(input_, name);
     return {p.at[0].value, p.at[1].value, p.at[2].value};
   }
@@ -51,7 +53,6 @@ class PairTest {
   const InputComplex& input_;
   FilteredFace first_, second_;
   bool has_first_ = false;
-  PairIntersections intersections_;
 };
 
 std::vector<Vertex> corners_of(const InputComplex& input, std::span<const std::uint32_t> faces) {
@@ -96,11 +97,13 @@ void SelfIntersectionSearch::append_pairs_of(std::size_t part, std::vector<Packe
 
 // Rounds, and tasks that end by themselves, so that the end does not depend on threads. The first rounds are short:
 // what has many pairs is known soon.
-std::vector<SelfIntersection> SelfIntersectionSearch::find(const Monitor& monitor, std::size_t enough) {
+std::vector<SelfIntersection> SelfIntersectionSearch::find(const Monitor& monitor, std::size_t enough,
+                                                           std::vector<PairIntersections>* met) {
   constexpr std::size_t parts_per_task = 8, least_tasks = 8, most_tasks = 256;
   const std::size_t parts = boxes_.group_count() + fans_.part_count();
   const std::size_t tasks = (parts + parts_per_task - 1) / parts_per_task;
   finds_none_.resize(tasks);
+  if (met != nullptr) *met = std::vector<PairIntersections>(tasks);
   tbb::enumerable_thread_specific<PairTest> tests([&] { return PairTest(input_); });
   std::vector<SelfIntersection> result;
   std::size_t first = 0, end = 0;
@@ -112,15 +115,18 @@ std::vector<SelfIntersection> SelfIntersectionSearch::find(const Monitor& monito
       if (finds_none_[first + n] != 0) return;
       PairTest& test = tests.local();
       std::vector<PackedBoxes::Pair> pairs;
+      PairIntersections here;
       const std::size_t begin = (first + n) * parts_per_task;
       for (std::size_t part = begin; part < std::min(begin + parts_per_task, parts); ++part) {
         pairs.clear();
         append_pairs_of(part, pairs);
         for (const auto& [a, b] : pairs) {
-          test(a, b, found[n]);
+          test(a, b, found[n], here);
+          if (met == nullptr) here.clear();
           if (found[n].size() >= enough) return;
         }
       }
+      if (met != nullptr) (*met)[first + n] = std::move(here);
     });
     for (const auto& f : found) {
       finds_none_[static_cast<std::size_t>(&f - found.data()) + first] = f.empty();
@@ -134,8 +140,9 @@ std::vector<SelfIntersection> SelfIntersectionSearch::find(const Monitor& monito
 }
 
 std::vector<SelfIntersection> find_self_intersections(const InputComplex& input, const EmbeddedStars* stars,
-                                                      const Monitor& monitor, std::size_t enough) {
-  return SelfIntersectionSearch(input, stars).find(monitor, enough);
+                                                      const Monitor& monitor, std::size_t enough,
+                                                      std::vector<PairIntersections>* met) {
+  return SelfIntersectionSearch(input, stars).find(monitor, enough, met);
 }
 
 }  // namespace strata

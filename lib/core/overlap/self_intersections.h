@@ -6,6 +6,7 @@
 
 #include "core/containers/packed_boxes.h"
 #include "core/kernel/input_complex.h"
+#include "core/overlap/constraint.h"
 #include "core/overlap/embedded_stars.h"
 #include "core/overlap/fans.h"
 #include "strata/mesh.h"
@@ -20,10 +21,11 @@ struct SelfIntersection {
   Vertex at{};                        ///< the doubles near one of their common points
 };
 
-/// Where faces of a mesh intersect: all pairs, and vertices around which there are none.
+/// Where faces of a mesh intersect: all pairs, how they do, and vertices around which there are none.
 struct SelfCrossings {
   EmbeddedStars stars;
   std::vector<SelfIntersection> pairs;
+  std::vector<PairIntersections> met;  ///< in parts, each with all of some pairs
 };
 
 /// One mesh that may cross itself, as input. Refers to the mesh.
@@ -44,8 +46,10 @@ class SelfIntersectionSearch {
 
   /// Exact: a pair is found if and only if it is one. By increasing numbers. Ends when at least `enough` pairs are
   /// found, the same ones for any number of threads; what was seen to have none before is not searched again.
-  /// O(n + pairs whose boxes overlap), in parallel. Throws Cancelled.
-  [[nodiscard]] std::vector<SelfIntersection> find(const Monitor& monitor, std::size_t enough = all);
+  /// `met`: becomes the intersections of all pairs, if these are fewer. O(n + pairs whose boxes overlap), in parallel.
+  /// Throws Cancelled.
+  [[nodiscard]] std::vector<SelfIntersection> find(const Monitor& monitor, std::size_t enough = all,
+                                                   std::vector<PairIntersections>* met = nullptr);
 
  private:
   /// Pairs of faces that may intersect; parts are the groups of boxes, then the parts of fans.
@@ -60,6 +64,7 @@ class SelfIntersectionSearch {
 /// The same, asked once.
 [[nodiscard]] std::vector<SelfIntersection> find_self_intersections(const InputComplex& input,
                                                                     const EmbeddedStars* stars, const Monitor& monitor,
-                                                                    std::size_t enough = SelfIntersectionSearch::all);
+                                                                    std::size_t enough = SelfIntersectionSearch::all,
+                                                                    std::vector<PairIntersections>* met = nullptr);
 
 }  // namespace strata
