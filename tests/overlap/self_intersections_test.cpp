@@ -15,6 +15,7 @@
 #include "core/mesh/zero_area.h"
 #include "core/overlap/embedded_stars.h"
 #include "core/overlap/fans.h"
+#include "core/overlap/intersect.h"
 #include "core/overlap/meeting.h"
 #include "support/shapes.h"
 #include "support/transform.h"
@@ -277,6 +278,17 @@ TEST_CASE("intersections of many faces: one list for any number of threads, some
   CHECK(few.size() <= all.size());
   CHECK(pairs(find(4, 3)) == few);
   CHECK(std::includes(all.begin(), all.end(), few.begin(), few.end()));
+
+  // A search that has stopped goes on, and tells how faces meet as the Boolean finds it pair by pair.
+  SelfIntersectionSearch search(input, &stars);
+  CHECK(pairs(search.find({}, 1)).size() < all.size());
+  std::vector<PairIntersections> met;
+  CHECK(pairs(search.find({}, SelfIntersectionSearch::all, &met)) == all);
+  const Intersections from_search = intersect(input, met, {});
+  const Intersections one_by_one = intersect(input, find(1, SIZE_MAX), {});
+  CHECK(from_search.pairs_meeting == all.size());
+  CHECK(from_search.constraints.size() == one_by_one.constraints.size());
+  CHECK(from_search.points.end() == one_by_one.points.end());
 }
 
 TEST_CASE("vertices that are no doubles decide as they are", "[overlap]") {
