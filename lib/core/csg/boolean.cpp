@@ -156,9 +156,10 @@ class PatchWindings {
 
 /// The stages after `prepare` for one mesh of which few faces cross: no cells are made, and points are decided for
 /// whole patches.
-BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, const SelfCrossings& crossings,
+BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, SelfCrossings crossings,
                                   const Options& options, const Monitor& monitor, Stages& stages) {
   Intersections intersections = intersect(input, crossings.met, monitor);
+  crossings.met = {};
   count(intersections, stages.profile());
   stages.end("intersect", 0.55);
 
@@ -176,6 +177,15 @@ BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, c
   return finished(input, verdicts, std::move(subdivision), options, monitor, stages);
 }
 
+/// Where faces of one mesh intersect, if few of them do.
+KnownCrossings find_few_crossings(const InputComplex& mesh, const Monitor& monitor) {
+  const std::size_t enough = few_pairs(mesh.face_count());
+  SelfCrossings crossings{EmbeddedStars(mesh, monitor), {}, {}};
+  crossings.pairs = find_self_intersections(mesh, &crossings.stars, monitor, enough, &crossings.met);
+  if (crossings.pairs.size() >= enough) return std::nullopt;
+  return crossings;
+}
+
 /// One mesh of doubles, each vertex of which is the first of those in its place.
 class WeldedMesh {
  public:
@@ -190,30 +200,21 @@ class WeldedMesh {
   InputComplex complex_{SelfIntersections::possible};
 };
 
-BooleanResult evaluate(const Rule& rule, InputComplex complex, const KnownCrossings& known, const Options& options,
+BooleanResult evaluate(const Rule& rule, InputComplex complex, KnownCrossings known, const Options& options,
                        const Monitor& monitor, Stages& stages) {
   if (complex.operand_count() == 1 && complex.may_self_intersect() && rule.looks_around() && !complex.has_rationals() &&
       !complex.has_planes()) {
     const WeldedMesh mesh(complex);
-    KnownCrossings found;
-    if (!known) {
-      const std::size_t enough = few_pairs(complex.face_count());
-      EmbeddedStars stars(mesh.complex(), monitor);
-      std::vector<PairIntersections> met;
-      std::vector<SelfIntersection> pairs = find_self_intersections(mesh.complex(), &stars, monitor, enough, &met);
-      if (pairs.size() < enough) found.emplace(SelfCrossings{std::move(stars), std::move(pairs), std::move(met)});
-      stages.end("find_candidates", 0.3);
-    }
-    if (known || found)
-      return evaluate_in_patches(rule, mesh.complex(), known ? *known : *found, options, monitor, stages);
+    if (!known) known = find_few_crossings(mesh.complex(), monitor);
+    stages.end("find_candidates", 0.3);
+    if (known) return evaluate_in_patches(rule, mesh.complex(), *std::move(known), options, monitor, stages);
   }
   return evaluate_in_cells(rule, std::move(complex), options, monitor, stages);
 }
 
 }  // namespace
 
-BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options,
-                      const KnownCrossings& known) {
+BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options, KnownCrossings known) {
   Profile profile;
   const Monitor monitor(options.cancel, &options.progress);
   const TierCounts tiers = tier_counts_now();
@@ -223,7 +224,7 @@ BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Op
   stages.end("prepare", 0.05);
 
   BooleanResult result = refusing_broken_operands(
-      given, options, [&] { return evaluate(rule, operands.complex(), known, options, monitor, stages); });
+      given, options, [&] { return evaluate(rule, operands.complex(), std::move(known), options, monitor, stages); });
   operands.restore(result.sources);
   count_tiers(tiers, profile);
   stages.end("round", 1);

@@ -31,7 +31,7 @@ using KnownCrossings = std::optional<SelfCrossings>;
 /// Profile::seconds; the lap `validate`, before `round`, ensures that the boundary is closed.
 /// Throws as `combine` does.
 [[nodiscard]] BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options,
-                                    const KnownCrossings& known = std::nullopt);
+                                    KnownCrossings known = std::nullopt);
 
 /// The stages after `prepare` for one closed mesh of any orientation, with exact vertices. Requires faces of positive
 /// area. Throws Cancelled.

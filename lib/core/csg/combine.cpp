@@ -23,14 +23,14 @@ bool have_attributes(std::span<const Operand> operands) {
 
 /// Some operands of unions are united first, then all.
 BooleanResult combine_in_arena(const Rule& rule, std::span<const Operand> given, const Options& options,
-                               const KnownCrossings& known) {
+                               KnownCrossings known) {
   Profile profile;
   Stopwatch watch(profile);
   const EarlyUnions early(rule, given, options, [](const Rule& r, std::span<const Operand> some, const Options& o) {
     return boolean(r, some, o);
   });
   watch.lap("early_unions");
-  BooleanResult result = boolean(rule, early.operands(), options, known);
+  BooleanResult result = boolean(rule, early.operands(), options, std::move(known));
   early.restore(result);
   result.profile.seconds.insert(result.profile.seconds.begin(), profile.seconds.begin(), profile.seconds.end());
   return result;
@@ -49,7 +49,7 @@ BooleanResult with_found_class(std::span<const Operand> operands, const Options&
     watch.lap("inspect");
   });
   now.input = found.input;
-  BooleanResult result = evaluate(now, found.crossings);
+  BooleanResult result = evaluate(now, std::move(found.crossings));
   result.notes.insert(result.notes.begin(), found.notes.begin(), found.notes.end());
   result.profile.seconds.insert(result.profile.seconds.begin(), profile.seconds.begin(), profile.seconds.end());
   return result;
@@ -62,10 +62,10 @@ Rule with_keepers(const Rule& rule, std::span<const Operand> operands, const Opt
 }
 
 BooleanResult combine(const Rule& rule, std::span<const Operand> operands, const Options& options,
-                      const KnownCrossings& known) {
+                      KnownCrossings known) {
   const Arena arena = arena_for(options, worth_in_faces(operands, options.input));
   BooleanResult result;
-  arena.execute([&] { result = combine_in_arena(rule, operands, options, known); });
+  arena.execute([&] { result = combine_in_arena(rule, operands, options, std::move(known)); });
   return result;
 }
 
@@ -144,11 +144,11 @@ CutFaces cut_faces_of(Operation operation) {
 
 BooleanResult combine(Operation operation, std::span<const Operand> operands, const Options& options) {
   return with_attributes(operands, options, cut_faces_of(operation), [&](const Options& wanted) {
-    return with_found_class(operands, wanted, [&](const Options& found, const KnownCrossings& known) {
+    return with_found_class(operands, wanted, [&](const Options& found, KnownCrossings known) {
       if (found.engine != nullptr)
         return by_engine(found, [&](const Options& o) { return o.engine->combine(operation, operands, o); });
       const Rule rule(operation, static_cast<std::uint32_t>(operands.size()));
-      return combine(with_keepers(rule, operands, found, false), operands, found, known);
+      return combine(with_keepers(rule, operands, found, false), operands, found, std::move(known));
     });
   });
 }
@@ -161,10 +161,10 @@ BooleanResult combine(const Formula& formula, std::span<const Operand> operands,
   if (options.engine != nullptr && options.engine->evaluate == nullptr)
     throw std::invalid_argument(std::string("the engine ") + options.engine->name + " evaluates no formulas");
   return with_attributes(operands, options, CutFaces::turned, [&](const Options& wanted) {
-    return with_found_class(operands, wanted, [&](const Options& found, const KnownCrossings& known) {
+    return with_found_class(operands, wanted, [&](const Options& found, KnownCrossings known) {
       if (found.engine != nullptr)
         return by_engine(found, [&](const Options& o) { return o.engine->evaluate(formula, operands, o); });
-      return combine(with_keepers(Rule(formula), operands, found, true), operands, found, known);
+      return combine(with_keepers(Rule(formula), operands, found, true), operands, found, std::move(known));
     });
   });
 }

@@ -41,7 +41,7 @@ Solid resolve(ExactMesh mesh, Inside inside, const Options& options) {
   const std::array operand{Operand{mesh.mesh, mesh.exact}};
   BooleanResult result;
   arena_for(options, worth_in_faces(operand, found.input)).execute([&] {
-    result = boolean(Rule::of_one(inside), operand, now, found.crossings);
+    result = boolean(Rule::of_one(inside), operand, now, std::move(found.crossings));
   });
   result.notes.insert(result.notes.begin(), found.notes.begin(), found.notes.end());
   Solid solid(Shared<Solid::Data>::make(Solid::Data{

@@ -128,9 +128,9 @@ std::vector<SelfIntersection> SelfIntersectionSearch::find(const Monitor& monito
       }
       if (met != nullptr) (*met)[first + n] = std::move(here);
     });
-    for (const auto& f : found) {
-      finds_none_[static_cast<std::size_t>(&f - found.data()) + first] = f.empty();
-      result.insert(result.end(), f.begin(), f.end());
+    for (std::size_t n = 0; n < found.size(); ++n) {
+      finds_none_[first + n] = static_cast<char>(found[n].empty());
+      result.insert(result.end(), found[n].begin(), found[n].end());
     }
   }
   std::sort(result.begin(), result.end(), [](const SelfIntersection& a, const SelfIntersection& b) {
