@@ -22,6 +22,7 @@
 #include "core/round/rounding.h"
 #include "core/select/extract.h"
 #include "core/select/label.h"
+#include "core/select/sheet_windings.h"
 #include "core/select/subdivide.h"
 #include "core/winding/local_windings.h"
 #include "core/winding/ray_windings.h"
@@ -125,23 +126,15 @@ BooleanResult evaluate_in_cells(const Rule& rule, InputComplex complex, const Op
   return finished(*kept, verdicts, std::move(subdivision), options, monitor, stages);
 }
 
-/// One face of each patch. Faces that cross others are patches of their own.
-std::vector<std::uint32_t> first_faces(const Shells& patches) {
-  std::vector<std::uint32_t> first;
-  for (std::uint32_t f = 0; f < patches.of_face.size(); ++f)
-    if (patches.of_face[f] == first.size()) first.push_back(f);  // they are numbered by their first faces
-  return first;
-}
-
-/// Of so many faces, pairs that cross are few.
-std::size_t few_pairs(std::size_t faces) { return faces / 8 + 1; }
-
-/// Winding numbers of points of patches: by rays where these are few, else by cells.
-class PatchWindings {
+/// Winding numbers at a point of each of some faces: by rays, or by cells where these cost less.
+class WindingsAsked {
  public:
-  PatchWindings(const InputComplex& input, const Shells& patches, bool are_many, const Monitor& monitor) {
-    if (!are_many) {
-      oracle_ = std::make_unique<RayWindings>(input, first_faces(patches));
+  WindingsAsked(const InputComplex& input, const std::vector<std::uint32_t>& asked, const Monitor& monitor) {
+    auto rays = std::make_unique<RayWindings>(input, asked);
+    // Of a face near a ray, measured in instructions: cells take 34 times as much to make for each face of the mesh,
+    // and 380 times as much for a point.
+    if (rays->comparisons() < 380 * asked.size() + std::size_t{34} * input.face_count()) {
+      oracle_ = std::move(rays);
       return;
     }
     candidates_.emplace(find_candidates(input, monitor));
@@ -154,8 +147,7 @@ class PatchWindings {
   std::unique_ptr<const WindingOracle> oracle_;
 };
 
-/// The stages after `prepare` for one mesh of which few faces cross: no cells are made, and points are decided for
-/// whole patches.
+/// The stages after `prepare` for one mesh whose crossings are known: points are decided for whole patches.
 BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, SelfCrossings crossings,
                                   const Options& options, const Monitor& monitor, Stages& stages) {
   Intersections intersections = intersect(input, crossings.met, monitor);
@@ -166,20 +158,22 @@ BooleanResult evaluate_in_patches(const Rule& rule, const InputComplex& input, S
   std::vector<bool> crossing(input.face_count(), false);
   for (const SelfIntersection& p : crossings.pairs) crossing[p.face] = crossing[p.other] = true;
   const Shells patches = find_patches(input, crossings.stars, crossing);
-  const PatchWindings windings(input, patches, crossings.pairs.size() >= few_pairs(input.face_count()), monitor);
-  const Classifier classifier{rule, windings.oracle()};
+  Sheets sheets(input, crossings.stars, patches, intersections.constraints);
+  const WindingsAsked windings(input, sheets.asked(input), monitor);
+  const SheetWindings above(input, std::move(sheets), windings.oracle(), monitor);
+  const Classifier classifier{rule, windings.oracle(), &above};
   Subdivision subdivision = subdivide(input, std::move(intersections), classifier, monitor);
   count(subdivision, stages.profile());
   stages.end("subdivide", 0.8);
 
-  const std::vector<Verdict> verdicts = label(input, subdivision, patches, classifier, monitor);
+  const std::vector<Verdict> verdicts = label(input, subdivision, rule, above);
   stages.end("label", 0.85);
   return finished(input, verdicts, std::move(subdivision), options, monitor, stages);
 }
 
 /// Where faces of one mesh intersect, if few of them do.
 KnownCrossings find_few_crossings(const InputComplex& mesh, const Monitor& monitor) {
-  const std::size_t enough = few_pairs(mesh.face_count());
+  const std::size_t enough = mesh.face_count() / 8 + 1;
   SelfCrossings crossings{EmbeddedStars(mesh, monitor), {}, {}};
   crossings.pairs = find_self_intersections(mesh, &crossings.stars, monitor, enough, &crossings.met);
   if (crossings.pairs.size() >= enough) return std::nullopt;

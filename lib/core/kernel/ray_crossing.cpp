@@ -1,7 +1,6 @@
 #include "core/kernel/ray_crossing.h"
 
 #include <cstddef>
-#include <optional>
 
 #include "core/kernel/predicates.h"
 
@@ -24,22 +23,29 @@ int winding_yz(const InputComplex& input, const std::array<Point, 3>& corners, c
 
 int crossing_along_x(const InputComplex& input, std::uint32_t face, const std::array<Point, 3>& corners,
                      const Point& q) {
-  const int winding = winding_yz(input, corners, q);
+  return crossing_along_x(input, face, winding_yz(input, corners, q), q);
+}
+
+int crossing_along_x(const InputComplex& input, std::uint32_t face, int winding, const Point& q) {
   if (winding == 0) return 0;
   return winding * to_int(side_of_face(input, face, q)) < 0 ? winding : 0;
 }
 
 // A point of the projected triangle is not on the left of one of its sides and on the right of another.
-bool certainly_passes_beside(const std::array<const InputComplex::Coordinates*, 3>& corners, const BoundedPoint& q) {
+std::optional<int> winding_along_x(const std::array<const InputComplex::Coordinates*, 3>& corners,
+                                   const BoundedPoint& q) {
   std::array<BoundedPoint, 3> p;
   for (std::size_t i = 0; i < 3; ++i) p[i] = {0, (*corners[i])[1], (*corners[i])[2]};
-  bool is_left_of_one = false, is_right_of_one = false;
+  int left_of = 0, right_of = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::optional<Sign> side = orientation_of(p[i], p[(i + 1) % 3], q, 1, 2).sign();
-    is_left_of_one = is_left_of_one || side == Sign::positive;
-    is_right_of_one = is_right_of_one || side == Sign::negative;
+    left_of += side == Sign::positive;
+    right_of += side == Sign::negative;
   }
-  return is_left_of_one && is_right_of_one;
+  if (left_of > 0 && right_of > 0) return 0;
+  if (left_of == 3) return 1;
+  if (right_of == 3) return -1;
+  return std::nullopt;
 }
 
 }  // namespace strata

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "core/kernel/input_complex.h"
 #include "core/kernel/point.h"
@@ -14,9 +15,11 @@ namespace strata {
 [[nodiscard]] int crossing_along_x(const InputComplex& input, std::uint32_t face, const std::array<Point, 3>& corners,
                                    const Point& q);
 
-/// True only where such a ray, wherever it starts along x, certainly passes beside a triangle with these corners. O(1),
-/// in doubles.
-[[nodiscard]] bool certainly_passes_beside(const std::array<const InputComplex::Coordinates*, 3>& corners,
-                                           const BoundedPoint& q);
+/// Winding number about q of a triangle with these corners, as seen from positive x: 0 where such a ray passes beside
+/// it, wherever along x it starts. nullopt where doubles do not tell. O(1).
+[[nodiscard]] std::optional<int> winding_along_x(const std::array<const InputComplex::Coordinates*, 3>& corners,
+                                                 const BoundedPoint& q);
+/// `crossing_along_x` of a face with this winding number.
+[[nodiscard]] int crossing_along_x(const InputComplex& input, std::uint32_t face, int winding, const Point& q);
 
 }  // namespace strata

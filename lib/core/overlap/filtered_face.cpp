@@ -67,24 +67,31 @@ bool FilteredFace::is_beside(const FilteredFace& other, const Signs& sides) cons
 
 namespace {
 
-/// Seen along an axis, is all of g strictly on the other side of the line of an edge of f than f? Ends that both have
-/// count as beyond. `turn(a, b, c)` is the orientation, or 0 when it is not known. `is_in_line(w, end, other)`: is w
-/// known to be on the edge's line beyond an end? If g has this end and not the other one, w counts as beyond, too.
-template <class Turn, class IsInLine>
-bool is_beyond_edge(const FilteredFace& f, const FilteredFace& g, std::size_t edge, const Turn& orientation,
-                    const IsInLine& is_in_line) {
-  const std::size_t from = edge, to = (edge + 1) % 3;
-  const int own = orientation(f, from, to, f, (edge + 2) % 3);
-  if (own == 0) return false;
-  const bool has_from = g.has(f.vertices[from]), has_to = g.has(f.vertices[to]);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::uint32_t w = g.vertices[i];
-    if (w == f.vertices[from] || w == f.vertices[to]) continue;
-    const int side = orientation(f, from, to, g, i);
-    if (side == -own) continue;
-    if (side == own || has_from == has_to || !is_in_line(i, has_from ? from : to, has_from ? to : from)) return false;
+/// Is all of a face on the other side of the line of an edge of another face, seen along an axis? `own`: the side on
+/// which the edge's own face is. `side(e, i)`: the side of edge e on which vertex i of the other one is, or 0 where it
+/// is not known. Ends that both have count as beyond. `is_in_line(i, end, far)`: is vertex i known to be on the edge's
+/// line beyond an end? If the other face has this end and not the far one, vertex i counts as beyond, too.
+template <class Side, class IsInLine>
+bool is_beyond_an_edge(const FilteredFace& f, const FilteredFace& g, int own, const Side& side,
+                       const IsInLine& is_in_line) {
+  for (std::size_t from = 0; from < 3; ++from) {
+    const std::size_t to = (from + 1) % 3;
+    bool is_beyond = true;
+    for (std::size_t i = 0; i < 3 && is_beyond; ++i) {
+      const int on = side(from, i);
+      if (on == -own) continue;
+      const std::uint32_t w = g.vertices[i];
+      if (w == f.vertices[from] || w == f.vertices[to]) continue;
+      if (on == own) {
+        is_beyond = false;
+      } else {
+        const bool has_from = g.has(f.vertices[from]), has_to = g.has(f.vertices[to]);
+        is_beyond = has_from != has_to && is_in_line(i, has_from ? from : to, has_from ? to : from);
+      }
+    }
+    if (is_beyond) return true;
   }
-  return true;
+  return false;
 }
 
 /// The longest component of a normal.
@@ -95,34 +102,50 @@ std::size_t widest_axis(const BoundedPoint& normal) {
   return axis;
 }
 
+/// Coordinates across an axis.
+struct View {
+  std::size_t u, v;
+
+  explicit View(std::size_t axis) : u((axis + 1) % 3), v((axis + 2) % 3) {}
+  [[nodiscard]] PlanePoint operator()(const InputComplex::Coordinates& p) const { return {p[u], p[v]}; }
+};
+
+bool is_off_in_doubles(const FilteredFace& f, const FilteredFace& g, const View& seen) {
+  std::array<PlanePoint, 3> p, q;
+  for (std::size_t i = 0; i < 3; ++i) {
+    p[i] = seen(f.corners[i]);
+    q[i] = seen(g.corners[i]);
+  }
+  const int own = filtered_orientation(p[0], p[1], p[2]);
+  if (own == 0) return false;
+  const auto side = [&](std::size_t e, std::size_t i) { return filtered_orientation(p[e], p[(e + 1) % 3], q[i]); };
+  const auto is_in_line = [&](std::size_t i, std::size_t end, std::size_t far) {
+    const PlanePoint &w = q[i], &c = p[end], &d = p[far];
+    if (orientation_by_differences(d, c, w) != Sign::zero) return false;
+    const std::size_t k = c[0] != d[0] ? 0 : 1;
+    return c[k] > d[k] ? w[k] > c[k] : w[k] < c[k];
+  };
+  return is_beyond_an_edge(f, g, own, side, is_in_line);
+}
+
+bool is_off_within_bounds(const FilteredFace& f, const FilteredFace& g, const View& seen) {
+  const auto orientation = [&](std::size_t a, const BoundedPoint& p) {
+    const auto sign =
+        orientation_of(f.corner(a), f.corner((a + 1) % 3), p, static_cast<int>(seen.u), static_cast<int>(seen.v))
+            .sign();
+    return to_int(sign.value_or(Sign::zero));
+  };
+  const int own = orientation(0, f.corner(2));
+  if (own == 0) return false;
+  const auto side = [&](std::size_t e, std::size_t i) { return orientation(e, g.corner(i)); };
+  return is_beyond_an_edge(f, g, own, side, [](std::size_t, std::size_t, std::size_t) { return false; });
+}
+
 }  // namespace
 
 bool FilteredFace::is_off(const FilteredFace& other) const {
-  const std::size_t axis = is_exact ? plane.widest_axis() : widest_axis(rational_plane.normal);
-  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-  const auto in_doubles = [&](const FilteredFace& f, std::size_t a, std::size_t b, const FilteredFace& g,
-                              std::size_t c) {
-    const auto seen = [&](const InputComplex::Coordinates& p) { return PlanePoint{p[u], p[v]}; };
-    return filtered_orientation(seen(f.corners[a]), seen(f.corners[b]), seen(g.corners[c]));
-  };
-  const auto within_bounds = [&](const FilteredFace& f, std::size_t a, std::size_t b, const FilteredFace& g,
-                                 std::size_t c) {
-    const auto orientation =
-        orientation_of(f.corner(a), f.corner(b), g.corner(c), static_cast<int>(u), static_cast<int>(v)).sign();
-    return to_int(orientation.value_or(Sign::zero));
-  };
-  const auto is_in_line = [&](std::size_t i, std::size_t end, std::size_t far) {
-    const auto &w = other.corners[i], &c = corners[end], &d = corners[far];
-    if (orientation_by_differences({d[u], d[v]}, {c[u], c[v]}, {w[u], w[v]}) != Sign::zero) return false;
-    const std::size_t k = c[u] != d[u] ? u : v;
-    return c[k] > d[k] ? w[k] > c[k] : w[k] < c[k];
-  };
-  const auto is_unknown = [](std::size_t, std::size_t, std::size_t) { return false; };
-  for (std::size_t e = 0; e < 3; ++e)
-    if (is_exact && other.is_exact ? is_beyond_edge(*this, other, e, in_doubles, is_in_line)
-                                   : is_beyond_edge(*this, other, e, within_bounds, is_unknown))
-      return true;
-  return false;
+  const View seen(is_exact ? plane.widest_axis() : widest_axis(rational_plane.normal));
+  return is_exact && other.is_exact ? is_off_in_doubles(*this, other, seen) : is_off_within_bounds(*this, other, seen);
 }
 
 Sign orient_edges(const InputComplex& input, const FilteredFace& f, int i, const FilteredFace& g, int k) {

@@ -185,10 +185,15 @@ bool is_coplanar(const InputComplex& input, const FilteredFace& f, const Filtere
 
 bool meet_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
                 PairIntersections& intersections) {
-  Signs of_g = f.sides_of(g);
+  const Signs of_g = f.sides_of(g);
   if (f.is_beside(g, of_g)) return false;
-  Signs of_f = g.sides_of(f);
-  if (g.is_beside(f, of_f) || f.is_off(g) || g.is_off(f)) return false;
+  const Signs of_f = g.sides_of(f);
+  return !g.is_beside(f, of_f) && meet_faces(input, f, g, of_f, of_g, intersections);
+}
+
+bool meet_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g, Signs of_f, Signs of_g,
+                PairIntersections& intersections) {
+  if (f.is_off(g) || g.is_off(f)) return false;
   const int common = common_vertices(f.vertices, g.vertices);
   if (common == 3) return meet_same_face(f.face, f.vertices, g.face, g.vertices, intersections);
   if (common == 2 && !is_coplanar(input, f, g)) return false;

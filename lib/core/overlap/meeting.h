@@ -16,4 +16,9 @@ namespace strata {
 bool meet_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
                 PairIntersections& intersections);
 
+/// The same for faces neither of which is beside the other. `of_f`: on which sides of g's plane the vertices of f are,
+/// as doubles tell; `of_g`: the same for g and f's plane.
+bool meet_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g, Signs of_f, Signs of_g,
+                PairIntersections& intersections);
+
 }  // namespace strata

@@ -27,14 +27,17 @@ class PairTest {
     if (!has_first_ || first_.face != a) first_ = FilteredFace(input_, 0, a);
     has_first_ = true;
     second_.set_corners(input_, 0, b);
-    if (first_.is_beside(second_, first_.sides_of(second_))) return;
+    const Signs of_second = first_.sides_of(second_);
+    if (first_.is_beside(second_, of_second)) return;
     second_.find_plane(input_);
-    const std::uint32_t face = std::min(a, b), other = std::max(a, b);
+    const Signs of_first = second_.sides_of(first_);
+    if (second_.is_beside(first_, of_first)) return;
     const std::size_t known = intersections.constraints.size();
-    if (!(a < b ? meet_faces(input_, first_, second_, intersections)
-                : meet_faces(input_, second_, first_, intersections)))
+    if (!(a < b ? meet_faces(input_, first_, second_, of_first, of_second, intersections)
+                : meet_faces(input_, second_, first_, of_second, of_first, intersections)))
       return;
     ++intersections.pairs_meeting;
+    const std::uint32_t face = std::min(a, b), other = std::max(a, b);
     found.push_back({face, other, false, input_.vertex(input_.face(face)[0])});
     if (intersections.constraints.size() == known) return;
     const Constraint& first = intersections.constraints[known];

@@ -19,6 +19,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 FaceSplitter::FaceSplitter(const InputComplex& input, const Classifier& classifier, const PointTable& points)
     : input_(input),
       oracle_(classifier.oracle),
+      sheets_(classifier.sheets),
       known_corners_(input.vertex_count()),
       early_out_(input, classifier.rule),
       covering_(input, classifier.rule),
@@ -195,6 +196,9 @@ bool FaceSplitter::triangulate(const PathPolygons* polygons) {
 /// the same for all faces of the corner.
 void FaceSplitter::find_free_corners() {
   free_corners_.clear();
+  if (sheets_ != nullptr)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (sheets_->sheets().is_free(corners_[i])) free_corners_.push_back(i);
   if (self_ || !covering_.coplanar().empty()) return;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto ends_here = [&](const Constraint& c) { return c.tail == corners_[i] || c.head == corners_[i]; };
@@ -207,13 +211,24 @@ std::int32_t FaceSplitter::triangle_at_corner(std::size_t i) const {
   return triangulation_.triangle_at(static_cast<std::int32_t>(i));
 }
 
-/// A free corner, if there is one, preferably one whose winding numbers are known from a neighbour.
+/// A free corner whose winding numbers are known from a neighbour. If none are, any; on a sheet, none.
 std::optional<FaceSplitter::FreeCorner> FaceSplitter::ask_free_corner() const {
   for (const std::size_t i : free_corners_)
     if (const Windings* known = known_corners_.find(corners_[i])) return FreeCorner{i, *known};
+  if (sheets_ != nullptr) return ask_sheets();
   if (free_corners_.empty()) return std::nullopt;
   const std::size_t i = free_corners_.front();
   return FreeCorner{i, oracle_.around(make_point(input_, SymbolicPoint::input(corners_[i])), operand_)};
+}
+
+std::optional<FaceSplitter::FreeCorner> FaceSplitter::ask_sheets() const {
+  for (const std::size_t i : free_corners_)
+    if (const auto above = sheets_->above_vertex(corners_[i])) {
+      FreeCorner corner{i, {}};
+      corner.windings.add(operand_, *above);
+      return corner;
+    }
+  return std::nullopt;
 }
 
 void FaceSplitter::remember_corners() {

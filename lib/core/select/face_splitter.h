@@ -42,7 +42,8 @@ class FaceSplitter {
     std::int32_t triangle = 0;
     Region region;
   };
-  /// A corner on no other surface, with the winding numbers about the other operands there.
+  /// A corner on no other surface, with the winding numbers there: about the other operands, or just above the sheet of
+  /// a mesh that crosses itself.
   struct FreeCorner {
     std::size_t index = 0;
     Windings windings;
@@ -94,6 +95,7 @@ class FaceSplitter {
   [[nodiscard]] PointId number_of(std::int32_t v);
 
   [[nodiscard]] std::optional<FreeCorner> ask_free_corner() const;
+  [[nodiscard]] std::optional<FreeCorner> ask_sheets() const;
   void remember_corners();
   [[nodiscard]] std::int32_t triangle_at_corner(std::size_t i) const;
   [[nodiscard]] Start start_inside();
@@ -101,6 +103,7 @@ class FaceSplitter {
 
   const InputComplex& input_;
   const WindingOracle& oracle_;
+  const SheetWindings* sheets_;
   CornerCache<Windings> known_corners_;
   EarlyOut early_out_;
   Covering covering_;

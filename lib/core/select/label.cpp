@@ -136,22 +136,15 @@ std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivi
   return verdicts;
 }
 
-std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivision, const Shells& patches,
-                           const Classifier& classifier, const Monitor& monitor) {
-  constexpr std::uint32_t nothing = 0xffffffffu;
+std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivision, const Rule& rule,
+                           const SheetWindings& windings) {
   std::vector<Verdict> verdicts(input.face_count(), Verdict::drop);
-  std::vector<bool> is_subdivided(verdicts.size(), false);
-  for (const SubdividedFace& s : subdivision.faces) is_subdivided[s.face] = true;
-  std::vector<std::uint32_t> first(patches.count, nothing);
   for (std::uint32_t f = 0; f < verdicts.size(); ++f)
-    if (std::uint32_t& of_patch = first[patches.of_face[f]]; of_patch == nothing && !is_subdivided[f]) of_patch = f;
-  std::vector<Verdict> of_patch(patches.count, Verdict::drop);
-  tbb::parallel_for(std::uint32_t{0}, patches.count, [&](std::uint32_t p) {
-    monitor.check();
-    if (first[p] != nothing) of_patch[p] = label(input, first[p], classifier);
-  });
-  for (std::uint32_t f = 0; f < verdicts.size(); ++f)
-    if (!is_subdivided[f]) verdicts[f] = of_patch[patches.of_face[f]];
+    if (!windings.sheets().is_subdivided(f)) {
+      Windings w;
+      w.add(0, windings.above_face(f));
+      verdicts[f] = verdict_from(rule, 0, std::move(w));
+    }
   ensure("label", [&] { return validate(input, verdicts, subdivision); });
   return verdicts;
 }

@@ -2,7 +2,6 @@
 #include <vector>
 
 #include "core/kernel/input_complex.h"
-#include "core/overlap/shells.h"
 #include "core/select/classifier.h"
 #include "core/select/subdivide.h"
 #include "strata/options.h"
@@ -19,9 +18,8 @@ namespace strata {
 /// The same for one face.
 [[nodiscard]] Verdict label(const InputComplex& input, std::uint32_t face, const Classifier& classifier);
 
-/// The same for one operand whose faces meet no others along patches, on each of which the winding numbers are the
-/// same: one point decides for a patch.
-[[nodiscard]] std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivision,
-                                         const Shells& patches, const Classifier& classifier, const Monitor& monitor);
+/// The same for one operand that crosses itself, by the winding numbers of its patches. O(n).
+[[nodiscard]] std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivision, const Rule& rule,
+                                         const SheetWindings& windings);
 
 }  // namespace strata

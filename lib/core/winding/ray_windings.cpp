@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/containers/collect.h"
 #include "core/containers/huge_pages.h"
@@ -55,6 +56,28 @@ Sign side_of_ray(const InputComplex& input, std::uint32_t face) {
   return Sign::zero;
 }
 
+/// True for some of the faces that are parallel to the rays: none of these meets them.
+bool is_seen_from_edge(const InputComplex& input, std::uint32_t face) {
+  const InputComplex::Indices& v = input.faces(0)[face];
+  const auto points = input.points(0);
+  const auto are_equal = [&](std::size_t i) {
+    return points[v[0]][i] == points[v[1]][i] && points[v[1]][i] == points[v[2]][i];
+  };
+  return (are_equal(1) || are_equal(2)) && input.has_doubles(v);
+}
+
+/// True only where the box of a triangle with these corners does not meet another one.
+bool is_beside_box(const std::array<const InputComplex::Coordinates*, 3>& corners, const Box& box) {
+  const auto& [a, b, c] = corners;
+  for (const std::size_t i : {1, 2, 0}) {  // rays run along x
+    const double x = (*a)[i], y = (*b)[i], z = (*c)[i];
+    if ((x > box.upper[i] && y > box.upper[i] && z > box.upper[i]) ||
+        (x < box.lower[i] && y < box.lower[i] && z < box.lower[i]))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 RayWindings::RayWindings(const InputComplex& input, std::span<const std::uint32_t> asked) : input_(input) {
@@ -85,20 +108,23 @@ RayWindings::RayWindings(const InputComplex& input, std::span<const std::uint32_
   for (const std::uint32_t f : asked) {
     const Cells cells = cells_of_face(f);
     near_made.mark(cells.lower, cells.upper);
-    for_each_column_of(cells, [&](std::uint32_t column) { is_made_[column] = true; });
+    for (std::uint32_t z = cells.lower[1]; z <= cells.upper[1]; ++z)
+      std::fill_n(is_made_.begin() + z * width_ + cells.lower[0], cells.upper[0] - cells.lower[0] + 1, char{1});
   }
 
   const std::vector<std::uint32_t> listed = collect(count, [&](std::uint32_t f) {
     const Cells cells = cells_of_face(f);
-    if (!near_made.meets(cells.lower, cells.upper)) return false;
+    if (!near_made.meets(cells.lower, cells.upper) || is_seen_from_edge(input, f)) return false;
     bool is_listed = false;
-    return !for_each_column(cells, [&](std::uint32_t column) { is_listed = is_listed || is_made_[column]; }) ||
+    return !for_each_column(cells, [&](std::uint32_t column) { is_listed = is_listed || is_made_[column] != 0; }) ||
            is_listed;
   });
   first_.assign(is_made_.size() + 1, 0);
   std::vector<std::uint32_t> wide;
   for (const std::uint32_t f : listed)
     if (!for_each_column(cells_of_face(f), [&](std::uint32_t column) { ++first_[column + 1]; })) wide.push_back(f);
+  double wide_near_ray = 0;
+  for (const std::uint32_t f : wide) wide_near_ray += column_count(cells_of_face(f)) / (1.0 * width_ * width_);
   wide_ = BoxTree::by_order(std::move(wide), [&](std::span<const std::uint32_t> faces) {
     Box box;
     for (const std::uint32_t f : faces) box.include(face_box(input, f));
@@ -109,6 +135,16 @@ RayWindings::RayWindings(const InputComplex& input, std::span<const std::uint32_
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (const std::uint32_t f : listed)
     for_each_column(cells_of_face(f), [&](std::uint32_t column) { faces_[next[column]++] = f; });
+  const double on_average = static_cast<double>(faces_.size()) / static_cast<double>(is_made_.size());
+  double comparisons = 0;
+  for (const std::uint32_t f : asked) {
+    const Cells cells = cells_of_face(f);
+    double listed_there = 0;
+    const bool is_narrow =
+        for_each_column(cells, [&](std::uint32_t column) { listed_there += first_[column + 1] - first_[column]; });
+    comparisons += wide_near_ray + (is_narrow ? listed_there / column_count(cells) : on_average);
+  }
+  comparisons_ = static_cast<std::size_t>(comparisons);
 }
 
 RayWindings::Cells RayWindings::cells_of(std::uint32_t vertex) const {
@@ -118,10 +154,13 @@ RayWindings::Cells RayWindings::cells_of(std::uint32_t vertex) const {
   return cells_of(std::nextafter(y, -far), std::nextafter(y, far), std::nextafter(z, -far), std::nextafter(z, far));
 }
 
+int RayWindings::column_count(const Cells& cells) {
+  return (cells.upper[0] - cells.lower[0] + 1) * (cells.upper[1] - cells.lower[1] + 1);
+}
+
 template <class Visit>
 bool RayWindings::for_each_column(const Cells& cells, const Visit& visit) const {
-  const auto& [lower, upper] = cells;
-  if ((upper[0] - lower[0] + 1) * (upper[1] - lower[1] + 1) > many_cells) return false;
+  if (column_count(cells) > many_cells) return false;
   for_each_column_of(cells, visit);
   return true;
 }
@@ -147,15 +186,22 @@ std::int32_t RayWindings::crossings(const Point& q) const {
     at.lower[i] = q.at[i].lower();
     at.upper[i] = q.at[i].upper();
   }
+  at.upper[0] = Box::infinity;
   std::int32_t sum = 0;
+  const auto points = input_.points(0);
   const auto count = [&](std::uint32_t face) {
-    const Box box = face_box(input_, face);
-    if (box.upper[0] < at.lower[0]) return;
-    for (std::size_t i = 1; i < 3; ++i)
-      if (box.lower[i] > at.upper[i] || box.upper[i] < at.lower[i]) return;
     const auto vertices = input_.face(face);
-    const auto corner = [&](std::size_t i) { return &input_.vertex(vertices[i]); };
-    if (input_.has_doubles(vertices) && certainly_passes_beside({corner(0), corner(1), corner(2)}, q.at)) return;
+    if (input_.has_doubles(vertices)) {
+      const auto& [a, b, c] = vertices;
+      const std::array corners{&points[a], &points[b], &points[c]};
+      if (is_beside_box(corners, at)) return;
+      if (const std::optional<int> winding = winding_along_x(corners, q.at)) {
+        sum += crossing_along_x(input_, face, *winding, q);
+        return;
+      }
+    } else if (!face_box(input_, face).overlaps(at)) {
+      return;
+    }
     std::array<Point, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) corners[i] = make_point(input_, SymbolicPoint::input(vertices[i]));
     sum += crossing_along_x(input_, face, corners, q);
@@ -163,11 +209,10 @@ std::int32_t RayWindings::crossings(const Point& q) const {
   std::vector<std::uint32_t> columns;
   for_each_column_of(cells_of(at.lower[1], at.upper[1], at.lower[2], at.upper[2]),
                      [&](std::uint32_t column) { columns.push_back(column); });
-  if (!std::all_of(columns.begin(), columns.end(), [&](std::uint32_t column) { return is_made_[column]; })) {
+  if (!std::all_of(columns.begin(), columns.end(), [&](std::uint32_t column) { return is_made_[column] != 0; })) {
     for (std::uint32_t f = 0; f < input_.face_count(); ++f) count(f);
     return sum;
   }
-  at.upper[0] = Box::infinity;
   wide_.for_each_near(at, [&](std::uint32_t face) {
     count(face);
     return true;

@@ -19,6 +19,9 @@ class RayWindings final : public WindingOracle {
   /// these faces are made. Requires one operand. The input must outlive it.
   RayWindings(const InputComplex& input, std::span<const std::uint32_t> asked);
 
+  /// How many faces are compared with rays, one from each face asked about: an estimate.
+  [[nodiscard]] std::size_t comparisons() const { return comparisons_; }
+
   [[nodiscard]] Windings around(const Point& q, std::uint32_t own) const override;
   [[nodiscard]] Windings above(std::uint32_t face, const Point& q,
                                std::span<const std::uint32_t> covering) const override;
@@ -31,6 +34,7 @@ class RayWindings final : public WindingOracle {
   [[nodiscard]] Cells cells_of(double low_y, double high_y, double low_z, double high_z) const;
   /// Of the box of a vertex.
   [[nodiscard]] Cells cells_of(std::uint32_t vertex) const;
+  [[nodiscard]] static int column_count(const Cells& cells);
   /// Calls `visit(column)` for the columns of a face, unless they are many: then it returns false.
   template <class Visit>
   bool for_each_column(const Cells& cells, const Visit& visit) const;
@@ -42,7 +46,8 @@ class RayWindings final : public WindingOracle {
   const InputComplex& input_;
   std::uint32_t width_ = 1;
   std::array<double, 2> origin_{}, per_cell_{};
-  std::vector<bool> is_made_;                 ///< per column
+  std::size_t comparisons_ = 0;
+  std::vector<char> is_made_;                 ///< per column
   std::vector<std::uint32_t> first_, faces_;  ///< faces of each column that is made
   BoxTree wide_;                              ///< those in many columns
 };
