@@ -208,17 +208,18 @@ BooleanResult evaluate(const Rule& rule, InputComplex complex, KnownCrossings kn
 
 }  // namespace
 
-BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options, KnownCrossings known) {
+BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options, KnownOperands known) {
   Profile profile;
   const Monitor monitor(options.cancel, &options.progress);
   const TierCounts tiers = tier_counts_now();
   Stages stages(profile, monitor);
 
-  const PreparedOperands operands(given, options);
+  const PreparedOperands operands(given, options, std::move(known.prepared));
   stages.end("prepare", 0.05);
 
-  BooleanResult result = refusing_broken_operands(
-      given, options, [&] { return evaluate(rule, operands.complex(), std::move(known), options, monitor, stages); });
+  BooleanResult result = refusing_broken_operands(given, options, [&] {
+    return evaluate(rule, operands.complex(), std::move(known.crossings), options, monitor, stages);
+  });
   operands.restore(result.sources);
   count_tiers(tiers, profile);
   stages.end("round", 1);

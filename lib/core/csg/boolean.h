@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/kernel/input_complex.h"
+#include "core/mesh/prepare.h"
 #include "core/overlap/self_intersections.h"
 #include "core/select/rule.h"
 #include "strata/combine.h"
@@ -14,6 +15,12 @@ namespace strata {
 /// Where faces of the only operand intersect, after its preparation, on the first of equal vertices: if who asks has
 /// found it already.
 using KnownCrossings = std::optional<SelfCrossings>;
+
+/// What is known of operands before a Boolean of them.
+struct KnownOperands {
+  KnownCrossings crossings;
+  std::vector<std::optional<Prepared>> prepared;  ///< what preparation makes of each operand; none: nothing is known
+};
 
 /// The Boolean itself, stage by stage, in the current task arena:
 ///
@@ -31,7 +38,7 @@ using KnownCrossings = std::optional<SelfCrossings>;
 /// Profile::seconds; the lap `validate`, before `round`, ensures that the boundary is closed.
 /// Throws as `combine` does.
 [[nodiscard]] BooleanResult boolean(const Rule& rule, std::span<const Operand> given, const Options& options,
-                                    KnownCrossings known = std::nullopt);
+                                    KnownOperands known = {});
 
 /// The stages after `prepare` for one closed mesh of any orientation, with exact vertices. Requires faces of positive
 /// area. Throws Cancelled.

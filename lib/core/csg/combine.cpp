@@ -23,13 +23,15 @@ bool have_attributes(std::span<const Operand> operands) {
 
 /// Some operands of unions are united first, then all.
 BooleanResult combine_in_arena(const Rule& rule, std::span<const Operand> given, const Options& options,
-                               KnownCrossings known) {
+                               KnownOperands known) {
   Profile profile;
   Stopwatch watch(profile);
   const EarlyUnions early(rule, given, options, [](const Rule& r, std::span<const Operand> some, const Options& o) {
     return boolean(r, some, o);
   });
   watch.lap("early_unions");
+  for (std::size_t i = 0; i < known.prepared.size(); ++i)
+    if (early.is_replaced(i)) known.prepared[i].reset();
   BooleanResult result = boolean(rule, early.operands(), options, std::move(known));
   early.restore(result);
   result.profile.seconds.insert(result.profile.seconds.begin(), profile.seconds.begin(), profile.seconds.end());
@@ -39,7 +41,7 @@ BooleanResult combine_in_arena(const Rule& rule, std::span<const Operand> given,
 /// Evaluates with the class that operands of class `automatic` turn out to have, and what was found on the way.
 template <class Evaluate>
 BooleanResult with_found_class(std::span<const Operand> operands, const Options& options, const Evaluate& evaluate) {
-  if (options.input != InputClass::automatic) return evaluate(options, KnownCrossings());
+  if (options.input != InputClass::automatic) return evaluate(options, KnownOperands());
   Profile profile;
   FoundClass found;
   Options now = options;
@@ -49,7 +51,7 @@ BooleanResult with_found_class(std::span<const Operand> operands, const Options&
     watch.lap("inspect");
   });
   now.input = found.input;
-  BooleanResult result = evaluate(now, std::move(found.crossings));
+  BooleanResult result = evaluate(now, std::move(found.known));
   result.notes.insert(result.notes.begin(), found.notes.begin(), found.notes.end());
   result.profile.seconds.insert(result.profile.seconds.begin(), profile.seconds.begin(), profile.seconds.end());
   return result;
@@ -62,7 +64,7 @@ Rule with_keepers(const Rule& rule, std::span<const Operand> operands, const Opt
 }
 
 BooleanResult combine(const Rule& rule, std::span<const Operand> operands, const Options& options,
-                      KnownCrossings known) {
+                      KnownOperands known) {
   const Arena arena = arena_for(options, worth_in_faces(operands, options.input));
   BooleanResult result;
   arena.execute([&] { result = combine_in_arena(rule, operands, options, std::move(known)); });
@@ -144,7 +146,7 @@ CutFaces cut_faces_of(Operation operation) {
 
 BooleanResult combine(Operation operation, std::span<const Operand> operands, const Options& options) {
   return with_attributes(operands, options, cut_faces_of(operation), [&](const Options& wanted) {
-    return with_found_class(operands, wanted, [&](const Options& found, KnownCrossings known) {
+    return with_found_class(operands, wanted, [&](const Options& found, KnownOperands known) {
       if (found.engine != nullptr)
         return by_engine(found, [&](const Options& o) { return o.engine->combine(operation, operands, o); });
       const Rule rule(operation, static_cast<std::uint32_t>(operands.size()));
@@ -161,7 +163,7 @@ BooleanResult combine(const Formula& formula, std::span<const Operand> operands,
   if (options.engine != nullptr && options.engine->evaluate == nullptr)
     throw std::invalid_argument(std::string("the engine ") + options.engine->name + " evaluates no formulas");
   return with_attributes(operands, options, CutFaces::turned, [&](const Options& wanted) {
-    return with_found_class(operands, wanted, [&](const Options& found, KnownCrossings known) {
+    return with_found_class(operands, wanted, [&](const Options& found, KnownOperands known) {
       if (found.engine != nullptr)
         return by_engine(found, [&](const Options& o) { return o.engine->evaluate(formula, operands, o); });
       return combine(with_keepers(Rule(formula), operands, found, true), operands, found, std::move(known));

@@ -23,6 +23,9 @@ class EarlyUnions {
 
   /// As many as were given: each union replaces its first member, and the other members are empty.
   [[nodiscard]] std::span<const Operand> operands() const { return operands_; }
+  [[nodiscard]] bool is_replaced(std::size_t operand) const {
+    return operands_[operand].mesh.triangles.data() != given_[operand].mesh.triangles.data();
+  }
   /// Maps the sources of a result of these operands to the given operands, and adds the notes of the unions.
   void restore(BooleanResult& result) const;
 

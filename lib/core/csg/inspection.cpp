@@ -90,8 +90,7 @@ std::vector<Defect> Inspection::defects(Severity severity, const std::vector<std
 
 namespace {
 
-bool needs_no_preparation(MeshView mesh) {
-  const Screening facts = screen(mesh);
+bool needs_no_preparation(const Screening& facts) {
   return facts.finite && facts.indices_valid && facts.chain_closed && !facts.degenerate && facts.orientation > 0;
 }
 
@@ -110,17 +109,20 @@ bool are_usable(MeshView mesh) {
 
 }  // namespace
 
-FirstLook look_at(MeshView mesh, const Monitor& monitor, Inspection::Keeps keeps) {
+FirstLook look_at(MeshView mesh, const Monitor& monitor, Inspection::Keeps keeps, const Screening* known) {
   if (mesh.triangles.empty()) return {};
-  if (is_found_starlike(mesh, monitor)) return {true, {}};
+  if (is_found_starlike(mesh, monitor)) return {true, {}, {}};
+  const auto facts_of = [&](MeshView same) { return known != nullptr ? *known : screen(same, monitor); };
   if (is_scattered(mesh) && are_usable(mesh)) {
     const Mesh local = gathered(mesh, monitor);
-    return {needs_no_preparation(local) && is_solid_by_number(local, monitor), {}};
+    const Screening facts = facts_of(local);
+    return {needs_no_preparation(facts) && is_solid_by_number(local, monitor), {}, facts.bounds};
   }
-  if (!needs_no_preparation(mesh)) return {};
+  const Screening facts = facts_of(mesh);
+  if (!needs_no_preparation(facts)) return {};
   Inspection inspection({mesh, {}}, monitor, keeps);
-  if (inspection.finds_nothing()) return {true, {}};
-  return {false, std::move(inspection)};
+  if (inspection.finds_nothing()) return {true, {}, facts.bounds};
+  return {false, std::move(inspection), facts.bounds};
 }
 
 bool windings_are_those_of_a_solid(MeshView mesh, const EmbeddedStars* stars, const Monitor& monitor) {

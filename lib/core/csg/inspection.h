@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/mesh/prepare.h"
 #include "core/overlap/embedded_stars.h"
 #include "core/overlap/self_intersections.h"
 #include "core/overlap/shells.h"
@@ -52,12 +53,16 @@ class Inspection {
 struct FirstLook {
   bool is_solid = false;          ///< it bounds a solid and has none of the defects that preparation resolves
   std::optional<Inspection> all;  ///< what else there is to find, if preparation would not change the mesh
+  std::optional<Box> bounds;      ///< of the vertices used, if computed
+
+  /// What preparation makes of the mesh in either case.
+  [[nodiscard]] Prepared unchanged() const { return {{}, {}, {}, bounds}; }
 };
 
 /// Looks at any mesh. A few streaming passes, and an Inspection. For a scattered mesh (is_scattered) it says only
-/// whether it is a solid.
+/// whether it is a solid. `facts`: of this mesh, if known.
 [[nodiscard]] FirstLook look_at(MeshView mesh, const Monitor& monitor,
-                                Inspection::Keeps keeps = Inspection::Keeps::pairs);
+                                Inspection::Keeps keeps = Inspection::Keeps::pairs, const Screening* facts = nullptr);
 
 /// True when the winding numbers of a mesh are 0 and 1. Requires that no faces share a point other than vertices of the
 /// same number and their edges, and what an Inspection does. `stars`: of this mesh, or null.

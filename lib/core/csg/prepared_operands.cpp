@@ -9,12 +9,17 @@
 
 namespace strata {
 
-PreparedOperands::PreparedOperands(std::span<const Operand> given, const Options& options)
+PreparedOperands::PreparedOperands(std::span<const Operand> given, const Options& options,
+                                   std::vector<std::optional<Prepared>> known)
     : given_(given), input_(options.input) {
   prepared_.reserve(given.size());
   for (std::size_t i = 0; i < given.size(); ++i) {
     Monitor(options.cancel).check();
     const Operand& operand = given[i];
+    if (!known.empty() && known[i]) {
+      prepared_.push_back(*std::move(known[i]));
+      continue;
+    }
     const bool is_known = operand.is_checked && !operand.exact.empty();
     prepared_.push_back(is_known ? Prepared{} : prepare({operand.mesh, operand.exact}, options, i));
   }

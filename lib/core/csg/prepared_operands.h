@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace strata {
 /// operands.
 class PreparedOperands {
  public:
-  /// Throws InputError that names the operand.
-  PreparedOperands(std::span<const Operand> given, const Options& options);
+  /// `known`: what preparation makes of each operand, where that is known; empty: of none. Throws InputError that
+  /// names the operand.
+  PreparedOperands(std::span<const Operand> given, const Options& options, std::vector<std::optional<Prepared>> known);
 
   /// All operands in one numbering. Refers to this object. Winding numbers of a `solid` are 0 and 1, so its faces are
   /// not compared with each other.

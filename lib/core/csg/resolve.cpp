@@ -1,6 +1,7 @@
 #include "strata/resolve.h"
 
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "core/csg/arena.h"
@@ -12,16 +13,25 @@
 namespace strata {
 namespace {
 
-bool has_negative_volume(ExactMeshView mesh) {
-  const Screening facts = screen(mesh.mesh);
+bool has_negative_volume(ExactMeshView mesh, const Screening& facts) {
   if (!facts.finite || !facts.indices_valid || !facts.chain_closed) return false;
   return mesh.exact.empty() ? facts.orientation < 0 : orientation(mesh) == Sign::negative;
 }
 
-/// What `automatic` operands turn out to be; notes of others come from the operation.
-FoundClass class_of(const Operand& operand, const Options& options) {
+/// What an `automatic` operand turns out to be; notes of others come from the operation.
+FoundClass class_of(const Operand& operand, const Options& options, const Screening* facts) {
   if (options.input != InputClass::automatic) return {options.input, {}, {}};
-  return find_class({&operand, 1}, Monitor(options.cancel));
+  return find_class({&operand, 1}, Monitor(options.cancel), facts);
+}
+
+/// Turns a mesh of negative volume round, which has the negative winding numbers then: odd where they were odd, and not
+/// 0 where they were. Returns what is known of it.
+Screening turned_outwards(ExactMesh& mesh, const Monitor& monitor) {
+  Screening facts = screen(mesh.mesh, monitor);
+  if (!has_negative_volume(mesh, facts)) return facts;
+  for (Triangle& t : mesh.mesh.triangles) std::swap(t[1], t[2]);
+  facts.orientation = -facts.orientation;
+  return facts;
 }
 
 }  // namespace
@@ -32,16 +42,15 @@ Solid resolve(ExactMesh mesh, Inside inside, const Options& options) {
   now.measure = false;
   FoundClass found;
   arena_for(options, mesh.mesh.triangles.size()).execute([&] {
-    // Reversed as a whole, a mesh has the negative winding numbers: odd where they were odd, and not 0 where they were.
-    if (inside != Inside::winding && has_negative_volume(mesh))
-      for (Triangle& t : mesh.mesh.triangles) std::swap(t[1], t[2]);
-    found = class_of({mesh.mesh, mesh.exact}, options);
+    std::optional<Screening> facts;
+    if (inside != Inside::winding) facts = turned_outwards(mesh, Monitor(options.cancel));
+    found = class_of({mesh.mesh, mesh.exact}, options, facts ? &*facts : nullptr);
   });
   now.input = found.input;
   const std::array operand{Operand{mesh.mesh, mesh.exact}};
   BooleanResult result;
   arena_for(options, worth_in_faces(operand, found.input)).execute([&] {
-    result = boolean(Rule::of_one(inside), operand, now, std::move(found.crossings));
+    result = boolean(Rule::of_one(inside), operand, now, std::move(found.known));
   });
   result.notes.insert(result.notes.begin(), found.notes.begin(), found.notes.end());
   Solid solid(Shared<Solid::Data>::make(Solid::Data{

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "core/csg/arena.h"
 #include "core/csg/found_class.h"
@@ -36,8 +38,9 @@ Options exact(Options options) {
   return options;
 }
 
-Solid::Data accept(Mesh mesh, const Options& options);
-Solid::Data accept(ExactMesh mesh, const Options& options);
+/// `known`: what preparation makes of the mesh.
+Solid::Data accept(Mesh mesh, const Options& options, std::optional<Prepared> known = {});
+Solid::Data accept(ExactMesh mesh, const Options& options, std::optional<Prepared> known = {});
 
 /// A mesh of class `automatic`; `operand` refers to it.
 template <class AnyMesh>
@@ -47,19 +50,19 @@ Solid::Data accept_inspected(AnyMesh& mesh, const Operand& operand, Options opti
     found = find_class({&operand, 1}, Monitor(options.cancel));
   });
   options.input = found.input;
-  Solid::Data data = accept(std::move(mesh), options);
+  Solid::Data data = accept(std::move(mesh), options, std::move(found.known.prepared.front()));
   data.notes.insert(data.notes.begin(), found.notes.begin(), found.notes.end());
   return data;
 }
 
-Solid::Data accept(Mesh mesh, const Options& options) {
+Solid::Data accept(Mesh mesh, const Options& options, std::optional<Prepared> known) {
   switch (options.input) {
     case InputClass::automatic: {
       const Operand operand{mesh, {}};
       return accept_inspected(mesh, operand, options);
     }
     case InputClass::solid: {
-      Prepared p = prepare({MeshView(mesh), {}}, options);
+      Prepared p = known ? *std::move(known) : prepare({MeshView(mesh), {}}, options);
       if (!p.mesh) {
         const std::size_t faces = mesh.triangles.size();
         return {{std::move(mesh), {}}, own_faces(faces), std::move(p.notes)};
@@ -78,7 +81,7 @@ Solid::Data accept(Mesh mesh, const Options& options) {
   return {};
 }
 
-Solid::Data accept(ExactMesh mesh, const Options& options) {
+Solid::Data accept(ExactMesh mesh, const Options& options, std::optional<Prepared> known) {
   if (mesh.exact.empty()) return accept(std::move(mesh.mesh), options);
   switch (options.input) {
     case InputClass::automatic: {
@@ -86,7 +89,7 @@ Solid::Data accept(ExactMesh mesh, const Options& options) {
       return accept_inspected(mesh, operand, options);
     }
     case InputClass::solid: {
-      Prepared p = prepare(mesh, options);
+      Prepared p = known ? *std::move(known) : prepare(mesh, options);
       if (p.mesh) mesh.mesh = std::move(*p.mesh);
       const std::size_t faces = mesh.mesh.triangles.size();
       return {std::move(mesh), own_faces(faces), std::move(p.notes)};
