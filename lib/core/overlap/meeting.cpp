@@ -111,7 +111,7 @@ class TransversalMeeting {
     return {between(0, k), between(1, k), between(2, k)};
   }
   Sign between(int i, int k) {
-    auto& known = between_[static_cast<std::size_t>(3 * i + k)];
+    auto& known = between_[3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(k)];
     if (!known) known = orient_edges(input_, face_f_, i, face_g_, k);
     return *known;
   }

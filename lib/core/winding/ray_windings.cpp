@@ -80,6 +80,30 @@ bool is_beside_box(const std::array<const InputComplex::Coordinates*, 3>& corner
 
 }  // namespace
 
+/// The columns of the faces' boxes.
+class RayWindings::FaceCells {
+ public:
+  explicit FaceCells(const RayWindings& rays) : faces_(rays.input_.faces(0)) {
+    resize_fresh(of_vertex_, rays.input_.vertex_count());
+    tbb::parallel_for(std::size_t{0}, of_vertex_.size(),
+                      [&](std::size_t v) { of_vertex_[v] = rays.cells_of(static_cast<std::uint32_t>(v)); });
+  }
+  [[nodiscard]] Cells operator()(std::uint32_t face) const {
+    const InputComplex::Indices& t = faces_[face];
+    Cells cells = of_vertex_[t[0]];
+    for (const std::uint32_t v : {t[1], t[2]})
+      for (std::size_t i = 0; i < 2; ++i) {
+        cells.lower[i] = std::min(cells.lower[i], of_vertex_[v].lower[i]);
+        cells.upper[i] = std::max(cells.upper[i], of_vertex_[v].upper[i]);
+      }
+    return cells;
+  }
+
+ private:
+  std::span<const InputComplex::Indices> faces_;
+  std::vector<Cells> of_vertex_;
+};
+
 RayWindings::RayWindings(const InputComplex& input, std::span<const std::uint32_t> asked) : input_(input) {
   const std::uint32_t count = input.face_count();
   const Box bounds = bounds_of_finite(input.points(0));
@@ -89,20 +113,14 @@ RayWindings::RayWindings(const InputComplex& input, std::span<const std::uint32_
     const double cells = width_ / 2.0 / (bounds.upper[i + 1] / 2 - bounds.lower[i + 1] / 2);
     per_cell_[i] = cells > 0 && cells < Box::infinity ? cells : 0;
   }
-  std::vector<Cells> of_vertex;
-  resize_fresh(of_vertex, input.vertex_count());
-  tbb::parallel_for(std::size_t{0}, of_vertex.size(),
-                    [&](std::size_t v) { of_vertex[v] = cells_of(static_cast<std::uint32_t>(v)); });
-  const auto cells_of_face = [&](std::uint32_t face) {
-    const auto& [a, b, c] = input.faces(0)[face];
-    Cells cells = of_vertex[a];
-    for (const std::uint32_t v : {b, c})
-      for (std::size_t i = 0; i < 2; ++i) {
-        cells.lower[i] = std::min(cells.lower[i], of_vertex[v].lower[i]);
-        cells.upper[i] = std::max(cells.upper[i], of_vertex[v].upper[i]);
-      }
-    return cells;
-  };
+  const FaceCells cells_of_face(*this);
+  list(choose_columns(asked, cells_of_face), cells_of_face);
+  comparisons_ = estimate(asked, cells_of_face);
+}
+
+/// Chooses the columns that are made, and returns the faces that may be in them.
+std::vector<std::uint32_t> RayWindings::choose_columns(std::span<const std::uint32_t> asked,
+                                                       const FaceCells& cells_of_face) {
   is_made_.resize(std::size_t{width_} * width_);
   CoarseGrid near_made(width_);
   for (const std::uint32_t f : asked) {
@@ -111,30 +129,38 @@ RayWindings::RayWindings(const InputComplex& input, std::span<const std::uint32_
     for (std::uint32_t z = cells.lower[1]; z <= cells.upper[1]; ++z)
       std::fill_n(is_made_.begin() + z * width_ + cells.lower[0], cells.upper[0] - cells.lower[0] + 1, char{1});
   }
-
-  const std::vector<std::uint32_t> listed = collect(count, [&](std::uint32_t f) {
+  return collect(input_.face_count(), [&](std::uint32_t f) {
     const Cells cells = cells_of_face(f);
-    if (!near_made.meets(cells.lower, cells.upper) || is_seen_from_edge(input, f)) return false;
-    bool is_listed = false;
-    return !for_each_column(cells, [&](std::uint32_t column) { is_listed = is_listed || is_made_[column] != 0; }) ||
-           is_listed;
+    if (!near_made.meets(cells.lower, cells.upper) || is_seen_from_edge(input_, f)) return false;
+    bool is_near = false;
+    const bool is_narrow =
+        for_each_column(cells, [&](std::uint32_t column) { is_near = is_near || is_made_[column] != 0; });
+    return !is_narrow || is_near;
   });
+}
+
+void RayWindings::list(std::span<const std::uint32_t> faces, const FaceCells& cells_of_face) {
   first_.assign(is_made_.size() + 1, 0);
   std::vector<std::uint32_t> wide;
-  for (const std::uint32_t f : listed)
-    if (!for_each_column(cells_of_face(f), [&](std::uint32_t column) { ++first_[column + 1]; })) wide.push_back(f);
-  double wide_near_ray = 0;
-  for (const std::uint32_t f : wide) wide_near_ray += column_count(cells_of_face(f)) / (1.0 * width_ * width_);
-  wide_ = BoxTree::by_order(std::move(wide), [&](std::span<const std::uint32_t> faces) {
+  for (const std::uint32_t f : faces)
+    if (const Cells cells = cells_of_face(f);
+        !for_each_column(cells, [&](std::uint32_t column) { ++first_[column + 1]; })) {
+      wide.push_back(f);
+      wide_near_ray_ += column_count(cells) / static_cast<double>(is_made_.size());
+    }
+  wide_ = BoxTree::by_order(std::move(wide), [&](std::span<const std::uint32_t> some) {
     Box box;
-    for (const std::uint32_t f : faces) box.include(face_box(input, f));
+    for (const std::uint32_t f : some) box.include(face_box(input_, f));
     return box;
   });
   for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
   resize_fresh(faces_, first_.back());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (const std::uint32_t f : listed)
+  for (const std::uint32_t f : faces)
     for_each_column(cells_of_face(f), [&](std::uint32_t column) { faces_[next[column]++] = f; });
+}
+
+std::size_t RayWindings::estimate(std::span<const std::uint32_t> asked, const FaceCells& cells_of_face) const {
   const double on_average = static_cast<double>(faces_.size()) / static_cast<double>(is_made_.size());
   double comparisons = 0;
   for (const std::uint32_t f : asked) {
@@ -142,9 +168,9 @@ RayWindings::RayWindings(const InputComplex& input, std::span<const std::uint32_
     double listed_there = 0;
     const bool is_narrow =
         for_each_column(cells, [&](std::uint32_t column) { listed_there += first_[column + 1] - first_[column]; });
-    comparisons += wide_near_ray + (is_narrow ? listed_there / column_count(cells) : on_average);
+    comparisons += wide_near_ray_ + (is_narrow ? listed_there / column_count(cells) : on_average);
   }
-  comparisons_ = static_cast<std::size_t>(comparisons);
+  return static_cast<std::size_t>(comparisons);
 }
 
 RayWindings::Cells RayWindings::cells_of(std::uint32_t vertex) const {

@@ -31,6 +31,11 @@ class RayWindings final : public WindingOracle {
   struct Cells {
     std::array<std::uint16_t, 2> lower, upper;
   };
+  class FaceCells;
+  [[nodiscard]] std::vector<std::uint32_t> choose_columns(std::span<const std::uint32_t> asked,
+                                                          const FaceCells& cells_of_face);
+  void list(std::span<const std::uint32_t> faces, const FaceCells& cells_of_face);
+  [[nodiscard]] std::size_t estimate(std::span<const std::uint32_t> asked, const FaceCells& cells_of_face) const;
   [[nodiscard]] Cells cells_of(double low_y, double high_y, double low_z, double high_z) const;
   /// Of the box of a vertex.
   [[nodiscard]] Cells cells_of(std::uint32_t vertex) const;
@@ -47,6 +52,7 @@ class RayWindings final : public WindingOracle {
   std::uint32_t width_ = 1;
   std::array<double, 2> origin_{}, per_cell_{};
   std::size_t comparisons_ = 0;
+  double wide_near_ray_ = 0;                  ///< how many faces in many columns have that of a ray, on average
   std::vector<char> is_made_;                 ///< per column
   std::vector<std::uint32_t> first_, faces_;  ///< faces of each column that is made
   BoxTree wide_;                              ///< those in many columns
