@@ -102,8 +102,9 @@ void SelfIntersectionSearch::append_pairs_of(std::size_t part, std::vector<Packe
 // what has many pairs is known soon.
 std::vector<SelfIntersection> SelfIntersectionSearch::find(const Monitor& monitor, std::size_t enough,
                                                            std::vector<PairIntersections>* met) {
-  constexpr std::size_t parts_per_task = 8, least_tasks = 8, most_tasks = 256;
+  constexpr std::size_t least_tasks = 8, most_tasks = 256, tasks_to_share = 64, most_parts = 8;
   const std::size_t parts = boxes_.group_count() + fans_.part_count();
+  const std::size_t parts_per_task = std::clamp(parts / tasks_to_share, std::size_t{1}, most_parts);
   const std::size_t tasks = (parts + parts_per_task - 1) / parts_per_task;
   finds_none_.resize(tasks);
   if (met != nullptr) *met = std::vector<PairIntersections>(tasks);
