@@ -45,7 +45,9 @@ BooleanResult with_found_class(std::span<const Operand> operands, const Options&
   Profile profile;
   FoundClass found;
   Options now = options;
-  arena_for(options, worth_in_faces(operands, InputClass::solid)).execute([&] {
+  // One operand is given to be resolved, several are mostly solids.
+  const InputClass expected = operands.size() == 1 ? options.input : InputClass::solid;
+  arena_for(options, worth_in_faces(operands, expected)).execute([&] {
     Stopwatch watch(profile);
     found = find_class(operands, Monitor(options.cancel));
     watch.lap("inspect");

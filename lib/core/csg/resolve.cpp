@@ -41,13 +41,13 @@ Solid resolve(ExactMesh mesh, Inside inside, const Options& options) {
   now.exact_vertices = true;
   now.measure = false;
   FoundClass found;
-  arena_for(options, mesh.mesh.triangles.size()).execute([&] {
+  const std::array operand{Operand{mesh.mesh, mesh.exact}};
+  arena_for(options, worth_in_faces(operand, options.input)).execute([&] {
     std::optional<Screening> facts;
     if (inside != Inside::winding) facts = turned_outwards(mesh, Monitor(options.cancel));
-    found = class_of({mesh.mesh, mesh.exact}, options, facts ? &*facts : nullptr);
+    found = class_of(operand.front(), options, facts ? &*facts : nullptr);
   });
   now.input = found.input;
-  const std::array operand{Operand{mesh.mesh, mesh.exact}};
   BooleanResult result;
   arena_for(options, worth_in_faces(operand, found.input)).execute([&] {
     result = boolean(Rule::of_one(inside), operand, now, std::move(found.known));
