@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "strata/strata.h"
+#include "support/append.h"
 #include "support/shapes.h"
 
 using namespace strata;
@@ -312,12 +313,7 @@ TEST_CASE("a cube of size 1e-200 stands on one of size 1e200", "[csg][degenerate
 TEST_CASE("150 teeth on a plate make a comb", "[csg][degenerate]") {
   const Solid plate(box({0, 0, 0}, {300, 1, 1}));
   Mesh teeth;
-  for (int i = 0; i < 150; ++i) {
-    const Mesh tooth = box({2.0 * i, 0, 1}, {2.0 * i + 1, 1, 2});
-    const auto first = static_cast<std::uint32_t>(teeth.vertices.size());
-    teeth.vertices.insert(teeth.vertices.end(), tooth.vertices.begin(), tooth.vertices.end());
-    for (const Triangle& t : tooth.triangles) teeth.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
+  for (int i = 0; i < 150; ++i) test::append(teeth, box({2.0 * i, 0, 1}, {2.0 * i + 1, 1, 2}));
   const Solid comb = plate | Solid(teeth);
   // Front and back; bottom, and top with gaps; left and right sides of teeth, and of the plate.
   check(comb, {450, 2 * 450 + 300 + 300 + 2 * 151, 1, 2, 0, 0});

@@ -5,6 +5,7 @@
 
 #include "core/csg/boolean.h"
 #include "core/overlap/self_intersections.h"
+#include "support/append.h"
 #include "support/shapes.h"
 
 using namespace strata;
@@ -13,9 +14,7 @@ namespace {
 
 Mesh joined(const Mesh& a, const Mesh& b) {
   Mesh all = a;
-  const auto first = static_cast<std::uint32_t>(a.vertices.size());
-  all.vertices.insert(all.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (const auto& [i, j, k] : b.triangles) all.triangles.push_back({i + first, j + first, k + first});
+  test::append(all, b);
   return all;
 }
 

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "strata/strata.h"
+#include "support/append.h"
 #include "support/touching.h"
 
 using namespace strata;
@@ -10,11 +11,7 @@ namespace {
 /// Several closed meshes as one that crosses itself.
 Mesh joined(const std::vector<Mesh>& meshes) {
   Mesh all;
-  for (const Mesh& m : meshes) {
-    const auto first = static_cast<std::uint32_t>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), m.vertices.begin(), m.vertices.end());
-    for (const Triangle& t : m.triangles) all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
+  for (const Mesh& m : meshes) test::append(all, m);
   return all;
 }
 

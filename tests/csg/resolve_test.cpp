@@ -10,6 +10,7 @@
 
 #include "strata/check.h"
 #include "strata/combine.h"
+#include "support/append.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/shuffled.h"
@@ -18,22 +19,13 @@ using namespace strata;
 
 namespace {
 
-void append(Mesh& mesh, const Mesh& other, bool is_reversed = false) {
-  const auto shift = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Triangle& t : other.triangles) {
-    mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-    if (is_reversed) std::swap(mesh.triangles.back()[1], mesh.triangles.back()[2]);
-  }
-}
-
 Solid resolved(const Mesh& mesh, Inside inside, InputClass input = InputClass::automatic) {
   return resolve({mesh, {}}, inside, {.input = input});
 }
 
 Mesh two_boxes(double shift, bool is_reversed = false) {
   Mesh mesh = test::box({0, 0, 0}, {2, 2, 2});
-  append(mesh, test::box({shift, 0, 0}, {shift + 2, 2, 2}), is_reversed);
+  test::append(mesh, test::box({shift, 0, 0}, {shift + 2, 2, 2}), is_reversed);
   return mesh;
 }
 
@@ -65,8 +57,8 @@ TEST_CASE("boxes that overlap by half, by all three rules", "[csg]") {
 
 TEST_CASE("the orientation of the whole matters to winding numbers only", "[csg]") {
   Mesh inside_out;
-  append(inside_out, test::box({0, 0, 0}, {3, 3, 3}), true);
-  append(inside_out, test::box({1, 1, 1}, {2, 2, 2}), false);
+  test::append(inside_out, test::box({0, 0, 0}, {3, 3, 3}), true);
+  test::append(inside_out, test::box({1, 1, 1}, {2, 2, 2}), false);
   CHECK_THROWS_AS(resolved(inside_out, Inside::winding), InputError);
   CHECK(resolved(inside_out, Inside::even_odd).volume() == 26);
   CHECK(resolved(inside_out, Inside::outer).volume() == 27);
@@ -74,8 +66,8 @@ TEST_CASE("the orientation of the whole matters to winding numbers only", "[csg]
 
 TEST_CASE("a box in a box in a box", "[csg]") {
   Mesh nested = test::box({0, 0, 0}, {5, 5, 5});
-  append(nested, test::box({1, 1, 1}, {4, 4, 4}));
-  append(nested, test::box({2, 2, 2}, {3, 3, 3}));
+  test::append(nested, test::box({1, 1, 1}, {4, 4, 4}));
+  test::append(nested, test::box({2, 2, 2}, {3, 3, 3}));
   const Solid winding = resolved(nested, Inside::winding);
   CHECK(winding.volume() == 125);
   CHECK_FALSE(winding.notes().empty());  // winding numbers up to 3
@@ -116,8 +108,8 @@ TEST_CASE("laws of resolved meshes", "[csg][property]") {
   Mesh mesh;
   for (unsigned i = 0; i < 1 + random() % 4; ++i) {
     const Vertex lower{number(4), number(4), number(4)};
-    append(mesh, test::box(lower, {lower[0] + 1 + number(3), lower[1] + 1 + number(3), lower[2] + 1 + number(3)}),
-           random() % 3 == 0);
+    test::append(mesh, test::box(lower, {lower[0] + 1 + number(3), lower[1] + 1 + number(3), lower[2] + 1 + number(3)}),
+                 random() % 3 == 0);
   }
   const Solid even_odd = resolved(mesh, Inside::even_odd), outer = resolved(mesh, Inside::outer);
   CHECK(check(even_odd.exact_mesh()).empty() == true);
@@ -144,12 +136,7 @@ TEST_CASE("meshes of which few faces cross are resolved as those of which many d
     Solid united;
     const auto add = [&](Mesh part, bool is_cavity) {
       united = is_cavity ? united - Solid(part) : united | Solid(part);
-      const auto first = static_cast<std::uint32_t>(all.vertices.size());
-      all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
-      for (Triangle t : part.triangles) {
-        if (is_cavity) std::swap(t[1], t[2]);
-        all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-      }
+      test::append(all, part, is_cavity);
     };
     for (int n = 0; n < 3; ++n) {
       const Vertex low{at(), at(), at()};
@@ -176,8 +163,8 @@ TEST_CASE("what crosses is the same, whoever searches for it", "[csg][resolve][p
   for (int n = random.between(2, 4); n > 0; --n) {
     const Vertex low{at(), at(), at()};
     const bool is_ball = random.between(0, 1) == 0;
-    append(mesh, is_ball ? test::icosphere(low, 1.5, static_cast<int>(random.between(0, 3)))
-                         : test::box(low, {low[0] + 1, low[1] + 2, low[2] + 1}));
+    test::append(mesh, is_ball ? test::icosphere(low, 1.5, static_cast<int>(random.between(0, 3)))
+                               : test::box(low, {low[0] + 1, low[1] + 2, low[2] + 1}));
   }
   if (random.between(0, 2) == 0) {  // a vertex on an edge, and a face of zero area: to be prepared
     const auto [a, b, c] = mesh.triangles.front();

@@ -7,6 +7,7 @@
 #include "core/overlap/candidates.h"
 #include "core/overlap/self_intersections.h"
 #include "core/winding/local_windings.h"
+#include "support/append.h"
 #include "support/shapes.h"
 
 using namespace strata;
@@ -24,26 +25,17 @@ std::vector<std::int32_t> above_each_face(const Mesh& mesh) {
   return above;
 }
 
-void append(Mesh& mesh, const Mesh& other, bool is_reversed) {
-  const auto shift = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Triangle& t : other.triangles) {
-    mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-    if (is_reversed) std::swap(mesh.triangles.back()[1], mesh.triangles.back()[2]);
-  }
-}
-
 /// Boxes in boxes, beside each other, of any orientation; cells that touch in edges and vertices.
 Mesh boxes_and_cells(std::mt19937& random) {
   Mesh mesh;
   for (unsigned i = 0; i < 1 + random() % 4; ++i) {
     const double at = 100 * static_cast<double>(random() % 2);
     const double width = 64 - 8 * static_cast<double>(random() % 4) - i;
-    append(mesh, test::box({at - width, -width, -width}, {at + width, width, width}), random() % 3 == 0);
+    test::append(mesh, test::box({at - width, -width, -width}, {at + width, width, width}), random() % 3 == 0);
   }
   test::CellGrid grid(2, 2, 2, false);
   for (std::size_t n = 0; n < 8; ++n) grid.filled[n] = random() % 2 == 0;
-  append(mesh, test::cell_solid(grid), random() % 4 == 0);
+  test::append(mesh, test::cell_solid(grid), random() % 4 == 0);
   return mesh;
 }
 
@@ -68,7 +60,7 @@ TEST_CASE("one winding number per shell is that of all its faces", "[csg][proper
 TEST_CASE("shells are numbered by their first faces", "[csg]") {
   Mesh mesh = test::icosphere({0, 0, 0}, 1, 2);
   const auto faces = static_cast<std::uint32_t>(mesh.triangles.size());
-  append(mesh, test::icosphere({9, 0, 0}, 1, 1), true);
+  test::append(mesh, test::icosphere({9, 0, 0}, 1, 1), true);
   const InputComplex complex = complex_of(mesh);
   const Shells shells = find_shells(complex, EmbeddedStars(complex, Monitor()));
   CHECK(shells.count == 2);

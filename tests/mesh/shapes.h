@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "strata/mesh.h"
+#include "support/append.h"
 
 namespace strata::shapes {
 
@@ -20,9 +21,7 @@ inline Mesh box(const Vertex& lower, const Vertex& upper) {
 
 /// Two meshes as one list, nothing welded.
 inline Mesh joined(Mesh a, const Mesh& b) {
-  const auto offset = static_cast<std::uint32_t>(a.vertices.size());
-  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (const Triangle& t : b.triangles) a.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  test::append(a, b);
   return a;
 }
 

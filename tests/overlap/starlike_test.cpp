@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/overlap/self_intersections.h"
+#include "support/append.h"
 #include "support/random.h"
 #include "support/shapes.h"
 
@@ -18,12 +19,6 @@ using namespace strata;
 namespace {
 
 bool is_found(const Mesh& mesh) { return is_found_starlike(mesh, Monitor()); }
-
-void append(Mesh& mesh, const Mesh& other) {
-  const auto shift = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Triangle& t : other.triangles) mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-}
 
 /// A double cone over a polygon, given by the angles of its corners from one to the next in twelfths of a turn.
 Mesh cone_over(std::size_t corners, int step) {
@@ -87,14 +82,14 @@ TEST_CASE("closed meshes that go round more than once are not starlike, though e
   CHECK_FALSE(is_found(cone_over(12, 5)));  // five times
   CHECK_FALSE(is_found(cone_over(12, 7)));  // backwards
   Mesh twice = test::icosphere({0, 0, 0}, 1, 3);
-  append(twice, test::icosphere({0, 0, 0}, 1.25, 3));
+  test::append(twice, test::icosphere({0, 0, 0}, 1.25, 3));
   CHECK_FALSE(is_found(twice));
   Mesh hollow = test::icosphere({0, 0, 0}, 2, 3), cavity = test::icosphere({0, 0, 0}, 1, 3);
   for (Triangle& t : cavity.triangles) std::swap(t[0], t[1]);
-  append(hollow, cavity);
+  test::append(hollow, cavity);
   CHECK_FALSE(is_found(hollow));
   Mesh apart = test::box({0, 0, 0}, {1, 1, 1});
-  append(apart, test::box({2, 0, 0}, {3, 1, 1}));
+  test::append(apart, test::box({2, 0, 0}, {3, 1, 1}));
   CHECK_FALSE(is_found(apart));
 }
 

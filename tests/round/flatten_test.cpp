@@ -10,6 +10,7 @@
 #include "core/round/distances.h"
 #include "core/round/pile_filling.h"
 #include "core/round/viewed_plane.h"
+#include "support/append.h"
 #include "support/shapes.h"
 
 using namespace strata;
@@ -119,10 +120,7 @@ TEST_CASE("the corners of a needle are in its plane", "[round]") {
 TEST_CASE("a boundary that crosses itself as it is seen is divided at vertices of the grid", "[round]") {
   // Two long plates of a third of a unit that cross, one on the other: the sides of their upper faces cross from above.
   Mesh plates = test::box({0, 40, 0}, {100, 60, 1});
-  const Mesh other = test::box({40, 0, 1}, {60, 100, 2});
-  const auto first = static_cast<std::uint32_t>(plates.vertices.size());
-  plates.vertices.insert(plates.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Triangle& t : other.triangles) plates.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  test::append(plates, test::box({40, 0, 1}, {60, 100, 2}));
   // Without their ends they are no closed piles.
   std::vector<std::uint32_t> horizontal;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;

@@ -5,6 +5,7 @@
 #include "core/kernel/predicates.h"
 #include "core/overlap/candidates.h"
 #include "core/winding/local_windings.h"
+#include "support/append.h"
 #include "support/random.h"
 #include "support/shapes.h"
 
@@ -22,9 +23,7 @@ Mesh random_pile(test::Random& random) {
     const Mesh part = n % 3 == 0   ? test::box(p, {p[0] + size, p[1] + size, p[2] + size})
                       : n % 3 == 1 ? test::octahedron(p, size)
                                    : test::icosphere(p, size, 1);
-    const auto first = static_cast<std::uint32_t>(pile.vertices.size());
-    pile.vertices.insert(pile.vertices.end(), part.vertices.begin(), part.vertices.end());
-    for (const Triangle& t : part.triangles) pile.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    test::append(pile, part);
   }
   return pile;
 }
