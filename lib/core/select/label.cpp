@@ -138,13 +138,16 @@ std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivi
 
 std::vector<Verdict> label(const InputComplex& input, const Subdivision& subdivision, const Rule& rule,
                            const SheetWindings& windings) {
+  const Shells& patches = windings.sheets().patches();
+  std::vector<Verdict> of_patch;
+  for (std::uint32_t p = 0; p < patches.count; ++p) {
+    Windings w;
+    w.add(0, windings.above_patch(p));
+    of_patch.push_back(verdict_from(rule, 0, std::move(w)));
+  }
   std::vector<Verdict> verdicts(input.face_count(), Verdict::drop);
   for (std::uint32_t f = 0; f < verdicts.size(); ++f)
-    if (!windings.sheets().is_subdivided(f)) {
-      Windings w;
-      w.add(0, windings.above_face(f));
-      verdicts[f] = verdict_from(rule, 0, std::move(w));
-    }
+    if (!windings.sheets().is_subdivided(f)) verdicts[f] = of_patch[patches.of_face[f]];
   ensure("label", [&] { return validate(input, verdicts, subdivision); });
   return verdicts;
 }

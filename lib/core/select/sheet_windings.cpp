@@ -40,9 +40,7 @@ std::vector<std::uint32_t> Sheets::asked(const InputComplex& input) const {
 
 SheetWindings::SheetWindings(const InputComplex& input, Sheets sheets, const WindingOracle& oracle,
                              const Monitor& monitor)
-    : sheets_(std::move(sheets)),
-      of_patch_(sheets_.patches().count, unknown),
-      of_vertex_(input.vertex_count(), unknown) {
+    : sheets_(std::move(sheets)), of_patch_(sheets_.patches().count, 0), of_vertex_(input.vertex_count(), unknown) {
   tbb::parallel_for(std::size_t{0}, of_patch_.size(), [&](std::size_t p) {
     monitor.check();
     const std::uint32_t face = sheets_.first_faces()[p];
@@ -53,7 +51,7 @@ SheetWindings::SheetWindings(const InputComplex& input, Sheets sheets, const Win
   for (std::uint32_t f = 0; f < faces.size(); ++f)
     if (!sheets_.is_subdivided(f))
       for (const std::uint32_t v : faces[f])
-        if (sheets_.is_free(v)) of_vertex_[v] = above_face(f);
+        if (sheets_.is_free(v)) of_vertex_[v] = of_patch_[sheets_.patches().of_face[f]];
 }
 
 std::optional<std::int32_t> SheetWindings::above_vertex(std::uint32_t vertex) const {

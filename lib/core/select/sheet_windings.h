@@ -47,8 +47,8 @@ class SheetWindings {
   SheetWindings(const InputComplex& input, Sheets sheets, const WindingOracle& oracle, const Monitor& monitor);
 
   [[nodiscard]] const Sheets& sheets() const { return sheets_; }
-  /// Above a face without constraints.
-  [[nodiscard]] std::int32_t above_face(std::uint32_t face) const { return of_patch_[sheets_.patches().of_face[face]]; }
+  /// Above a patch. 0 for one whose only face has constraints.
+  [[nodiscard]] std::int32_t above_patch(std::uint32_t patch) const { return of_patch_[patch]; }
   /// Above a free vertex, if a patch has it.
   [[nodiscard]] std::optional<std::int32_t> above_vertex(std::uint32_t vertex) const;
 
