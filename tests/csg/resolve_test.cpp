@@ -134,7 +134,7 @@ TEST_CASE("meshes of which few faces cross are resolved as those of which many d
   for (int round = 0; round < 25; ++round) {
     Mesh all;
     Solid united;
-    const auto add = [&](Mesh part, bool is_cavity) {
+    const auto add = [&](const Mesh& part, bool is_cavity) {
       united = is_cavity ? united - Solid(part) : united | Solid(part);
       test::append(all, part, is_cavity);
     };
