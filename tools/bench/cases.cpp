@@ -94,6 +94,8 @@ void add_scans(std::vector<Case>& cases) {
   add_scan(cases, "c_rocker1286k", "rocker arm", rocker_arm, 3);
 }
 
+Meshes notch() { return {box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0.5}, {0.5, 0.5, 1})}; }
+
 void add_coinciding(std::vector<Case>& cases) {
   const auto same = [](unsigned levels) {
     return [levels](const Corpus&) { return Meshes{icosphere(levels), icosphere(levels)}; };
@@ -124,9 +126,7 @@ void add_coinciding(std::vector<Case>& cases) {
                    .group = Group::small,
                    .operation = Operation::difference,
                    .volume = 0.875,
-                   .make = [](const Corpus&) {
-                     return Meshes{box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0.5}, {0.5, 0.5, 1})};
-                   }});
+                   .make = [](const Corpus&) { return notch(); }});
   cases.push_back({.name = "d_fineboxes100k",
                    .about = "two boxes of 97,200 and 99,372 triangles that share a face, split differently",
                    .group = Group::dense,
@@ -134,6 +134,11 @@ void add_coinciding(std::vector<Case>& cases) {
                    .make = [](const Corpus&) {
                      return Meshes{fine_box({0, 0, 0}, {1, 1, 1}, 90), fine_box({1, 0, 0}, {2, 1, 1}, 91)};
                    }});
+}
+
+/// Right through the unit sphere. 92 triangles.
+Mesh drill() {
+  return rotated(prism({.sides = 24, .radius = 0.05, .bottom = -1.2, .top = 1.2}), rotation({3, -1, 2}, 77));
 }
 
 void add_crossings(std::vector<Case>& cases) {
@@ -162,8 +167,7 @@ void add_crossings(std::vector<Case>& cases) {
                    .group = Group::drill,
                    .operation = Operation::difference,
                    .make = [](const Corpus&) {
-                     const Mesh drill = prism({.sides = 24, .radius = 0.05, .bottom = -1.2, .top = 1.2});
-                     return Meshes{geodesic_sphere(316), rotated(drill, rotation({3, -1, 2}, 77))};
+                     return Meshes{geodesic_sphere(316), drill()};
                    }});
 }
 
@@ -174,11 +178,12 @@ Meshes spheres_of_the_corpus(const Corpus& corpus) {
   return spheres;
 }
 
-Meshes overlapping_spheres() {
+/// Of 320 triangles each, in a cube; the more there are, the more overlap.
+Meshes overlapping_spheres(int count) {
   Random random(11);
   const Mesh sphere = icosphere(2);
   Meshes spheres;
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < count; ++i) {
     const double radius = random.uniform(0.08, 0.12);
     const Mesh turned = rotated(sphere, random_rotation(random));
     spheres.push_back(shifted(scaled(turned, radius), random.in_box(0, 1)));
@@ -233,7 +238,7 @@ void add_many(std::vector<Case>& cases) {
   cases.push_back({.name = "n_overlap500",
                    .about = "500 random spheres of 320 triangles that overlap, in one call",
                    .group = Group::many,
-                   .make = [](const Corpus&) { return overlapping_spheres(); }});
+                   .make = [](const Corpus&) { return overlapping_spheres(500); }});
   cases.push_back({.name = "n_drill1000",
                    .about = "a plate minus 999 drills of 60 triangles, in one call",
                    .group = Group::many,
@@ -262,13 +267,23 @@ void add_chains(std::vector<Case>& cases) {
   add_steps("k_terrain223_steps", "k_terrain223, one cut after the other", terrain);
   add_steps("k_dome100_steps", "k_dome100, one cut after the other", [] { return dome(100); });
   add_steps("k_dome1000_steps", "k_dome1000, one cut after the other", [] { return dome(1000); });
-  add_steps("k_dome10000_steps", "the same with 10,000 capsules", [] { return dome(10'000); });
+  const auto add_slow = [&](const char* name, const char* about, std::uint32_t capsules) {
+    add(name, about, [capsules] { return dome(capsules); });
+    cases.back().group = Group::slow;
+  };
+  add_slow("k_dome250_steps", "k_dome100_steps with 250 capsules", 250);
+  add_slow("k_dome5000_steps", "the same with 5,000 capsules", 5000);
+  add_slow("k_dome10000_steps", "the same with 10,000 capsules", 10'000);
 }
 
 void add_smoke(std::vector<Case>& cases) {
   const auto add = [&](const char* name, const char* about, auto make) {
     cases.push_back(
         {.name = name, .about = about, .group = Group::smoke, .make = [make](const Corpus&) { return make(); }});
+  };
+  const auto add_difference = [&](const char* name, const char* about, auto make) {
+    add(name, about, make);
+    cases.back().operation = Operation::difference;
   };
   add("smoke_tiny", "two icosahedra", [] { return pair_of_spheres(0, far_offset); });
   add("smoke_spheres", "two spheres of 1,280 triangles", [] { return pair_of_spheres(3, far_offset); });
@@ -283,6 +298,12 @@ void add_smoke(std::vector<Case>& cases) {
   add("smoke_near", "two spheres of 20,480 triangles that nearly coincide",
       [] { return pair_of_spheres(5, near_offset()); });
   add("smoke_large", "two spheres of 20,480 triangles", [] { return pair_of_spheres(5, far_offset); });
+  add("smoke_overlap", "60 random spheres of 320 triangles, most of which overlap", [] { return overlapping_spheres(60); });
+  add_difference("smoke_notch", "a cube minus one in its corner, three faces in common", notch);
+  add_difference("smoke_drill", "a sphere of 20,480 triangles minus a drill of 92 right through it", [] {
+    return Meshes{icosphere(5), drill()};
+  });
+  add_difference("smoke_cuts", "a sphere minus three tori and six spheres", nine_cuts);
 }
 
 std::vector<Case> make_cases() {
@@ -330,6 +351,8 @@ std::string name(Group group) {
       return "chain";
     case Group::drill:
       return "drill";
+    case Group::slow:
+      return "slow";
     case Group::smoke:
       return "smoke";
   }

@@ -22,6 +22,7 @@ enum class Group {
   one_by_one,  ///< hundreds of operands, each joined to the result so far
   chain,       ///< many differences one after the other, in one call
   drill,       ///< a small operand in a large one
+  slow,        ///< as one_by_one, but some engines take an hour; not part of the table
   smoke,       ///< for counting instructions; not part of the table
 };
 

@@ -1,7 +1,10 @@
 // strata-bench: makes cases, measures the library on them, judges anyone's results. tools/bench/run drives it.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -15,6 +18,7 @@
 #include "judge.h"
 #include "measure.h"
 #include "request.h"
+#include "steps.h"
 #include "strata/check.h"
 #include "strata/combine.h"
 #include "strata/incremental.h"
@@ -37,7 +41,7 @@ void list_cases() {
                     {"about", c.about},
                     {"group", name(c.group)},
                     {"operation", name(c.operation)},
-                    {"one_by_one", c.group == Group::one_by_one},
+                    {"one_by_one", c.group == Group::one_by_one || c.group == Group::slow},
                     {"from_corpus", c.from_corpus},
                     {"volume", c.volume ? json(*c.volume) : json()}});
   }
@@ -51,6 +55,48 @@ void make_case(const std::string& name, const std::string& file) {
   std::size_t triangles = 0;
   for (const Mesh& mesh : meshes) triangles += mesh.triangles.size();
   std::cout << json{{"operands", meshes.size()}, {"triangles", triangles}}.dump() << '\n';
+}
+
+/// The smallest box of what is loaded, for engines that want one.
+json bounding_box(std::span<const Mesh> meshes) {
+  strata::Vertex lower{}, upper{};
+  bool is_first = true;
+  for (const Mesh& mesh : meshes)
+    for (const strata::Vertex& v : mesh.vertices) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        lower[k] = is_first ? v[k] : std::min(lower[k], v[k]);
+        upper[k] = is_first ? v[k] : std::max(upper[k], v[k]);
+      }
+      is_first = false;
+    }
+  return {{"min", lower}, {"max", upper}};
+}
+
+/// A case as a request of the benchmark whose protocol strata-benchmark-runner has: OBJ files, and request.json, which
+/// loads them and takes one step after the other.
+void write_request(const std::string& name, const std::string& folder) {
+  const Case& c = case_named(name);
+  const std::filesystem::path place = std::filesystem::absolute(folder);
+  std::filesystem::create_directories(place / "out");
+  const std::vector<Mesh> meshes = c.make(Corpus());
+  json operations = json::array();
+  for (const Mesh& mesh : meshes) {
+    const std::string file = "mesh_" + std::to_string(operations.size()) + ".obj";
+    strata::write_mesh(place / file, MeshView(mesh));
+    operations.push_back({{"op", "load-mesh"}, {"path", (place / file).string()}, {"name", file}});
+  }
+  std::size_t whole = 0;
+  for (std::size_t k = 1; k < meshes.size(); ++k) {
+    operations.push_back({{"op", std::string("boolean-") + strata::name(c.operation)}, {"args", {whole, k}}});
+    whole = operations.size() - 1;
+  }
+  const json run = {{"case_id", name},
+                    {"out_dir", (place / "out").string()},
+                    {"bounding_box", bounding_box(meshes)},
+                    {"operations", operations}};
+  std::ofstream(place / "request.json") << json{
+      {"kind", "boolean-benchmark"}, {"version", 1}, {"id", name}, {"runs", json::array({run})}}.dump(1)
+                                        << '\n';
 }
 
 /// The mesh of a file as a case: other engines get the triangles that Strata reads.
@@ -73,9 +119,6 @@ Subject all_at_once(const Request& request, std::span<const MeshView> operands, 
             outcome.result = strata::combine(request.operation, operands, options);
           }};
 }
-
-/// So many steps at most are taken by Booleans of solids, more by an incremental solid: as its header advises.
-constexpr std::size_t few_steps = 30;
 
 strata::Solid steps_of_solids(const Request& request, std::span<const Mesh> operands, const strata::Options& options) {
   strata::Solid whole(operands.front(), request.input);
@@ -236,6 +279,11 @@ int work(int argc, char** argv) {
   make->add_option("NAME", name)->required();
   make->add_option("FILE", file)->required();
   make->callback([&] { make_case(name, file); });
+
+  CLI::App* asking = app.add_subcommand("request", "Writes a case as a request to strata-benchmark-runner");
+  asking->add_option("NAME", name)->required();
+  asking->add_option("FOLDER", file)->required();
+  asking->callback([&] { write_request(name, file); });
 
   std::string from;
   CLI::App* reading = app.add_subcommand("read", "Writes a case file of one mesh file");

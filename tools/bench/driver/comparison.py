@@ -1,6 +1,23 @@
-"""Numbers of one case that compare engines."""
+"""Numbers of one case that compare engines. Of several runs they are the medians of what each run gives: engines are
+compared within a run, close together in time."""
 
 import math
+import statistics
+from collections.abc import Callable
+
+
+def in_runs(case: dict) -> list[dict]:
+    """The case as each run measured it."""
+    return case.get("runs", [case])
+
+
+def over_runs(case: dict, value: Callable[[dict], float | None]) -> list[float]:
+    """What the runs give, those that give nothing left out."""
+    return [v for v in map(value, in_runs(case)) if v is not None]
+
+
+def middle(values: list[float]) -> float | None:
+    return statistics.median(values) if values else None
 
 
 def of(case: dict, engine: str, threads: int) -> dict | None:
@@ -39,24 +56,55 @@ def time_to_beat(case: dict, threads: int) -> tuple[float | None, bool]:
     return (max(stopped), True) if stopped else (None, False)
 
 
+def ratios(case: dict, threads: int) -> list[float]:
+    """The ratio of each run."""
+    return over_runs(case, lambda one: ratio_of_run(one, threads))
+
+
 def ratio(case: dict, threads: int) -> float | None:
     """Time of the fastest right peer / ours: above 1, Strata is faster. Infinite when all peers get it wrong."""
+    return middle(ratios(case, threads))
+
+
+def ratio_of_run(case: dict, threads: int) -> float | None:
     ours, beaten = our_time(case, threads), time_to_beat(case, threads)[0]
     if ours is None or all(m["status"] == "not tried" for m in peers(case, threads)):
         return None
     return beaten / ours if beaten else math.inf
 
 
+def ratio_to(engine: str) -> Callable[[dict, int], float | None]:
+    """Time of this engine / ours; a lower bound if it was stopped."""
+
+    def of_run(case: dict, threads: int) -> float | None:
+        ours, theirs = our_time(case, threads), of(case, engine, threads)
+        if ours is None or theirs is None:
+            return None
+        if theirs["status"] == "timeout":
+            return theirs["timeout"] / ours
+        return theirs["median"] / ours if counts(theirs) else None
+
+    return lambda case, threads: middle(over_runs(case, lambda one: of_run(one, threads)))
+
+
 def floor_ratio(case: dict, threads: int) -> float | None:
     """Our time / copy floor."""
-    ours = our_time(case, threads)
-    return ours / of(case, "strata", threads)["copy_floor"] if ours else None
+
+    def of_run(one: dict) -> float | None:
+        ours = our_time(one, threads)
+        return ours / of(one, "strata", threads)["copy_floor"] if ours else None
+
+    return middle(over_runs(case, of_run))
 
 
 def speedup(case: dict, threads: int) -> float | None:
     """Our time on one thread / on several."""
-    one, several = our_time(case, 1), our_time(case, threads)
-    return one / several if one and several else None
+
+    def of_run(one: dict) -> float | None:
+        alone, together = our_time(one, 1), our_time(one, threads)
+        return alone / together if alone and together else None
+
+    return middle(over_runs(case, of_run))
 
 
 def bytes_per_triangle(case: dict, threads: int) -> float | None:

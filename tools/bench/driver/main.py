@@ -15,6 +15,7 @@ import machine
 import measuring
 import report
 import rightness
+import runs
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 
@@ -33,6 +34,9 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument("--output", type=pathlib.Path, help="folder for results.json and RESULTS.md")
     parser.add_argument("--list", action="store_true", help="list the cases")
     parser.add_argument("--report", action="store_true", help="measure nothing: RESULTS.md anew from results.json")
+    parser.add_argument(
+        "--combine", type=pathlib.Path, nargs="+", metavar="FOLDER", help="measure nothing: one table of these runs"
+    )
     return parser.parse_args(arguments)
 
 
@@ -58,7 +62,7 @@ def output_folder(wish: argparse.Namespace) -> pathlib.Path:
 def choose_cases(all_cases: list[dict], wanted: list[str] | None) -> list[dict]:
     known = {case["name"]: case for case in all_cases}
     if wanted is None:
-        return [case for case in all_cases if case["group"] != "smoke"]
+        return [case for case in all_cases if case["group"] not in ("smoke", "slow")]
     unknown = [name for name in wanted if name not in known]
     if unknown:
         sys.exit(f"There is no case {', '.join(unknown)}; --list lists them.")
@@ -178,10 +182,26 @@ def main() -> None:
         return
     folder = output_folder(wish)
     folder.mkdir(parents=True, exist_ok=True)
-    if not wish.report:
-        (folder / "results.json").write_text(json.dumps(measure_all(wish), indent=1) + "\n")
-    (folder / "RESULTS.md").write_text(report.markdown(json.loads((folder / "results.json").read_text())))
+    if wish.combine:
+        measured = [run for other in wish.combine for run in read(other)]
+        why = runs.difference(measured)
+        if why is not None:
+            sys.exit(f"These runs cannot be combined, they differ. {why}")
+        write(folder, measured)
+    elif not wish.report:
+        write(folder, [measure_all(wish)])
+    (folder / "RESULTS.md").write_text(report.markdown(runs.merged(read(folder))))
     print(f"Written: {folder / 'RESULTS.md'}")
+
+
+def read(folder: pathlib.Path) -> list[dict]:
+    return json.loads((folder / "results.json").read_text())["runs"]
+
+
+def write(folder: pathlib.Path, measured: list[dict]) -> None:
+    """A line per run: it is long."""
+    lines = ",\n".join(json.dumps(run, separators=(",", ":")) for run in measured)
+    (folder / "results.json").write_text(f'{{"runs":[\n{lines}\n]}}\n')
 
 
 if __name__ == "__main__":

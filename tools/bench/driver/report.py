@@ -5,6 +5,8 @@ import math
 import comparison
 import targets
 
+STAGES = ("prepare", "find_candidates", "intersect", "subdivide", "label", "extract", "round")  # as the library says
+
 
 def markdown(results: dict) -> str:
     parts = [
@@ -15,19 +17,21 @@ def markdown(results: dict) -> str:
     ]
     for threads in results["settings"]["threads"]:
         parts += [f"## Time, {count(threads, 'thread')}", time_table(results, threads)]
-    parts += ["## Memory", memory_table(results), "## What went wrong", faults(results), "## Skipped", skipped(results)]
+    parts += ["## Memory", memory_table(results), "## Where the time goes", stage_table(results)]
+    parts += ["## What went wrong", faults(results), "## Skipped", skipped(results)]
     parts += ["## Cases", case_table(results)]
     return "\n\n".join(parts) + "\n"
 
 
 def heading(results: dict) -> str:
     machine, settings = results["machine"], results["settings"]
+    runs = results.get("runs", [machine])
     processor = f"{machine['processor']}, {machine['cpus']} CPUs, {machine['memory_gb']} GB"
     versions = ", ".join(f"{family} {version}" for family, version in sorted(results["versions"].items()))
     facts = [
-        ["date", machine["date"]],
+        ["date", ", ".join(run["date"] for run in runs)],
         ["commit", machine["commit"]],
-        ["machine", f"{processor}; load at start {machine['load_at_start']}"],
+        ["machine", f"{processor}; load at start {', '.join(str(run['load_at_start']) for run in runs)}"],
         ["system", machine["system"]],
         ["compiler", f"{machine['compiler']}, `{machine['flags']}`"],
         ["peers", versions or "none"],
@@ -40,13 +44,22 @@ def heading(results: dict) -> str:
   up to {settings["repetitions"]} repetitions after a warm-up, in processes of their own, pinned. Strata is measured
   before and after its peers. No repetition begins after {settings["budget"]:g} s; `*` marks what was then run once,
   not warmed up. Engines are stopped after {settings["timeout"]:g} s. Very short operations are timed in batches.
-- **Ratio** is the time of the fastest peer that gets it right over that of Strata: above 1, Strata is faster.
+{of_several_runs(len(runs), results.get("partial_peers", {}))}- **Ratio** is the time of the fastest peer that gets it right over that of Strata: above 1, Strata is faster.
 - **Floor** is the time of Strata over the time one thread takes to copy the vertex and index arrays of input and
   output into fresh memory.
 - **Right** is a closed result whose volume is within 1e-6 of the one known by construction, else of the one on which
   most independent engines agree. What is wrong is struck out and does not count.
 - CGAL works on one thread: its times stand for any number. trueform f32 gets the coordinates rounded to floats.
   Manifold, trueform and MeshLib are called through their Python bindings: what these take to convert arrays counts."""
+
+
+def of_several_runs(runs: int, partial_peers: dict[str, int]) -> str:
+    if runs == 1:
+        return ""
+    partly = "".join(f" {label} was in {count(n, 'run')} only." for label, n in partial_peers.items())
+    return f"""- **Runs**: all was measured {runs} times. Times are medians of the runs' medians; ratios and floors are medians
+  of those within each run, the lowest and the highest ratio in brackets.{partly}
+"""
 
 
 def target_table(results: dict) -> str:
@@ -96,7 +109,9 @@ def ratio_cell(case: dict, threads: int) -> str:
     ratio, (_, bound) = comparison.ratio(case, threads), comparison.time_to_beat(case, threads)
     if ratio is None:
         return "-"
-    return f"**{'> ' if bound else ''}{digits(ratio)}**"
+    text = f"**{'> ' if bound else ''}{digits(ratio)}**"
+    of_runs = comparison.ratios(case, threads)
+    return text if len(of_runs) == 1 else f"{text} ({digits(min(of_runs))} to {digits(max(of_runs))})"
 
 
 def time_cell(m: dict | None, best: bool) -> str:
@@ -148,6 +163,37 @@ beside input and output (with the source of every triangle), per input triangle.
 
 def memory_cell(m: dict | None) -> str:
     return digits(m["memory_above_input"] / 1e6) if m and "memory_above_input" in m else "-"
+
+
+def stage_table(results: dict) -> str:
+    one, several = results["settings"]["threads"][0], results["settings"]["threads"][-1]
+    rows = []
+    stages = [*STAGES, "other"]
+    for case in results["cases"]:
+        alone, together = stages_of(case, one), stages_of(case, several)
+        if alone is None or together is None:
+            continue
+        whole = sum(together.values())
+        rows.append([case["name"], *[stage_cell(alone.get(s), together.get(s), whole) for s in stages]])
+    if not rows:
+        return "Not measured."
+    words = f"in brackets how many times as long it takes with {count(one, 'thread')}"
+    return f"""{table(["case", *[s.replace("_", " ") for s in stages]], rows, numbers_from=1)}
+
+Of Strata's last repetition with {count(several, "thread")}, the share of each stage; {words}."""
+
+
+def stages_of(case: dict, threads: int) -> dict[str, float] | None:
+    m = comparison.of(case, "strata", threads)
+    if m is None or not m.get("stages"):
+        return None
+    found = {stage: m["stages"].get(stage, 0.0) for stage in STAGES}
+    return found | {"other": sum(m["stages"].values()) - sum(found.values())}
+
+
+def stage_cell(alone: float, together: float, whole: float) -> str:
+    share = 100 * together / whole
+    return f"{share:.0f} %" + (f" ({alone / together:.1f})" if share >= 5 else "")
 
 
 def faults(results: dict) -> str:
