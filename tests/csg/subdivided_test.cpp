@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "strata/strata.h"
+#include "support/append.h"
 #include "support/shapes.h"
 #include "support/subdivision.h"
 #include "support/touching.h"
@@ -64,5 +66,72 @@ TEST_CASE("how operands are divided into triangles makes no difference", "[csg][
     test::Random random(seed);
     check_subdivided(test::touching_pair(seed).meshes, random, 30);
     check_subdivided(test::touching_operands(seed).meshes, random, 15);
+  }
+}
+
+// Catches: faces on both sides of an edge taken for alike where another solid has the edge's ends, too, and ends there.
+TEST_CASE("walls of squares hide what they cover, and no more", "[csg][property][degenerate]") {
+  Formula formula(4);  // what covers a face of operand 0 hides it if it is operand 1, and else only in operand 3
+  const std::array both{formula.operand(2), formula.operand(3)};
+  const std::array any{formula.operand(0), formula.operand(1), formula.join(Formula::Join::all, both)};
+  formula.close(formula.join(Formula::Join::any, any));
+  const auto result = [&](const std::vector<Mesh>& meshes) {
+    std::vector<Operand> operands;
+    for (const Mesh& mesh : meshes) operands.push_back({.mesh = MeshView(mesh), .exact = {}});
+    BooleanResult r = combine(formula, operands, {.exact_vertices = true});
+    return canonical_form(ExactMesh{std::move(r.mesh), std::move(r.exact)});
+  };
+  test::Random random(5);
+  for (int round = 0; round < 150; ++round) {
+    CAPTURE(round);
+    std::vector<Mesh> coarse, fine;
+    const auto add = [&](const std::array<int, 3>& lower, const std::array<int, 3>& upper) {
+      fine.push_back(test::box_in_squares(lower, upper, random.between(0, 1) == 1));
+      coarse.push_back(test::box({double(lower[0]), double(lower[1]), double(lower[2])},
+                                 {double(upper[0]), double(upper[1]), double(upper[2])}));
+    };
+    const int middle = random.between(1, 3), side = random.between(0, 2);
+    add({0, 0, 0}, {1, 4, 4});
+    add({1, 0, side}, {2, middle, 4});
+    add({1, middle, 0}, {2, 4, 4 - side});
+    if (round % 3 == 0) {
+      add({random.between(1, 2), random.between(0, 3), 0}, {3, 4, random.between(1, 4)});
+    } else {  // touches the walls between operands 1 and 2, and one of the parts into which diagonals divide a square
+      Mesh tips;
+      for (int z = 0; z < 4; ++z)
+        if (random.between(0, 3) > 0) test::append(tips, test::octahedron({1.125, middle - 0.0625, z + 0.5}, 0.0625));
+      for (int y = 0; y < 4; ++y)
+        for (int z = 0; z < 4; ++z) {
+          constexpr std::array<std::array<double, 2>, 4> parts{
+              {{0.5, 0.125}, {0.5, 0.875}, {0.125, 0.5}, {0.875, 0.5}}};
+          const auto part = static_cast<std::size_t>(random.between(0, random.between(1, 4)));
+          if (part < 4) test::append(tips, test::octahedron({1.0625, y + parts[part][0], z + parts[part][1]}, 0.0625));
+        }
+      fine.push_back(tips);
+      coarse.push_back(tips);
+    }
+    REQUIRE(result(fine) == result(coarse));
+  }
+}
+
+// Catches: faces on both sides of an edge taken for alike where they look in opposite directions.
+TEST_CASE("walls hide cells that share an edge, each by itself", "[csg][degenerate]") {
+  const Mesh cells = test::edge_sharing_cells();
+  std::vector<Mesh> parts;
+  for (const Solid& part : Solid(cells).components()) parts.push_back(part.mesh());
+  REQUIRE(parts.size() == 2);
+  test::Random random(3);
+  for (int round = 0; round < 200; ++round) {
+    CAPTURE(round);
+    Vertex lower, upper;
+    for (std::size_t k = 0; k < 3; ++k) {
+      lower[k] = random.between(-1, 2);
+      upper[k] = lower[k] + random.between(1, 4);
+    }
+    const Mesh wall = test::box(lower, upper);
+    for (const Operation op : {Operation::union_, Operation::symmetric_difference}) {
+      REQUIRE(result_of(op, {cells, wall}) == result_of(op, {parts[0], parts[1], wall}));
+      REQUIRE(result_of(op, {wall, cells}) == result_of(op, {wall, parts[0], parts[1]}));
+    }
   }
 }

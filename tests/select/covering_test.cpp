@@ -6,6 +6,7 @@
 
 #include "core/overlap/candidates.h"
 #include "core/overlap/intersect.h"
+#include "core/select/hidden_faces.h"
 #include "core/winding/local_windings.h"
 #include "strata/options.h"
 #include "support/shapes.h"
@@ -29,6 +30,10 @@ class Scene {
   void check(Operation operation) {
     const Rule rule(operation, input_.operand_count());
     Covering covering(input_, rule);
+    const auto met = meet_faces_in_general(candidates_, monitor_);
+    found_ = find_hidden_faces(input_, met, rule, monitor_);
+    REQUIRE(std::is_sorted(found_.begin(), found_.end()));
+    found_early += static_cast<int>(found_.size());
     for (std::size_t first = 0, last = 0; first < constraints_.size(); first = last) {
       while (last < constraints_.size() && constraints_[last].face == constraints_[first].face) ++last;
       covering.start(std::span(constraints_).subspan(first, last - first));
@@ -37,6 +42,7 @@ class Scene {
   }
 
   int told = 0, hidden = 0;  ///< how often something was known without a walk
+  int found_early = 0;       ///< hidden faces known before coplanar faces are intersected
 
  private:
   static InputComplex input_complex_of(const std::vector<Mesh>& meshes) {
@@ -47,6 +53,7 @@ class Scene {
 
   void check(std::uint32_t f, Covering& covering, const Rule& rule) {
     const bool hides = covering.hides_face();
+    const bool is_found = std::binary_search(found_.begin(), found_.end(), f);
     hidden += static_cast<int>(hides);
     for (std::uint32_t t = 1; t < 8; ++t) {
       const Point q = make_point(input_, SymbolicPoint::weighted(f, t));
@@ -57,7 +64,7 @@ class Scene {
         ++told;
         REQUIRE(*said == above);
       }
-      if (hides || covering.leaves_nothing(*covers)) REQUIRE(is_dropped(f, above, *covers, rule));
+      if (hides || is_found || covering.leaves_nothing(*covers)) REQUIRE(is_dropped(f, above, *covers, rule));
     }
   }
 
@@ -104,6 +111,7 @@ class Scene {
   const InputComplex& input_;
   LocalWindings layers_;
   std::vector<Constraint> constraints_;
+  std::vector<std::uint32_t> found_;
 };
 
 }  // namespace
@@ -111,7 +119,7 @@ class Scene {
 // Catches: above and below mixed up, operands without a cover taken for known, a face in part covered taken for hidden,
 // walls of touching parts of one operand taken for its outside.
 TEST_CASE("what covers tell is what walks tell", "[select][property]") {
-  int told = 0, hidden = 0;
+  int told = 0, hidden = 0, found_early = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     CAPTURE(seed);
     test::Random random(seed);
@@ -122,9 +130,11 @@ TEST_CASE("what covers tell is what walks tell", "[select][property]") {
     for (const Operation op : all_operations) scene.check(op);
     told += scene.told;
     hidden += scene.hidden;
+    found_early += scene.found_early;
   }
   CHECK(told > 1000);
   CHECK(hidden > 1000);
+  CHECK(found_early > 1000);
 }
 
 TEST_CASE("faces of a wall between two solids are hidden, whatever their triangles", "[select][degenerate]") {
@@ -133,6 +143,21 @@ TEST_CASE("faces of a wall between two solids are hidden, whatever their triangl
                test::subdivided(test::box({1, 0, 0}, {2, 4, 4}), random, 100)});
   scene.check(Operation::union_);
   CHECK(scene.hidden > 20);
+  CHECK(scene.found_early == scene.hidden);
+}
+
+// Catches: faces on both sides of an edge taken for alike where a solid that has the edge's vertices, too, ends there.
+TEST_CASE("a wall hides what it covers, up to edges that both solids have", "[select][degenerate]") {
+  for (const int from : {0, 1, 2})
+    for (const int to : {from + 1, from + 2}) {
+      const int squares = 2 * (to - from);
+      Scene scene(
+          {test::box_in_squares({0, 0, 0}, {1, 4, 4}, false), test::box_in_squares({1, from, 1}, {2, to, 3}, true)});
+      scene.check(Operation::union_);
+      CHECK(scene.hidden == 4 * squares);
+      CHECK(scene.found_early == 4 * squares);
+      for (const Operation op : all_operations) scene.check(op);
+    }
 }
 
 TEST_CASE("faces that touch beside one another hide nothing", "[select][degenerate]") {

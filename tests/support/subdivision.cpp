@@ -1,6 +1,8 @@
 #include "support/subdivision.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 namespace strata::test {
@@ -60,6 +62,33 @@ Mesh subdivided(Mesh mesh, Random& random, int steps) {
       const auto k = static_cast<std::size_t>(random.below(3));
       divide_edge(mesh, mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
     }
+  }
+  return mesh;
+}
+
+Mesh box_in_squares(const std::array<int, 3>& lower, const std::array<int, 3>& upper, bool other_diagonal) {
+  Mesh mesh;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (const bool is_upper : {false, true})
+      for (int i = lower[u]; i < upper[u]; ++i)
+        for (int j = lower[v]; j < upper[v]; ++j) {
+          const auto at = [&](int x, int y) {
+            Vertex p{};
+            p[axis] = (is_upper ? upper : lower)[axis];
+            p[u] = x;
+            p[v] = y;
+            const auto place = std::find(mesh.vertices.begin(), mesh.vertices.end(), p);
+            const auto number = static_cast<std::uint32_t>(place - mesh.vertices.begin());
+            if (place == mesh.vertices.end()) mesh.vertices.push_back(p);
+            return number;
+          };
+          std::array<std::uint32_t, 4> ring{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
+          if (other_diagonal) std::rotate(ring.begin(), ring.begin() + 1, ring.end());
+          if (!is_upper) std::swap(ring[1], ring[3]);
+          mesh.triangles.push_back({ring[0], ring[1], ring[2]});
+          mesh.triangles.push_back({ring[0], ring[2], ring[3]});
+        }
   }
   return mesh;
 }

@@ -298,7 +298,8 @@ void add_smoke(std::vector<Case>& cases) {
   add("smoke_near", "two spheres of 20,480 triangles that nearly coincide",
       [] { return pair_of_spheres(5, near_offset()); });
   add("smoke_large", "two spheres of 20,480 triangles", [] { return pair_of_spheres(5, far_offset); });
-  add("smoke_overlap", "60 random spheres of 320 triangles, most of which overlap", [] { return overlapping_spheres(60); });
+  add("smoke_overlap", "60 random spheres of 320 triangles, most of which overlap",
+      [] { return overlapping_spheres(60); });
   add_difference("smoke_notch", "a cube minus one in its corner, three faces in common", notch);
   add_difference("smoke_drill", "a sphere of 20,480 triangles minus a drill of 92 right through it", [] {
     return Meshes{icosphere(5), drill()};

@@ -94,9 +94,9 @@ void write_request(const std::string& name, const std::string& folder) {
                     {"out_dir", (place / "out").string()},
                     {"bounding_box", bounding_box(meshes)},
                     {"operations", operations}};
-  std::ofstream(place / "request.json") << json{
-      {"kind", "boolean-benchmark"}, {"version", 1}, {"id", name}, {"runs", json::array({run})}}.dump(1)
-                                        << '\n';
+  std::ofstream(place / "request.json")
+      << json{{"kind", "boolean-benchmark"}, {"version", 1}, {"id", name}, {"runs", json::array({run})}}.dump(1)
+      << '\n';
 }
 
 /// The mesh of a file as a case: other engines get the triangles that Strata reads.

@@ -21,6 +21,7 @@
 #include "core/overlap/shells.h"
 #include "core/round/rounding.h"
 #include "core/select/extract.h"
+#include "core/select/hidden_faces.h"
 #include "core/select/label.h"
 #include "core/select/sheet_windings.h"
 #include "core/select/subdivide.h"
@@ -102,6 +103,14 @@ BooleanResult finished(const InputComplex& input, const std::vector<Verdict>& ve
   return result;
 }
 
+/// Without what hidden faces of solids have in common.
+Intersections intersections_for(const Rule& rule, const Candidates& candidates, const Monitor& monitor) {
+  if (candidates.input().may_self_intersect()) return intersect(candidates, monitor);
+  std::vector<PairIntersections> met = meet_faces_in_general(candidates, monitor);
+  std::vector<std::uint32_t> hidden = find_hidden_faces(candidates.input(), met, rule, monitor);
+  return intersect(candidates.input(), std::move(met), std::move(hidden), monitor);
+}
+
 /// The stages after `prepare`, by cells.
 BooleanResult evaluate_in_cells(const Rule& rule, InputComplex complex, const Options& options, const Monitor& monitor,
                                 Stages& stages) {
@@ -110,7 +119,7 @@ BooleanResult evaluate_in_cells(const Rule& rule, InputComplex complex, const Op
   count(candidates, stages.profile());
   stages.end("find_candidates", 0.3);
 
-  Intersections intersections = intersect(candidates, monitor);
+  Intersections intersections = intersections_for(rule, candidates, monitor);
   count(intersections, stages.profile());
   stages.end("intersect", 0.55);
 

@@ -46,6 +46,11 @@ struct EqualVertices {
   friend auto operator<=>(const EqualVertices&, const EqualVertices&) = default;
 };
 
+/// Two faces, the lower number first.
+struct FacePair {
+  std::uint32_t face = 0, other = 0;
+};
+
 /// The intersections of some pairs of faces, collected pair by pair.
 struct PairIntersections {
   /// The number of a point: its own if it is an input vertex, else the vertex count plus its index in `constructed`. A
@@ -56,11 +61,14 @@ struct PairIntersections {
     constraints.clear();
     constructed.clear();
     equal.clear();
+    coplanar.clear();
   }
 
   std::vector<Constraint> constraints;
   std::vector<SymbolicPoint> constructed;
   std::vector<EqualVertices> equal;
+  std::vector<FacePair> coplanar;   ///< pairs that may overlap in one plane and are not intersected yet
+  bool leaves_coplanar = false;     ///< such pairs are only listed, unless they have the same vertices
   std::uint64_t pairs_tested = 0;   ///< pairs whose boxes overlap
   std::uint64_t pairs_meeting = 0;  ///< pairs that share a point
 };

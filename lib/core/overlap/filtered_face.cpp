@@ -23,8 +23,11 @@ void FilteredFace::set_corners(const InputComplex& input, std::uint32_t operand,
 }
 
 void FilteredFace::find_plane(const InputComplex& input) {
+  level_axis = -1;
   if (is_exact) {
     plane = FilteredPlane(corners[0], corners[1], corners[2]);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (corners[0][k] == corners[1][k] && corners[0][k] == corners[2][k]) level_axis = static_cast<int>(k);
   } else {
     rational_plane = approximate_plane<Bounded>(input, face);
   }

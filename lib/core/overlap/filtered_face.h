@@ -17,6 +17,7 @@ struct FilteredFace {
   FilteredPlane plane;                       ///< if exact
   ApproximatePlane<Bounded> rational_plane;  ///< otherwise
   bool is_exact = true;                      ///< the corners are exact; otherwise they are the nearest doubles
+  int level_axis = -1;                       ///< if exact, the axis along which all corners have one coordinate, if any
 
   FilteredFace() = default;
   FilteredFace(const InputComplex& input, std::uint32_t face);
@@ -35,6 +36,13 @@ struct FilteredFace {
   /// normal component: this face is on one side, and all of the other face is on the other, strictly or beyond an end,
   /// except ends of the edge that both have.
   [[nodiscard]] bool is_off(const FilteredFace& other) const;
+
+  /// True when both faces are exact and at right angles to one axis. Then their planes are equal where `level` is, and
+  /// else apart.
+  [[nodiscard]] bool is_level_as(const FilteredFace& other) const {
+    return level_axis >= 0 && level_axis == other.level_axis;
+  }
+  [[nodiscard]] double level() const { return corners[0][static_cast<std::size_t>(level_axis)]; }
 
   /// A corner within bounds.
   [[nodiscard]] BoundedPoint corner(std::size_t i) const;

@@ -9,10 +9,12 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/exact/invariants.h"
 #include "core/overlap/constraint_order.h"
+#include "core/overlap/coplanar.h"
 #include "core/overlap/filtered_face.h"
 #include "core/overlap/meeting.h"
 #include "core/overlap/validate.h"
@@ -150,7 +152,7 @@ std::vector<const Cell*> mixed_cells(const CellTree& cells) {
 /// come from one part and are consecutive.
 Intersections gathered(const std::vector<PairIntersections>& per_part, const InputComplex& input,
                        const Monitor& monitor) {
-  Intersections all{.constraints = {}, .equal = {}, .points = PointTable(input)};
+  Intersections all{.constraints = {}, .equal = {}, .points = PointTable(input), .hidden = {}};
   std::vector<std::size_t> first_name{0};  // per part
   for (const PairIntersections& m : per_part) {
     first_name.push_back(first_name.back() + m.constructed.size());
@@ -182,18 +184,43 @@ Intersections gathered(const std::vector<PairIntersections>& per_part, const Inp
   return all;
 }
 
-}  // namespace
-
-Intersections intersect(const Candidates& candidates, const Monitor& monitor) {
+/// What meets in each part of each cell. `leaves_coplanar`: as in PairIntersections.
+std::vector<PairIntersections> met_in_cells(const Candidates& candidates, bool leaves_coplanar,
+                                            const Monitor& monitor) {
   const std::vector<PartOfCell> parts = parts_of(mixed_cells(candidates.cells()));
-  std::vector<PairIntersections> found(parts.size());
+  std::vector<PairIntersections> met(parts.size());
   tbb::enumerable_thread_specific<CellPairs> pairs([&] { return CellPairs(candidates); });
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t n) {
     monitor.check();
-    pairs.local().find(parts[n], found[n]);
+    met[n].leaves_coplanar = leaves_coplanar;
+    pairs.local().find(parts[n], met[n]);
   });
-  Intersections all = gathered(found, candidates.input(), monitor);
-  ensure("intersect", [&] { return validate(candidates.input(), all); });
+  return met;
+}
+
+}  // namespace
+
+Intersections intersect(const Candidates& candidates, const Monitor& monitor) {
+  return intersect(candidates.input(), met_in_cells(candidates, false, monitor), monitor);
+}
+
+std::vector<PairIntersections> meet_faces_in_general(const Candidates& candidates, const Monitor& monitor) {
+  return met_in_cells(candidates, true, monitor);
+}
+
+Intersections intersect(const InputComplex& input, std::vector<PairIntersections> met,
+                        std::vector<std::uint32_t> hidden, const Monitor& monitor) {
+  std::vector<bool> is_hidden(hidden.empty() ? 0 : input.face_count(), false);
+  for (const std::uint32_t f : hidden) is_hidden[f] = true;
+  tbb::parallel_for(std::size_t{0}, met.size(), [&](std::size_t n) {
+    monitor.check();
+    for (const auto& [f, g] : met[n].coplanar)
+      if ((is_hidden.empty() || !is_hidden[f] || !is_hidden[g]) &&
+          meet_coplanar_faces(input, FilteredFace(input, f), FilteredFace(input, g), met[n]))
+        ++met[n].pairs_meeting;
+  });
+  Intersections all = intersect(input, met, monitor);
+  all.hidden = std::move(hidden);
   return all;
 }
 

@@ -181,10 +181,27 @@ bool is_coplanar(const InputComplex& input, const FilteredFace& f, const Filtere
   return true;
 }
 
+/// Two coplanar faces that are not known to be apart.
+bool meet_or_list(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
+                  PairIntersections& intersections) {
+  if (!intersections.leaves_coplanar) return meet_coplanar_faces(input, f, g, intersections);
+  intersections.coplanar.push_back({f.face, g.face});
+  return false;
+}
+
+bool meet_in_one_plane(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
+                       PairIntersections& intersections) {
+  if (f.is_off(g) || g.is_off(f)) return false;
+  if (common_vertices(f.vertices, g.vertices) == 3)
+    return meet_same_face(f.face, f.vertices, g.face, g.vertices, intersections);
+  return meet_or_list(input, f, g, intersections);
+}
+
 }  // namespace
 
 bool meet_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
                 PairIntersections& intersections) {
+  if (f.is_level_as(g)) return f.level() == g.level() && meet_in_one_plane(input, f, g, intersections);
   const Signs of_g = f.sides_of(g);
   if (f.is_beside(g, of_g)) return false;
   const Signs of_f = g.sides_of(f);
@@ -199,7 +216,7 @@ bool meet_faces(const InputComplex& input, const FilteredFace& f, const Filtered
   if (common == 2 && !is_coplanar(input, f, g)) return false;
   of_g = completed(input, of_g, f, g);
   if (all(of_g, Sign::positive) || all(of_g, Sign::negative)) return false;
-  if (all(of_g, Sign::zero)) return meet_coplanar_faces(input, f, g, intersections);
+  if (all(of_g, Sign::zero)) return meet_or_list(input, f, g, intersections);
   of_f = completed(input, of_f, g, f);
   if (all(of_f, Sign::positive) || all(of_f, Sign::negative)) return false;
   return TransversalMeeting(input, f, g, of_f, of_g).find(intersections);

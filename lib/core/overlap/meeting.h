@@ -12,7 +12,7 @@ namespace strata {
 /// triangles that contain it, so equal points get equal names wherever they are found. Vertices that two faces of one
 /// mesh share by index are no meeting. Requires faces of positive area. At most 6 + 9 orient3d signs for faces in
 /// general position. Table of cases: theory.md. Returns true when the faces share a point (other than shared vertices
-/// and edges).
+/// and edges). Where `intersections` leaves coplanar faces, such a pair is listed there, and false is returned.
 bool meet_faces(const InputComplex& input, const FilteredFace& f, const FilteredFace& g,
                 PairIntersections& intersections);
 

@@ -10,9 +10,13 @@ void Covering::start(std::span<const Constraint> constraints) {
   coplanar_.clear();
   for (const Constraint& c : constraints)
     if (c.kind == ConstraintKind::coplanar) coplanar_.push_back(c.other);
-  if (coplanar_.empty()) return;
-  face_ = constraints.front().face;
-  operand_ = input_.operand_of_face(face_);
+  if (!coplanar_.empty()) begin(constraints.front().face);
+}
+
+void Covering::begin(std::uint32_t face) {
+  if (face == face_ && projection_) return;
+  face_ = face;
+  operand_ = input_.operand_of_face(face);
   projection_.reset();
 }
 
@@ -39,19 +43,21 @@ bool Covering::leaves_nothing(std::span<const std::uint32_t> covers) {
   return above && below;
 }
 
+bool Covering::hides_face() { return meets_coplanar_faces_only() && hides(face_, coplanar_); }
+
 /// A point on an edge determines less, so another point is tried: the points with weights (1, t, t^2) lie on a conic,
 /// and few of them on one edge.
-bool Covering::hides_face() {
-  if (!meets_coplanar_faces_only()) return false;
+bool Covering::hides(std::uint32_t face, std::span<const std::uint32_t> coplanar) {
+  begin(face);
   constexpr std::uint32_t tries = 4;
   for (std::uint32_t t = 2; t < 2 + tries; ++t) {
     const Point q = make_point(input_, SymbolicPoint::weighted(face_, t));
     covers_.clear();
     bool on_edge = false;
-    for (std::size_t i = 0; i < coplanar_.size() && !on_edge; ++i) {
-      const Place place = place_in(coplanar_[i], q);
+    for (std::size_t i = 0; i < coplanar.size() && !on_edge; ++i) {
+      const Place place = place_in(coplanar[i], q);
       on_edge = place == Place::border;
-      if (place == Place::inside) covers_.push_back(coplanar_[i]);
+      if (place == Place::inside) covers_.push_back(coplanar[i]);
     }
     if (!on_edge) return leaves_nothing(covers_);
   }

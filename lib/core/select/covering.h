@@ -35,9 +35,11 @@ class Covering {
   /// True when covers at a position, sorted, show that no piece is kept there: a face of an operand before its own
   /// represents all, or the rule has one value above and below whatever the other operands are.
   [[nodiscard]] bool leaves_nothing(std::span<const std::uint32_t> covers);
-  /// True when no piece is kept of a face that meets coplanar faces only, decided at one position of it. False: not
-  /// known.
+  /// True when no piece is kept of the face, which meets coplanar faces only. False: not known.
   [[nodiscard]] bool hides_face();
+  /// The same for a face that meets no other faces than some of these, which are coplanar with it and sorted: decided
+  /// at one position of it.
+  [[nodiscard]] bool hides(std::uint32_t face, std::span<const std::uint32_t> coplanar);
 
  private:
   /// The faces of one operand that cover a position: how many more have the same orientation than the opposite one.
@@ -51,6 +53,7 @@ class Covering {
   };
   enum class Place : std::uint8_t { outside, border, inside };
 
+  void begin(std::uint32_t face);
   [[nodiscard]] bool meets_coplanar_faces_only() const;
   void find_sheets(std::span<const std::uint32_t> covers);
   [[nodiscard]] Place place_in(std::uint32_t g, const Point& q);

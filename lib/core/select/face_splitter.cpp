@@ -16,7 +16,8 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-FaceSplitter::FaceSplitter(const InputComplex& input, const Classifier& classifier, const PointTable& points)
+FaceSplitter::FaceSplitter(const InputComplex& input, const Classifier& classifier, const PointTable& points,
+                           bool seeks_hidden)
     : input_(input),
       oracle_(classifier.oracle),
       sheets_(classifier.sheets),
@@ -25,6 +26,7 @@ FaceSplitter::FaceSplitter(const InputComplex& input, const Classifier& classifi
       covering_(input, classifier.rule),
       rule_(classifier.rule),
       self_(input.may_self_intersect()),
+      seeks_hidden_(seeks_hidden && !self_),
       points_(points),
       triangulation_(input, points) {}
 
@@ -41,7 +43,7 @@ SubdividedFace FaceSplitter::split(std::span<const Constraint> constraints, NewP
   const bool same = is_one_of_the_same();
   if (same) {
     collect_whole();
-  } else if (!early_out_.is_settled() && (self_ || !covering_.hides_face())) {
+  } else if (!early_out_.is_settled() && (!seeks_hidden_ || !covering_.hides_face())) {
     const std::optional<FreeCorner> corner = ask_free_corner();
     if (!corner || !early_out_.is_settled(corner->windings)) collect_pieces(corner, found);
   }

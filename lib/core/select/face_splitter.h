@@ -26,7 +26,8 @@ struct NewPoints {
 /// thread.
 class FaceSplitter {
  public:
-  FaceSplitter(const InputComplex& input, const Classifier& classifier, const PointTable& points);
+  /// `seeks_hidden`: hidden faces may be among those that are to be split.
+  FaceSplitter(const InputComplex& input, const Classifier& classifier, const PointTable& points, bool seeks_hidden);
 
   /// The pieces of the face with these constraints, which are all it has.
   [[nodiscard]] SubdividedFace split(std::span<const Constraint> constraints, NewPoints& found, Pool& pool);
@@ -109,6 +110,7 @@ class FaceSplitter {
   Covering covering_;
   const Rule& rule_;
   bool self_;
+  bool seeks_hidden_;
   const PointTable& points_;
   Triangulation triangulation_;
 

@@ -3,6 +3,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <limits>
 #include <utility>
 
 #include "core/containers/costly_first.h"
@@ -14,13 +15,27 @@
 namespace strata {
 namespace {
 
-/// Where the constraints of each face start; the last entry is their number.
-std::vector<std::size_t> starts_of_faces(std::span<const Constraint> constraints) {
-  std::vector<std::size_t> first;
-  for (std::size_t i = 0; i < constraints.size(); ++i)
-    if (i == 0 || constraints[i].face != constraints[i - 1].face) first.push_back(i);
-  first.push_back(constraints.size());
-  return first;
+/// A face with all its constraints. A hidden face has none that matter.
+struct MetFace {
+  std::uint32_t face = 0;
+  std::span<const Constraint> constraints;
+};
+
+/// The faces with constraints and the hidden faces, in order.
+std::vector<MetFace> met_faces(std::span<const Constraint> constraints, std::span<const std::uint32_t> hidden) {
+  std::vector<MetFace> faces;
+  std::size_t next = 0;  // hidden face
+  const auto add_hidden = [&](std::uint32_t up_to) {
+    while (next < hidden.size() && hidden[next] <= up_to) faces.push_back({hidden[next++], {}});
+  };
+  for (std::size_t i = 0, end = 0; i < constraints.size(); i = end) {
+    const std::uint32_t face = constraints[i].face;
+    while (end < constraints.size() && constraints[end].face == face) ++end;
+    add_hidden(face);
+    if (faces.empty() || faces.back().face != face) faces.push_back({face, constraints.subspan(i, end - i)});
+  }
+  add_hidden(std::numeric_limits<std::uint32_t>::max());
+  return faces;
 }
 
 /// Replaces every point of the faces.
@@ -69,18 +84,22 @@ std::vector<PointId> used_points(const std::vector<SubdividedFace>& faces) {
 
 Subdivision subdivide(const InputComplex& input, Intersections intersections, const Classifier& classifier,
                       const Monitor& monitor) {
-  const std::span<const Constraint> constraints = intersections.constraints;
-  const std::vector<std::size_t> first = starts_of_faces(constraints);
-  Subdivision result{std::vector<SubdividedFace>(first.size() - 1), {}, std::move(intersections.points)};
-  std::vector<NewPoints> found(result.faces.size());
+  const std::span<const std::uint32_t> hidden =
+      intersections.hidden ? std::span<const std::uint32_t>(*intersections.hidden) : std::span<const std::uint32_t>();
+  const std::vector<MetFace> met = met_faces(intersections.constraints, hidden);
+  Subdivision result{std::vector<SubdividedFace>(met.size()), {}, std::move(intersections.points)};
+  std::vector<NewPoints> found(met.size());
+  const bool seeks_hidden = !intersections.hidden.has_value();
   tbb::enumerable_thread_specific<FaceSplitter> splitters(
-      [&] { return FaceSplitter(input, classifier, result.points); });
+      [&] { return FaceSplitter(input, classifier, result.points, seeks_hidden); });
   for_costly_first(
-      result.faces.size(), [&](std::size_t i) { return first[i + 1] - first[i]; },
+      met.size(), [&](std::size_t i) { return met[i].constraints.size(); },
       [&](std::size_t i) {
         monitor.check();
-        result.faces[i] = splitters.local().split(constraints.subspan(first[i], first[i + 1] - first[i]), found[i],
-                                                  result.pools.local());
+        if (met[i].constraints.empty())
+          result.faces[i].face = met[i].face;
+        else
+          result.faces[i] = splitters.local().split(met[i].constraints, found[i], result.pools.local());
       });
   std::vector<std::pair<PointId, PointId>> same = add_points(result, found, monitor);
   for (const EqualVertices& e : intersections.equal) same.emplace_back(e.a, e.b);

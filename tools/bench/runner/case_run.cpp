@@ -57,7 +57,7 @@ std::vector<std::size_t> operands_of(const json& operation, std::size_t before) 
 class Run {
  public:
   Run(const json& run, const strata::Options& options)
-      : run_(run), operations_(run.at("operations")), folder_(run.at("out_dir").get<std::string>()), options_(options) {
+      : operations_(run.at("operations")), folder_(run.at("out_dir").get<std::string>()), options_(options) {
     std::filesystem::create_directories(folder_);
     chains_ = chain_lengths(operations_);
   }
@@ -136,7 +136,6 @@ class Run {
     answer["file"] = file.string();
   }
 
-  const json& run_;
   const json& operations_;
   std::filesystem::path folder_;
   strata::Options options_;

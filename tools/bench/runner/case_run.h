@@ -11,8 +11,8 @@ namespace bench {
 /// leaves into the run's folder. Returns the run's part of the result. What goes wrong is in it; nothing is thrown but
 /// std::bad_alloc.
 ///
-/// Each solid stays exact from one operation to the next. What is written is rounded to doubles that bound a solid. Of the
-/// options, `input` is the class of the meshes that are loaded.
+/// Each solid stays exact from one operation to the next. What is written is rounded to doubles that bound a solid. Of
+/// the options, `input` is the class of the meshes that are loaded.
 [[nodiscard]] nlohmann::json execute(const nlohmann::json& run, const strata::Options& options);
 
 /// Per operation, the length of the longest chain through it: Booleans each of which is the first operand of the next.

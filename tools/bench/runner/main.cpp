@@ -52,13 +52,10 @@ void write_result(const json& result, const std::string& path) {
 /// Did all runs succeed?
 bool answer(const std::string& request_file, const std::string& result_file, const strata::Options& options) {
   const json request = read_request(request_file);
-  json result = {{"kind", request.at("kind")},
-                 {"version", request.at("version")},
-                 {"id", request.value("id", json())},
-                 {"strata", version()},
-                 {"threads", options.threads},
-                 {"input", strata::name(options.input)},
-                 {"runs", json::array()}};
+  json result = {
+      {"kind", request.at("kind")}, {"version", request.at("version")}, {"id", request.value("id", json())},
+      {"strata", version()},        {"threads", options.threads},       {"input", strata::name(options.input)},
+      {"runs", json::array()}};
   bool all_succeeded = true;
   auto written = std::chrono::steady_clock::now();
   for (const json& run : request.at("runs")) {
