@@ -135,3 +135,53 @@ TEST_CASE("walls hide cells that share an edge, each by itself", "[csg][degenera
     }
   }
 }
+
+// Catches: a face dropped where one operand decides the formula above it and below, but not alike.
+TEST_CASE("a formula that one operand decides is that operand, whatever covers it", "[csg][property][degenerate]") {
+  using Join = Formula::Join;
+  std::vector<Formula> formulas;
+  for (const std::uint32_t kept : {0u, 1u}) {
+    Formula alone(2), absorbing(2), absorbed(2);
+    alone.close(alone.operand(kept));
+    const std::array either{absorbing.operand(0), absorbing.operand(1)};
+    const std::array outer{absorbing.operand(kept), absorbing.join(Join::any, either)};
+    absorbing.close(absorbing.join(Join::all, outer));
+    const std::array both{absorbed.operand(0), absorbed.operand(1)};
+    const std::array wider{absorbed.operand(kept), absorbed.join(Join::all, both)};
+    absorbed.close(absorbed.join(Join::any, wider));
+    formulas.insert(formulas.end(), {alone, absorbing, absorbed});
+  }
+  const auto check = [&](const std::vector<Mesh>& meshes) {
+    std::vector<Operand> operands;
+    for (const Mesh& mesh : meshes) operands.push_back({.mesh = MeshView(mesh), .exact = {}});
+    for (std::size_t i = 0; i < formulas.size(); ++i) {
+      CAPTURE(i);
+      BooleanResult r = combine(formulas[i], operands, {.exact_vertices = true});
+      const Mesh& expected = meshes[i / 3];
+      REQUIRE(canonical_form(ExactMesh{std::move(r.mesh), std::move(r.exact)}) ==
+              result_of(Operation::union_, {expected}));
+    }
+  };
+  check({test::box({0, 0, 0}, {1, 1, 1}), test::box({0, 0, 0}, {1, 1, 1})});
+  check({test::box({0, 0, 0}, {1, 1, 1}), test::box({1, -1, -1}, {2, 2, 2})});
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    check(test::touching_pair(seed).meshes);
+  }
+}
+
+// Catches: sheets of one place, which solids do not have, taken for neighbours.
+TEST_CASE("a wall that one operand lists twice is taken for two", "[csg][degenerate]") {
+  Mesh cubes = test::box({0, 0, 0}, {1, 1, 1});
+  const Mesh upper = test::box({0, 0, 1}, {1, 1, 2});
+  std::vector<std::uint32_t> number;
+  for (const Vertex& v : upper.vertices) {
+    const auto place = std::find(cubes.vertices.begin(), cubes.vertices.end(), v);
+    number.push_back(static_cast<std::uint32_t>(place - cubes.vertices.begin()));
+    if (place == cubes.vertices.end()) cubes.vertices.push_back(v);
+  }
+  for (const Triangle& t : upper.triangles) cubes.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+  const Solid whole(cubes, InputClass::solid), wall(test::box({-1, -1, 0}, {2, 2, 1}));
+  CHECK((whole - wall).volume() == 1);
+  CHECK((wall | whole).volume() == 10);
+}

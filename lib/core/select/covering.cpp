@@ -33,14 +33,15 @@ std::optional<Windings> Covering::above(std::span<const std::uint32_t> covers) {
 
 bool Covering::leaves_nothing(std::span<const std::uint32_t> covers) {
   find_sheets(covers);
-  bool above = rule_.settles(operand_, 0), below = rule_.settles(operand_, 1);
+  // Where several operands decide, they decide alike.
+  std::optional<bool> above = rule_.settled(operand_, 0), below = rule_.settled(operand_, 1);
   for (const Sheet& s : sheets_) {
     if (!s.is_decisive()) continue;
     if (s.operand < operand_ && !rule_.asks_for_keepers()) return true;
-    above = above || rule_.settles(s.operand, s.above());
-    below = below || rule_.settles(s.operand, s.below());
+    if (!above) above = rule_.settled(s.operand, s.above());
+    if (!below) below = rule_.settled(s.operand, s.below());
   }
-  return above && below;
+  return above && below && *above == *below;
 }
 
 bool Covering::hides_face() { return meets_coplanar_faces_only() && hides(face_, coplanar_); }

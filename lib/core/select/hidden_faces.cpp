@@ -8,6 +8,7 @@
 #include <compare>
 
 #include "core/kernel/disjoint_sets.h"
+#include "core/kernel/predicates.h"
 #include "core/select/covering.h"
 
 namespace strata {
@@ -102,9 +103,11 @@ class CoveredFaces {
     return edges;
   }
 
-  /// Do the same faces cover two faces on one edge? If another operand has not both ends of the edge, too.
+  /// Do the same faces cover two faces on one edge? Faces in two planes are not covered at all, so either answer is
+  /// right. Two faces in one place, which a solid does not have, are not alike.
   [[nodiscard]] bool are_alike(const Edge& a, const Edge& b) const {
-    return a.forward != b.forward && !(input_.is_shared(a.u) && input_.is_shared(a.v));
+    return a.forward != b.forward && !(input_.is_shared(a.u) && input_.is_shared(a.v)) &&
+           same_orientation(input_, face(a.index), face(b.index)) == Sign::positive;
   }
 
   const InputComplex& input_;

@@ -72,6 +72,15 @@ class Rule {
     return false;
   }
 
+  /// The value of the rule where this winding number of one operand alone decides it.
+  [[nodiscard]] std::optional<bool> settled(std::uint32_t operand, std::int32_t winding) const {
+    if (!settles(operand, winding)) return std::nullopt;
+    if (!formula_) return operation_ == Operation::union_;
+    Windings alone;
+    alone.add(operand, winding);
+    return formula_->holds(alone);
+  }
+
   /// Lists of operands whose union alone matters to the rule: each list may be replaced by its union.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> unions() const {
     if (formula_) return formula_->unions();
