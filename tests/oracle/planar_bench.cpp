@@ -13,7 +13,7 @@
 
 namespace {
 
-using Ring = std::vector<strata::PlanePoint>;
+using Ring = std::vector<strata::planar::PlanePoint>;
 using Rings = std::vector<Ring>;
 
 std::vector<Rings> read(const std::string& path) {
@@ -28,7 +28,7 @@ std::vector<Rings> read(const std::string& path) {
     rings.resize(static_cast<std::size_t>(number()));
     for (Ring& ring : rings) {
       ring.resize(static_cast<std::size_t>(number()));
-      for (strata::PlanePoint& p : ring) p = {number(), number()};
+      for (strata::planar::PlanePoint& p : ring) p = {number(), number()};
     }
   }
   return operands;

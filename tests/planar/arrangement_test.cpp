@@ -1,5 +1,6 @@
 #include "extensions/planar/arrangement.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
 #include <random>
@@ -79,6 +80,26 @@ std::set<std::pair<RationalPlacement, RationalPlacement>> edges_by_definition(
   return all;
 }
 
+/// The pieces of a segment in the direction from the lower vertex to the higher one.
+std::vector<std::array<std::uint32_t, 2>> pieces_upwards(const Arrangement& a, std::uint32_t segment) {
+  std::vector<std::array<std::uint32_t, 2>> pieces(a.pieces.begin() + a.first_piece[segment],
+                                                   a.pieces.begin() + a.first_piece[segment + 1]);
+  if (a.ends[segment][0] < a.ends[segment][1]) return pieces;
+  std::reverse(pieces.begin(), pieces.end());
+  for (auto& [from, to] : pieces) std::swap(from, to);
+  return pieces;
+}
+
+/// True when segments between the same vertices have the same pieces.
+bool are_copies_split_alike(const Arrangement& a) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::array<std::uint32_t, 2>>> pieces;
+  for (std::uint32_t s = 0; s < a.ends.size(); ++s) {
+    const auto own = pieces_upwards(a, s);
+    if (pieces.try_emplace(std::minmax(a.ends[s][0], a.ends[s][1]), own).first->second != own) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 TEST_CASE("crossing segments share a vertex that is the meet of their lines", "[planar][arrangement]") {
@@ -87,8 +108,8 @@ TEST_CASE("crossing segments share a vertex that is the meet of their lines", "[
   CHECK(a.first_piece == std::vector<std::uint32_t>{0, 2, 4});
   CHECK(a.pieces[0][1] == a.pieces[2][1]);
   CHECK(exact_position(a.places, a.pieces[0][1]) == RationalPlacement{Rational(3, 4), Rational(1, 4)});
-  CHECK(a.segment_of(1) == 0);
-  CHECK(a.segment_of(2) == 1);
+  CHECK(a.segment_of[1] == 0);
+  CHECK(a.segment_of[2] == 1);
 }
 
 TEST_CASE("three segments through one point make one vertex", "[planar][arrangement][degenerate]") {
@@ -105,6 +126,21 @@ TEST_CASE("overlapping segments have their common pieces twice", "[planar][arran
   REQUIRE(a.pieces.size() == 4);
   CHECK(a.pieces[1] == std::array<std::uint32_t, 2>{2, 1});
   CHECK(a.pieces[3] == std::array<std::uint32_t, 2>{1, 2});
+}
+
+// Catches: copies that are not split, or split against their direction.
+TEST_CASE("segments between the same points are split alike", "[planar][arrangement][degenerate]") {
+  // Three of them are crossed, in thirds, and have the end of another one inside.
+  const Doubles points{{0, 0}, {3, 1}, {0, 1}, {1, 0}, {1.5, 0.5}, {2, 7}};
+  const Arrangement a = arrange(segments_of(points, {{0, 1}, {1, 0}, {2, 3}, {0, 1}, {4, 5}}));
+  REQUIRE(a.first_piece == std::vector<std::uint32_t>{0, 3, 6, 8, 11, 12});
+  CHECK(a.pieces[0][0] == 0);
+  CHECK(a.pieces[1][1] == 4);
+  CHECK(a.pieces[3] == std::array<std::uint32_t, 2>{1, 4});
+  CHECK(pieces_upwards(a, 0) == pieces_upwards(a, 1));
+  CHECK(pieces_upwards(a, 0) == pieces_upwards(a, 3));
+  CHECK(a.is_fold[0] == 1);
+  CHECK(a.is_fold[1] == 1);
 }
 
 TEST_CASE("a segment that is a point cuts what it lies on", "[planar][arrangement][degenerate]") {
@@ -135,8 +171,11 @@ TEST_CASE("arrangements are what the definition gives", "[planar][arrangement][p
       for (std::size_t j = 0; j < 2; ++j) exact.back()[k][j] = to_rational(points[n - 2 + k][j]);
   }
   const auto expected = edges_by_definition(exact);
-  CHECK(edges(arrange(segments_of(points, ends))) == expected);
-  CHECK(edges(arrange(segments_of(points, ends), {}, 0)) == expected);  // by a sweep
+  for (const std::size_t patience : {usual_patience, std::size_t{0}}) {  // without it: by a sweep
+    const Arrangement a = arrange(segments_of(points, ends), {}, patience);
+    CHECK(edges(a) == expected);
+    CHECK(are_copies_split_alike(a));
+  }
 }
 
 }  // namespace strata::planar

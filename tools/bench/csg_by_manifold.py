@@ -35,8 +35,9 @@ class Node:
 
 
 class Parser:
-    def __init__(self, text):
-        self.tokens = [m.groups() for m in TOKEN.finditer(text) if m[0].strip()]
+    def __init__(self, path):
+        self.folder = path.parent
+        self.tokens = [m.groups() for m in TOKEN.finditer(path.read_text()) if m[0].strip()]
         self.at = 0
 
     def peek(self):
@@ -62,6 +63,8 @@ class Parser:
             raise Unsupported("modifier !")
         name = self.take()
         arguments = self.arguments()
+        if name == "import":
+            arguments["file"] = self.folder / arguments["file"]
         children = []
         if self.take() == "{":
             children = self.nodes()
@@ -175,7 +178,20 @@ def cylinder(node):
     return m3.Manifold.cylinder(h, r1, r2, n, node.get("center", False))
 
 
-LEAVES = {"cube": cube, "sphere": sphere, "cylinder": cylinder, "square": square, "polygon": polygon,
+def imported(node):
+    path = node.get("file", None)
+    if path.suffix.lower() != ".off":
+        raise Unsupported(f"import of {path.suffix}")
+    rows = [line.split() for line in path.read_text().splitlines()]
+    if rows[0] != ["OFF"]:
+        raise Unsupported("import of OFF with more than points and faces")
+    rows = [row for row in rows[1:] if row and not row[0].startswith("#")]
+    vertices, faces = int(rows[0][0]), int(rows[0][1])
+    points = [[float(x) for x in row[:3]] for row in rows[1:1 + vertices]]
+    return manifold(points, [[int(v) for v in row[1:1 + int(row[0])]] for row in rows[1 + vertices:1 + vertices + faces]])
+
+
+LEAVES = {"cube": cube, "import": imported, "sphere": sphere, "cylinder": cylinder, "square": square, "polygon": polygon,
           "circle": lambda n: m3.CrossSection([np.array(circle(n.get("r", 1), sides(n, n.get("r", 1))))]),
           "polyhedron": lambda n: manifold(n.get("points", []), [[int(i) for i in reversed(f)] for f in n.get("faces", [])])}
 
@@ -253,7 +269,7 @@ def evaluate(node):
 
 
 def by_manifold(path):
-    made = united([p for p in map(evaluate, Parser(path.read_text()).nodes()) if p is not None])
+    made = united([p for p in map(evaluate, Parser(path).nodes()) if p is not None])
     if not isinstance(made, m3.Manifold):
         raise Unsupported("no solid")
     made.to_mesh64()

@@ -1,6 +1,7 @@
 #include "extensions/planar/arrangement.h"
 
 #include <numeric>
+#include <utility>
 
 #include "core/containers/hash_index.h"
 #include "core/containers/point_hash.h"
@@ -36,34 +37,83 @@ class Names {
 
 double size_of(const Box& box) { return (box.right - box.left) + (box.high - box.low); }
 
-/// Runs: consecutive segments that go forward, up to eight together. They give fewer entries to sort, with boxes that
-/// are little larger. An isolated chain is a run of its own.
-std::vector<std::uint32_t> runs_of(const Segments& segments, const std::vector<Box>& boxes) {
+/// Segments between the ends of a segment with a lower number, in its direction or against it: they are split where
+/// that one is. Points are no copies, and neither are isolated chains, which take ways of their own.
+class Copies {
+ public:
+  explicit Copies(const Segments& segments) {
+    const auto& ends = segments.ends;
+    // A segment that has copies shares both its ends with two others: with its copy, and with one that closes the ring.
+    std::vector<std::uint8_t> met(segments.places.size());  // how often, up to 3
+    for (const auto& e : ends)
+      for (const std::uint32_t p : e) met[p] = static_cast<std::uint8_t>(std::min(met[p] + 1, 3));
+    std::vector<std::uint32_t> candidates;
+    for (std::uint32_t s = 0; s < ends.size(); ++s) {
+      const auto [p, q] = ends[s];
+      if (met[p] == 3 && met[q] == 3 && p != q && !segments.chains.holds(s)) candidates.push_back(s);
+    }
+    if (candidates.empty()) return;
+    next_.assign(ends.size(), none);
+    is_copy_.assign(ends.size(), 0);
+    HashIndex known(candidates.size());
+    for (const std::uint32_t s : candidates) {
+      const auto between = std::minmax(ends[s][0], ends[s][1]);
+      const std::uint64_t hash =
+          folded_product(between.first ^ 0x9e3779b97f4a7c15u, between.second ^ 0xd6e8feb86659fd93u);
+      const std::uint32_t first =
+          known.find_or_add(hash, s, [&](std::uint32_t t) { return std::minmax(ends[t][0], ends[t][1]) == between; });
+      if (first == s) continue;
+      is_copy_[s] = 1;
+      next_[s] = std::exchange(next_[first], s);
+    }
+  }
+
+  [[nodiscard]] bool has(std::uint32_t segment) const { return !is_copy_.empty() && is_copy_[segment] != 0; }
+  /// Adds what was found for a segment to its copies.
+  void add_to(const std::vector<std::array<std::uint32_t, 2>>& ends, Intersections& found) const {
+    if (is_copy_.empty()) return;
+    const std::size_t count = found.inside.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Meeting m = found.inside[i];
+      for (std::uint32_t s = next_[m.segment]; s != none; s = next_[s]) found.inside.push_back({s, m.point});
+    }
+    for (std::uint32_t s = 0; s < is_copy_.size(); ++s)
+      if (has(s)) found.folds.insert(found.folds.end(), ends[s].begin(), ends[s].end());
+  }
+
+ private:
+  std::vector<std::uint8_t> is_copy_;  ///< of every segment; empty if there are none
+  std::vector<std::uint32_t> next_;    ///< of a segment, and of a copy: another copy
+};
+
+/// Runs of up to eight segments. They give fewer entries to sort, with boxes that are little larger. An isolated chain
+/// is a run of its own.
+std::vector<Run> runs_of(const Segments& segments, const std::vector<Box>& boxes, const Copies& copies) {
   constexpr std::uint32_t longest = 8;
   constexpr double progress = 0.6;  // of the box, relative to the length of the segments
-  std::vector<std::uint32_t> first;
+  std::vector<Run> runs;
   Box box;
   double total = 0;
   for (std::uint32_t s = 0; s < boxes.size(); ++s) {
-    const Box joined = s > 0 ? hull(box, boxes[s]) : boxes[s];
+    if (copies.has(s)) continue;
+    const Box joined = hull(box, boxes[s]);
     const double size = size_of(boxes[s]);
-    const bool goes_on = s > 0 && s - first.back() < longest && segments.ends[s - 1][1] == segments.ends[s][0] &&
-                         !segments.chains.holds(s - 1) && !segments.chains.holds(s) &&
-                         size_of(joined) >= progress * (total + size);
-    if (!goes_on) first.push_back(s);
+    const bool goes_on = !runs.empty() && runs.back().end == s && s - runs.back().first < longest &&
+                         segments.ends[s - 1][1] == segments.ends[s][0] && !segments.chains.holds(s - 1) &&
+                         !segments.chains.holds(s) && size_of(joined) >= progress * (total + size);
+    if (!goes_on) runs.push_back({s, s});
+    runs.back().end = s + 1;
     box = goes_on ? joined : boxes[s];
     total = goes_on ? total + size : size;
   }
-  first.push_back(static_cast<std::uint32_t>(boxes.size()));
-  return first;
+  return runs;
 }
 
 std::unique_ptr<Strips> strips_of(const Segments& segments, const std::vector<Box>& boxes,
-                                  const std::vector<std::uint32_t>& first_of_run) {
+                                  const std::vector<Run>& runs) {
   std::vector<Box> run_boxes;
   std::vector<std::array<PlanePoint, 2>> ends;
-  for (std::size_t r = 0; r + 1 < first_of_run.size(); ++r) {
-    const std::uint32_t first = first_of_run[r], end = first_of_run[r + 1];
+  for (const auto [first, end] : runs) {
     Box box = boxes[first];
     for (std::uint32_t s = first + 1; s < end; ++s) box = hull(box, boxes[s]);
     run_boxes.push_back(box);
@@ -80,18 +130,18 @@ std::unique_ptr<Strips> strips_of(const Segments& segments, const std::vector<Bo
 /// there are dropped.
 class MeetingSearch {
  public:
-  MeetingSearch(Segments& segments, const std::vector<Box>& boxes, const std::vector<std::uint32_t>& first_of_run,
-                Strips& strips, std::size_t patience)
+  MeetingSearch(Segments& segments, const std::vector<Box>& boxes, const std::vector<Run>& runs, Strips& strips,
+                std::size_t patience)
       : segments_(segments),
         boxes_(boxes),
-        first_of_run_(first_of_run),
+        runs_(runs),
         strips_(strips),
         patience_(patience),
         finder_(segments, strips, found_) {}
 
   Intersections find(const Monitor& monitor) {
-    for (std::uint32_t r = 0; r + 1 < first_of_run_.size(); ++r)
-      if (!is_monotone(r, 0) && !is_monotone(r, 1)) find_within(r);
+    for (const Run& run : runs_)
+      if (!is_monotone(run, 0) && !is_monotone(run, 1)) find_within(run);
     strips_.sort(*this);
     monitor.check();
     sweep_over_crowds(monitor);
@@ -108,9 +158,9 @@ class MeetingSearch {
   }
   void visit(std::uint32_t q, std::uint32_t r) {
     if (is_chain(q) || is_chain(r)) return;
-    for (std::uint32_t s = first_of_run_[q]; s < first_of_run_[q + 1]; ++s) {
+    for (std::uint32_t s = runs_[q].first; s < runs_[q].end; ++s) {
       if (!overlap(boxes_[s], strips_.box(r))) continue;
-      for (std::uint32_t t = first_of_run_[r]; t < first_of_run_[r + 1]; ++t) {
+      for (std::uint32_t t = runs_[r].first; t < runs_[r].end; ++t) {
         if (!overlap(boxes_[s], boxes_[t])) continue;
         finder_.test(s, t, strip_);
         ++tests_;
@@ -132,23 +182,22 @@ class MeetingSearch {
 
  private:
   /// Isolated chains have no intersections.
-  [[nodiscard]] bool is_chain(std::uint32_t run) const { return segments_.chains.holds(first_of_run_[run]); }
+  [[nodiscard]] bool is_chain(std::uint32_t run) const { return segments_.chains.holds(runs_[run].first); }
   /// True when a run of given doubles goes strictly up, or down, in a coordinate: then its segments meet only in common
   /// ends.
-  [[nodiscard]] bool is_monotone(std::uint32_t run, std::size_t axis) const {
+  [[nodiscard]] bool is_monotone(const Run& run, std::size_t axis) const {
     const Places& places = segments_.places;
     const auto goes_up = [&](const std::array<std::uint32_t, 2>& e) {
       return places.place[e[0]][axis] < places.place[e[1]][axis];
     };
-    const std::uint32_t first = first_of_run_[run], end = first_of_run_[run + 1];
-    const bool is_up = goes_up(segments_.ends[first]);
-    return std::all_of(segments_.ends.begin() + first, segments_.ends.begin() + end, [&](const auto& e) {
+    const bool is_up = goes_up(segments_.ends[run.first]);
+    return std::all_of(segments_.ends.begin() + run.first, segments_.ends.begin() + run.end, [&](const auto& e) {
       return places.is_double(e[0]) && places.is_double(e[1]) && goes_up(is_up ? e : std::array{e[1], e[0]});
     });
   }
-  void find_within(std::uint32_t run) {
-    for (std::uint32_t s = first_of_run_[run]; s < first_of_run_[run + 1]; ++s)
-      for (std::uint32_t t = s + 1; t < first_of_run_[run + 1]; ++t)
+  void find_within(const Run& run) {
+    for (std::uint32_t s = run.first; s < run.end; ++s)
+      for (std::uint32_t t = s + 1; t < run.end; ++t)
         if (overlap(boxes_[s], boxes_[t])) finder_.test(s, t, none);
   }
   void sweep_over_crowds(const Monitor& monitor) {
@@ -163,7 +212,7 @@ class MeetingSearch {
     std::vector<SweptSegment> swept;
     std::erase_if(runs, [&](std::uint32_t r) { return is_chain(r); });
     for (const std::uint32_t r : runs)
-      for (std::uint32_t s = first_of_run_[r]; s < first_of_run_[r + 1]; ++s)
+      for (std::uint32_t s = runs_[r].first; s < runs_[r].end; ++s)
         swept.push_back({s, segments_.ends[s][0], segments_.ends[s][1]});
     const std::size_t before = found_.inside.size();
     sweep(segments_.places, swept, found_, monitor);
@@ -177,7 +226,7 @@ class MeetingSearch {
 
   Segments& segments_;
   const std::vector<Box>& boxes_;
-  const std::vector<std::uint32_t>& first_of_run_;
+  const std::vector<Run>& runs_;
   Strips& strips_;
   std::size_t patience_;
   Intersections found_;
@@ -201,6 +250,8 @@ class PointsInside {
     for (const Meeting& m : intersections) point_[next[m.segment]++] = m.point;
     for (std::uint32_t s = 0; s + 1 < first_.size(); ++s) sort(segments.places, s, names);
   }
+  /// On all segments.
+  [[nodiscard]] std::size_t count() const { return point_.size(); }
   [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t s) const {
     return {point_.data() + first_[s], point_.data() + first_[s + 1]};
   }
@@ -222,7 +273,8 @@ class PointsInside {
 void split(const PointsInside& inside, Arrangement& a) {
   a.first_piece.push_back(0);
   a.first_piece.reserve(a.ends.size() + 1);
-  a.pieces.reserve(a.ends.size());
+  a.pieces.reserve(a.ends.size() + inside.count());
+  a.segment_of.reserve(a.ends.size() + inside.count());
   for (std::uint32_t s = 0; s < a.ends.size(); ++s) {
     std::uint32_t from = a.ends[s][0];
     const auto go_to = [&](std::uint32_t to) {
@@ -231,16 +283,12 @@ void split(const PointsInside& inside, Arrangement& a) {
     };
     for (const std::uint32_t p : inside.of(s)) go_to(a.vertex_of[p]);
     go_to(a.ends[s][1]);
+    a.segment_of.resize(a.pieces.size(), s);
     a.first_piece.push_back(static_cast<std::uint32_t>(a.pieces.size()));
   }
 }
 
 }  // namespace
-
-std::uint32_t Arrangement::segment_of(std::uint32_t piece) const {
-  return static_cast<std::uint32_t>(std::upper_bound(first_piece.begin(), first_piece.end(), piece) -
-                                    first_piece.begin() - 1);
-}
 
 Arrangement arrange(Segments segments, const Monitor& monitor, std::size_t patience) {
   Arrangement a;
@@ -248,10 +296,12 @@ Arrangement arrange(Segments segments, const Monitor& monitor, std::size_t patie
   boxes.reserve(segments.ends.size());
   for (const auto& [p, q] : segments.ends)
     boxes.push_back(hull(box_of(segments.places, p), box_of(segments.places, q)));
-  a.first_of_run = runs_of(segments, boxes);
-  std::unique_ptr<Strips> strips = strips_of(segments, boxes, a.first_of_run);
+  const Copies copies(segments);
+  a.runs = runs_of(segments, boxes, copies);
+  std::unique_ptr<Strips> strips = strips_of(segments, boxes, a.runs);
   monitor.check();
-  const Intersections found = MeetingSearch(segments, boxes, a.first_of_run, *strips, patience).find(monitor);
+  Intersections found = MeetingSearch(segments, boxes, a.runs, *strips, patience).find(monitor);
+  copies.add_to(segments.ends, found);
   a.strips = std::move(strips);
   monitor.check();
 

@@ -21,13 +21,19 @@ struct Segments {
   MonotoneChains chains;
 };
 
+/// A few consecutive segments that go forward: first, ..., end - 1.
+struct Run {
+  std::uint32_t first = 0, end = 0;
+};
+
 /// Segments split at their intersections: vertices, and pieces between them.
 ///
 /// Invariants: two pieces meet in common ends only, or have both ends in common and coincide. Coincident points are one
 /// vertex: `vertex_of` maps every point to the lowest number of its position, and pieces use only such numbers. (So a
 /// position given as doubles has a number of a point given as doubles.) The pieces of segment i are first_piece[i] ..
 /// first_piece[i + 1] - 1, in order along it, each from pieces[k][0] to pieces[k][1] in the segment's direction; a
-/// segment that is a point has none. Crossings are meets of two segments' lines, appended to the given points.
+/// segment that is a point has none. A *copy* is a segment between the ends of one with a lower number, from which it
+/// is known where it is split. Crossings are meets of two segments' lines, appended to the given points.
 struct Arrangement {
   Places places;
   std::vector<std::array<std::uint32_t, 2>> ends;    ///< of segments, as vertices
@@ -36,11 +42,10 @@ struct Arrangement {
   std::vector<std::array<std::uint32_t, 2>> pieces;  ///< from vertex to vertex
   std::vector<std::uint8_t> is_fold;                 ///< of every vertex: two segments leave it in the same direction
   MonotoneChains chains;                             ///< the isolated chains
-  std::vector<std::uint32_t> first_of_run;           ///< segments in runs of a few consecutive ones, and their count
+  std::vector<std::uint32_t> segment_of;             ///< of every piece
+  std::vector<Run> runs;                             ///< of all segments that are no copies
   std::unique_ptr<const Strips> strips;              ///< strips of the runs, for queries
 
-  /// The segment of a piece. O(log n).
-  [[nodiscard]] std::uint32_t segment_of(std::uint32_t piece) const;
   /// True for the points of a point set: segments from a point to itself, as vertices; they may lie on pieces' ends.
   [[nodiscard]] bool is_point(std::uint32_t segment) const { return ends[segment][0] == ends[segment][1]; }
 };

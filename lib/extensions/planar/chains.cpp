@@ -46,20 +46,23 @@ struct Direction {
 
 class Fan {
  public:
-  Fan(const Arrangement& a, const std::vector<std::uint32_t>& segment_of_piece, Subdivision& s)
-      : a_(a), segment_of_piece_(segment_of_piece), s_(s) {}
+  Fan(const Arrangement& a, Subdivision& s) : a_(a), s_(s) {}
 
   /// Sorts a node's half-edges, given as a range of `around`, and keeps one for each direction. Returns how many.
   std::uint32_t sort(std::span<std::uint32_t> half_edges) {
     directions_.clear();
     for (const std::uint32_t h : half_edges) directions_.push_back(direction(h));
+    bool are_different = true;  // sorting compares what becomes neighbours
     std::sort(directions_.begin(), directions_.end(), [&](const Direction& p, const Direction& q) {
       const Sign order = compare_directions(p, q);
-      return order != Sign::zero ? order == Sign::negative : p.half_edge < q.half_edge;
+      if (order != Sign::zero) return order == Sign::negative;
+      are_different = are_different && p.half_edge == q.half_edge;
+      return p.half_edge < q.half_edge;
     });
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < directions_.size(); ++i) {
-      const bool is_new = i == 0 || compare_directions(directions_[i - 1], directions_[i]) != Sign::zero;
+      const bool is_new =
+          are_different || i == 0 || compare_directions(directions_[i - 1], directions_[i]) != Sign::zero;
       if (is_new) {
         half_edges[count++] = directions_[i].half_edge;
       } else {
@@ -73,7 +76,7 @@ class Fan {
   Direction direction(std::uint32_t h) const {
     const Subdivision::Chain& c = s_.chains[h >> 1];
     const bool against = (h & 1) != 0;
-    const std::uint32_t line = segment_of_piece_[against ? c.last : c.first];
+    const std::uint32_t line = a_.segment_of[against ? c.last : c.first];
     return {h, line, against, (heading(a_.places, line) == Sign::positive) == against};
   }
   /// Negative when p comes before q, counter-clockwise from straight down, which itself is last.
@@ -90,7 +93,6 @@ class Fan {
   }
 
   const Arrangement& a_;
-  const std::vector<std::uint32_t>& segment_of_piece_;
   Subdivision& s_;
   std::vector<Direction> directions_;
 };
@@ -114,7 +116,7 @@ std::vector<std::uint32_t> cut_into_chains(const Arrangement& a, std::span<const
   return least;
 }
 
-void sort_around_nodes(const Arrangement& a, const std::vector<std::uint32_t>& segment_of_piece, Subdivision& s) {
+void sort_around_nodes(const Arrangement& a, Subdivision& s) {
   const auto chains = static_cast<std::uint32_t>(s.chains.size());
   s.edge_of.resize(chains);
   for (std::uint32_t c = 0; c < chains; ++c) s.edge_of[c] = c;
@@ -127,7 +129,7 @@ void sort_around_nodes(const Arrangement& a, const std::vector<std::uint32_t>& s
   for (std::uint32_t h = 0; h < 2 * chains; ++h) s.around[s.end_around[origin(a, s, h)]++] = h;
   s.first_around = std::move(first);
   s.next.assign(2 * static_cast<std::size_t>(chains), none);
-  Fan fan(a, segment_of_piece, s);
+  Fan fan(a, s);
   for (std::uint32_t v = 0; v < a.places.size(); ++v) {
     if (s.first_around[v] == s.end_around[v]) continue;
     s.end_around[v] =

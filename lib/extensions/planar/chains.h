@@ -10,9 +10,10 @@ std::vector<std::uint32_t> cut_into_chains(const Arrangement& a, std::span<const
                                            ChainEnds ends, Subdivision& s);
 
 /// Half-edges sorted around nodes, coinciding chains made one edge, `next`.
-void sort_around_nodes(const Arrangement& a, const std::vector<std::uint32_t>& segment_of_piece, Subdivision& s);
+void sort_around_nodes(const Arrangement& a, Subdivision& s);
 
 /// Components by their least vertices, and the faces that contain them.
-void find_components(const Arrangement& a, std::vector<std::uint32_t> least, std::size_t patience, Subdivision& s);
+void find_components(const Arrangement& a, std::span<const std::uint32_t> least_of_ring, std::size_t patience,
+                     Subdivision& s);
 
 }  // namespace strata::planar

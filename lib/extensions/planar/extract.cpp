@@ -57,11 +57,8 @@ class CornerFinder {
   void add_chain(std::uint32_t half_edge) {
     const std::size_t begin = loop_.size();
     const bool against = (half_edge & 1) != 0;
-    std::uint32_t segment = a_.segment_of(s_.chains[half_edge >> 1].first);
     s_.for_each_piece(half_edge >> 1, [&](std::uint32_t k) {
-      if (k < a_.first_piece[segment]) segment = a_.segment_of(k);  // around the ring
-      while (k >= a_.first_piece[segment + 1]) ++segment;
-      loop_.push_back({a_.pieces[k][against ? 1 : 0], segment, against});
+      loop_.push_back({a_.pieces[k][against ? 1 : 0], a_.segment_of[k], against});
     });
     if (against) std::reverse(loop_.begin() + static_cast<std::ptrdiff_t>(begin), loop_.end());
   }

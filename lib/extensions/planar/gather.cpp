@@ -43,7 +43,7 @@ class Gatherer {
   void add_given() {
     std::size_t points = 0;
     for (const Operand& o : operands_) points += o.loops->places.size();
-    places().place.reserve(points);
+    places().place.reserve(points + points / 2);  // for crossings, too
     for (std::size_t i = 0; i < operands_.size(); ++i) {
       const Places& own = operands_[i].loops->places;
       offsets_[i].doubles = places().size();

@@ -60,7 +60,7 @@ class LeftwardRay {
       ++looked_at_;
       const std::uint32_t run = runs[i];
       if (a_.strips->box(run).right < bound) continue;
-      for (std::uint32_t s = a_.first_of_run[run]; s < a_.first_of_run[run + 1]; ++s)
+      for (std::uint32_t s = a_.runs[run].first; s < a_.runs[run].end; ++s)
         if (meet(s)) bound = lefts[i];
     }
   }
@@ -118,7 +118,7 @@ void Nesting::sweep() {
   for (std::uint32_t c = 0; c < s_.chains.size(); ++c) {
     if (!s_.is_edge(c)) continue;
     s_.for_each_piece(c, [&](std::uint32_t k) {
-      pieces.push_back({a_.segment_of(k), a_.pieces[k][0], a_.pieces[k][1]});
+      pieces.push_back({a_.segment_of[k], a_.pieces[k][0], a_.pieces[k][1]});
       half_edge.push_back(2 * c);
     });
   }

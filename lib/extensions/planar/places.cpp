@@ -46,19 +46,37 @@ std::optional<double> common_coordinate(const Places& places, const Line& l, std
   return x;
 }
 
-/// The intersection of two lines, in numbers with bounds: a + t (b - a).
+/// The intersection of two lines as a point of the first one, in numbers with bounds: start + way.
 template <class Real>
-Pair<Real> meet_of(const Places& places, const Meet& meet) {
+struct MeetOnLine {
+  Pair<Real> start, way;
+};
+
+template <class Real>
+MeetOnLine<Real> on_first_line(const Places& places, const Meet& meet) {
   const Line l = places.lines[meet.first], m = places.lines[meet.second];
   const Pair<Real> a = given_pair<Real>(places, l.from), b = given_pair<Real>(places, l.to);
   const Pair<Real> c = given_pair<Real>(places, m.from), d = given_pair<Real>(places, m.to);
   const Real ux = b[0] - a[0], uy = b[1] - a[1], vx = d[0] - c[0], vy = d[1] - c[1];
   const Real t = ((c[0] - a[0]) * vy - (c[1] - a[1]) * vx) / (ux * vy - uy * vx);
-  Pair<Real> p{a[0] + t * ux, a[1] + t * uy};
-  for (std::size_t i = 0; i < 2; ++i)
-    for (const Line& line : {l, m})
-      if (const auto x = common_coordinate(places, line, i)) p[i] = Real(*x);
+  return {a, {t * ux, t * uy}};
+}
+
+/// The sum, which may have more digits than its terms.
+template <class Sum, class Real>
+Pair<Sum> sum_of(const Places& places, const Meet& meet, const MeetOnLine<Real>& on_line) {
+  Pair<Sum> p;
+  for (std::size_t i = 0; i < 2; ++i) {
+    p[i] = Sum(on_line.start[i]) + Sum(on_line.way[i]);
+    for (const std::uint32_t line : {meet.first, meet.second})
+      if (const auto x = common_coordinate(places, places.lines[line], i)) p[i] = Sum(*x);
+  }
   return p;
+}
+
+template <class Real>
+Pair<Real> meet_of(const Places& places, const Meet& meet) {
+  return sum_of<Real>(places, meet, on_first_line<Real>(places, meet));
 }
 
 RationalPlacement exact_meet(const Places& places, const Meet& meet) {
@@ -176,8 +194,12 @@ PlanePoint nearest_place(const Places& places, std::uint32_t point) {
   const PlanePoint& error = places.error[point - places.doubles()];
   if (error[0] == 0 && error[1] == 0) return places.place[point];
   if (places.is_meet(point)) {
-    const Pair<DoubleDouble> p = meet_of<DoubleDouble>(places, places.meet(point));
-    if (p[0].rounds_to_value() && p[1].rounds_to_value()) return {p[0].value, p[1].value};
+    const Meet& m = places.meet(point);
+    const auto settles = [](const Pair<DoubleDouble>& p) { return p[0].rounds_to_value() && p[1].rounds_to_value(); };
+    // On a segment that is short beside its distance from zero, doubles tell where; the sum needs more of them.
+    Pair<DoubleDouble> p = sum_of<DoubleDouble>(places, m, on_first_line<Bounded>(places, m));
+    if (!settles(p)) p = meet_of<DoubleDouble>(places, m);
+    if (settles(p)) return {p[0].value, p[1].value};
   }
   const RationalPlacement p = exact_position(places, point);
   return {to_nearest_double(p[0]), to_nearest_double(p[1])};

@@ -67,6 +67,16 @@ int filtered_cross(const Places& places, const Line& l, const Line& m) {
   return static_cast<int>(value > bound) - static_cast<int>(-value > bound);
 }
 
+/// True for points with one coordinate in common.
+bool are_level(const PlanePoint& p, const PlanePoint& q, std::size_t axis) { return p[axis] == q[axis]; }
+
+/// True where doubles show it at once: both lines are horizontal, or both vertical.
+bool are_level(const Places& places, const Line& l, const Line& m) {
+  const PlanePoint &a = places.place[l.from], &b = places.place[l.to];
+  const PlanePoint &c = places.place[m.from], &d = places.place[m.to];
+  return (are_level(a, b, 0) && are_level(c, d, 0)) || (are_level(a, b, 1) && are_level(c, d, 1));
+}
+
 /// Decides where differences of coordinates are doubles.
 std::optional<Sign> cross_by_differences(const Places& places, const Line& l, const Line& m) {
   if (std::max({l.from, l.to, m.from, m.to}) >= places.doubles()) return std::nullopt;
@@ -129,6 +139,8 @@ Sign closer::side(const Places& places, std::uint32_t point, std::uint32_t line)
   if (point == a || point == b) return Sign::zero;
   if (places.is_double(point) && places.is_double(a) && places.is_double(b)) {
     const PlanePoint &p = places.place[a], &q = places.place[b], &r = places.place[point];
+    for (const std::size_t axis : {0, 1})
+      if (are_level(p, q, axis) && are_level(p, r, axis)) return Sign::zero;
     if (const std::optional<Sign> sign = orientation_by_differences(p, q, r)) return *sign;
     return exact::side(places, point, line);
   }
@@ -141,9 +153,11 @@ Sign closer::side(const Places& places, std::uint32_t point, std::uint32_t line)
 
 Sign cross(const Places& places, std::uint32_t line, std::uint32_t other) {
   const Line l = places.lines[line], m = places.lines[other];
-  if (l == m) return Sign::zero;
-  if (std::max({l.from, l.to, m.from, m.to}) < places.doubles())
+  if (l == m || (l.from == m.to && l.to == m.from)) return Sign::zero;
+  if (std::max({l.from, l.to, m.from, m.to}) < places.doubles()) {
     if (const int orientation = filtered_cross(places, l, m); orientation != 0) return static_cast<Sign>(orientation);
+    if (are_level(places, l, m)) return Sign::zero;
+  }
   BoundedPair u, v;
   for (std::size_t i = 0; i < 2; ++i) {
     u[i] = bounded(places, l.to, i) - bounded(places, l.from, i);
